@@ -1,0 +1,78 @@
+// The network: axes snapped together and cut at the points that they share.
+//
+// Ends and vertices within `tolerance` (metres, planar) of each other join
+// transitively, whatever the order of the axes; a cluster wider than three
+// tolerances is reported and not joined.  A node lies at the vertex of its
+// smallest (axis_id, vertex).  An axis end within tolerance of the inside of
+// another axis' segment makes a node there.  Levels that differ meet only where
+// the point is an end of at least one axis; where it is interior to all, they
+// pass over each other and make no node.  No vertex that another axis shares is removed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// What happens where two axes of one level cross without a vertex.
+enum class Crossing {
+  over,   // no node; reported
+  split,  // a node where they cross; reported
+};
+
+struct NetworkAxis {
+  std::int64_t axis_id = 0;
+  Line line;  // at least two distinct points, finite
+  int level = 0;
+};
+
+// The way back from a node to its input: one axis end or shared vertex.
+struct NodeAnchor {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the input axis
+};
+
+struct Node {
+  Point point;
+  std::vector<NodeAnchor> anchors;  // sorted by (axis_id, abscissa); never empty
+};
+
+// A piece of an axis between two nodes, snapped to them, in the direction of the axis.
+struct Edge {
+  std::int64_t axis_id = 0;
+  int from_node = 0;  // index into Network::nodes
+  int to_node = 0;    // equal to from_node for a loop
+  int level = 0;
+  double start_abscissa = 0;  // metres along the input axis
+  double end_abscissa = 0;
+  Line line;  // starts at from_node's point, ends at to_node's; at least two distinct points
+};
+
+enum class NetworkIssue {
+  wide_cluster,   // points within tolerance chain wider than three tolerances: not joined
+  crossing,       // two axes of one level cross without a vertex (split or passed over)
+  collapsed_axis, // an axis shorter than the tolerance: it has no edge
+};
+
+struct NetworkReport {
+  NetworkIssue issue;
+  std::int64_t axis_a = 0;
+  std::int64_t axis_b = 0;  // equal to axis_a where only one is concerned
+  Point point;
+  double measure = 0;  // width of the cluster, or length of the axis, metres
+};
+
+struct Network {
+  std::vector<Node> nodes;  // sorted by their smallest (axis_id, abscissa)
+  std::vector<Edge> edges;  // sorted by (axis_id, start_abscissa)
+  std::vector<NetworkReport> reports;
+};
+
+// Deterministic and independent of the order of `axes` (axis ids are distinct).
+// tolerance > 0, metres.  A loop (both ends of an axis at one node) is one edge.
+// A closed axis met by nothing is one loop edge at its start.
+Network network(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing);
+
+}  // namespace streetgen

@@ -1,0 +1,101 @@
+// From the network to surfaces: corners, section limits, sections, intersections.
+// StreetGen paper, sections 2.4 and 2.5; docs/geometry.md shows each step.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/network.hpp"
+
+namespace streetgen {
+
+struct StreetAxis {
+  std::int64_t axis_id = 0;
+  Line line;
+  int level = 0;
+  double width = 0;      // kerb to kerb at the start, metres
+  double width_end = 0;  // kerb to kerb at the end; equal to width where it does not change
+  double radius = 0;     // wanted corner radius, metres; 0: no arc
+  int importance = 99;   // 1 is the highest
+};
+
+// The model's settings that the geometry needs, each with the name of its setting.
+struct StreetSettings {
+  double tolerance = 0.5;          // metres
+  Crossing crossing = Crossing::over;
+  double max_arc_distance = 60;    // metres from the node to an arc's centre
+  double radius_minimal = 0.15;    // metres, the kerb stone's radius
+  double transition_length = 10;   // metres, where two axes of different width meet
+  std::string transition_kind = "symmetric";  // symmetric, left, right
+  std::string radius_rule = "min";            // min, max, mean of the two axes' radii
+  bool round_dead_ends = false;
+  double max_hole_area = 0.5;      // square metres
+};
+
+// How a row came about; the words are those of the `method` columns.
+enum class Method {
+  hypothesis,       // as wanted
+  radius_reduced,   // the wanted radius does not fit the axes: the largest that does
+  radius_minimal,   // the arc's centre lay beyond max_arc_distance
+  no_arc,           // no candidate (one axis within the other, nearly straight)
+  crossed_limits,   // the limits of the edge would cross: both at their meeting
+  transition,       // a change of width
+  contested,        // part of the ground belongs to another surface
+  robust_fallback,  // the ring was built by union, not piece by piece
+};
+const char* method_name(Method method) noexcept;
+
+// Counter-clockwise from edge a to edge b around the node.
+struct Corner {
+  int node = 0;
+  int edge_a = 0;
+  bool at_start_a = true;  // the end of edge a that touches the node
+  int edge_b = 0;
+  bool at_start_b = true;
+  double radius_wanted = 0;
+  double radius = 0;               // 0 without an arc
+  std::optional<Point> centre;
+  std::optional<Arc> arc;          // from the border of a to the border of b
+  Method method = Method::hypothesis;
+};
+
+struct SectionLimit {
+  int edge = 0;
+  bool at_start = true;
+  double wanted_abscissa = 0;  // metres along the edge from its start
+  double abscissa = 0;
+  Point point;
+  Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
+  Method method = Method::hypothesis;
+};
+
+struct Section {
+  int edge = 0;
+  MultiPolygon surface;  // empty when the limits crossed
+  Method method = Method::hypothesis;
+  double contested_area = 0;  // square metres left to other surfaces
+};
+
+struct Intersection {
+  int node = 0;
+  int level = 0;
+  MultiPolygon surface;
+  Method method = Method::hypothesis;
+  double contested_area = 0;
+};
+
+struct Streets {
+  Network network;
+  std::vector<Corner> corners;
+  std::vector<SectionLimit> limits;        // two per edge: 2 * edge, 2 * edge + 1
+  std::vector<Section> sections;           // one per edge
+  std::vector<Intersection> intersections; // one per node of degree two and more
+};
+
+// Deterministic and independent of the order of `axes`.
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
+
+}  // namespace streetgen

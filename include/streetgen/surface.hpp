@@ -1,0 +1,36 @@
+// Surfaces built from axes: border lines, sections, intersections, buffers.  Paper, 2.5.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// The line across the axis at `abscissa` (clamped to the axis), normal to the local
+// substring at +-0.1 m, from the left kerb to the right kerb.
+Line border_line(const Line& axis, double abscissa, double width);
+
+// The roadway of the axis between two abscissas, with flat ends and round outer bends.
+MultiPolygon section_surface(const Line& axis, double width, double start_abscissa,
+                             double end_abscissa);
+
+// Axes in any order, all starting at the node; radii[i] belongs to the corner from axes[i]
+// to the next axis counter-clockwise.  Ends at each axis' farthest tangent point.
+MultiPolygon intersection_surface(const std::vector<Line>& axes, const std::vector<double>& widths,
+                                  const std::vector<double>& radii);
+
+// The same with true arcs: the exterior ring piece by piece; empty where the ring cannot be
+// built piece by piece (the straight surface then holds).
+CurvedRing intersection_ring(const std::vector<Line>& axes, const std::vector<double>& widths,
+                             const std::vector<double>& radii);
+
+enum class Side { both, left, right };
+enum class Ends { flat, round };
+
+// The union of discs along the line whose radius is linear between the vertices' radii
+// (side: only the part left or right of the line).  radii.size() == line.size(), each >= 0.
+MultiPolygon variable_buffer(const Line& line, const std::vector<double>& radii,
+                             Side side = Side::both, Ends ends = Ends::flat);
+
+}  // namespace streetgen
