@@ -1,0 +1,181 @@
+#include "streetgen/corner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "offset.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double slack = 1e-7;  // metres; places nearer to an axis than its offset by more are inside
+
+struct Meeting {
+  Point centre;
+  double abscissa_a, abscissa_b;
+};
+
+// Where `p`, known to lie on the piece's carrier, lies within the piece.
+bool within(const OffsetPiece& piece, const Point& p, double* abscissa) {
+  if (piece.arc) {
+    const Point from = piece.start - piece.centre, to = piece.end - piece.centre;
+    const Point at = p - piece.centre;
+    const double turn = cross(from, to), scale = dot(from, from);
+    const double sign = turn >= 0 ? 1 : -1;
+    if (cross(from, at) * sign < -1e-9 * scale || cross(at, to) * sign < -1e-9 * scale) return false;
+    if (dot(at, from + to) < 0 && scale > 0) return false;
+    *abscissa = piece.start_abscissa;
+    return true;
+  }
+  const Point along = piece.end - piece.start;
+  const double size = norm(along);
+  const double t = dot(p - piece.start, along) / size;
+  if (t < -slack || t > size + slack) return false;
+  *abscissa = std::clamp(piece.start_abscissa + t, piece.start_abscissa, piece.end_abscissa);
+  return true;
+}
+
+int meet_line_line(const OffsetPiece& a, const OffsetPiece& b, const Point& node, Point out[2]) {
+  const Point u = a.end - a.start, v = b.end - b.start, w = b.start - a.start;
+  const double d = cross(u, v), nu = norm(u), nv = norm(v);
+  if (std::abs(d) > 1e-12 * nu * nv) {
+    out[0] = a.start + u * (cross(w, v) / d);
+    return 1;
+  }
+  if (std::abs(cross(u, w)) > slack * nu) return 0;
+  const Point e = u * (1 / nu);
+  const double b0 = dot(b.start - a.start, e), b1 = dot(b.end - a.start, e);
+  const double low = std::max(0.0, std::min(b0, b1)), high = std::min(nu, std::max(b0, b1));
+  if (low > high + slack) return 0;
+  out[0] = a.start + e * std::clamp(dot(node - a.start, e), low, std::max(low, high));
+  return 1;
+}
+
+int meet_line_arc(const OffsetPiece& line, const OffsetPiece& arc, Point out[2]) {
+  const Point e = unit(line.end - line.start);
+  const double radius = distance(arc.start, arc.centre);
+  const double along = dot(arc.centre - line.start, e);
+  const Point foot = line.start + e * along;
+  const double off = distance(foot, arc.centre);
+  if (off > radius + slack) return 0;
+  const double half = std::sqrt(std::max(0.0, radius * radius - off * off));
+  out[0] = foot - e * half;
+  out[1] = foot + e * half;
+  return 2;
+}
+
+int meet_arc_arc(const OffsetPiece& a, const OffsetPiece& b, Point out[2]) {
+  const double ra = distance(a.start, a.centre), rb = distance(b.start, b.centre);
+  const Point between = b.centre - a.centre;
+  const double d = norm(between);
+  if (d == 0 || d > ra + rb + slack || d < std::abs(ra - rb) - slack) return 0;
+  const double along = (d * d + ra * ra - rb * rb) / (2 * d);
+  const double half = std::sqrt(std::max(0.0, ra * ra - along * along));
+  const Point e = between * (1 / d), foot = a.centre + e * along;
+  out[0] = foot + left_normal(e) * half;
+  out[1] = foot - left_normal(e) * half;
+  return 2;
+}
+
+double piece_distance(const OffsetPiece& piece, const Point& p) {
+  if (!piece.arc) return distance_to_segment(p, piece.start, piece.end);
+  return std::max(0.0, distance(p, piece.centre) - distance(piece.start, piece.centre));
+}
+
+bool boxes_apart(const OffsetPiece& a, const OffsetPiece& b) {
+  if (a.arc || b.arc) return false;
+  return std::max(a.start.x, a.end.x) + slack < std::min(b.start.x, b.end.x) ||
+         std::max(b.start.x, b.end.x) + slack < std::min(a.start.x, a.end.x) ||
+         std::max(a.start.y, a.end.y) + slack < std::min(b.start.y, b.end.y) ||
+         std::max(b.start.y, b.end.y) + slack < std::min(a.start.y, a.end.y);
+}
+
+std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, double offset_a,
+                                       double offset_b) {
+  const auto pieces_a = offset_pieces(axis_a, offset_a, +1);
+  const auto pieces_b = offset_pieces(axis_b, offset_b, -1);
+  const Point node = planar(axis_a.front());
+  std::optional<Meeting> best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const OffsetPiece& a : pieces_a) {
+    if (piece_distance(a, node) > best_distance) continue;
+    poll_cancel();
+    for (const OffsetPiece& b : pieces_b) {
+      if (boxes_apart(a, b)) continue;
+      Point places[2];
+      const int count = a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
+                              : (b.arc ? meet_line_arc(a, b, places)
+                                       : meet_line_line(a, b, node, places));
+      for (int i = 0; i < count; ++i) {
+        Meeting found{places[i], 0, 0};
+        const double d = distance(node, found.centre);
+        if (d > best_distance + slack) continue;
+        if (!within(a, found.centre, &found.abscissa_a)) continue;
+        if (!within(b, found.centre, &found.abscissa_b)) continue;
+        if (d > best_distance - slack && best && found.abscissa_a >= best->abscissa_a) continue;
+        if (distance_to_line(found.centre, axis_a) < offset_a - slack) continue;
+        if (distance_to_line(found.centre, axis_b) < offset_b - slack) continue;
+        best = found;
+        best_distance = std::min(d, best_distance);
+      }
+    }
+  }
+  return best;
+}
+
+Point towards(const Line& axis, double abscissa, const Point& centre, double half) {
+  const Place foot = place_at(axis, abscissa);
+  const Point away = unit(planar(centre) - planar(foot.point));
+  return planar(foot.point) + away * half;
+}
+
+}  // namespace
+
+std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
+                                    double width_b, double radius) {
+  const double half_a = width_a / 2, half_b = width_b / 2;
+  const auto meeting = nearest_meeting(axis_a, axis_b, half_a + radius, half_b + radius);
+  if (!meeting) return std::nullopt;
+  CornerArc corner;
+  corner.centre = planar(meeting->centre);
+  corner.radius = radius;
+  corner.abscissa_a = meeting->abscissa_a;
+  corner.abscissa_b = meeting->abscissa_b;
+  corner.arc.start = towards(axis_a, corner.abscissa_a, corner.centre, half_a);
+  corner.arc.end = towards(axis_b, corner.abscissa_b, corner.centre, half_b);
+  const Point from = unit(corner.arc.start - corner.centre), to = unit(corner.arc.end - corner.centre);
+  // From a to b the arc turns clockwise about its centre: it bulges towards the node.
+  double sweep = std::atan2(cross(from, to), dot(from, to));
+  if (sweep > 0) sweep -= 2 * M_PI;
+  const double middle = std::atan2(from.y, from.x) + sweep / 2;
+  corner.arc.middle = {corner.centre.x + radius * std::cos(middle),
+                       corner.centre.y + radius * std::sin(middle), 0};
+  return corner;
+}
+
+std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double width_a,
+                                double width_b, double radius) {
+  const auto corner = corner_arc(axis_a, axis_b, width_a, width_b, radius);
+  return corner ? std::optional<Point>(corner->centre) : std::nullopt;
+}
+
+std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, double width_a,
+                                        double width_b, double radius_limit) {
+  const auto fits = [&](double radius) {
+    return nearest_meeting(axis_a, axis_b, width_a / 2 + radius, width_b / 2 + radius).has_value();
+  };
+  if (!fits(0)) return std::nullopt;
+  if (fits(radius_limit)) return radius_limit;
+  double low = 0, high = radius_limit;
+  while (high - low > 1e-7) {
+    const double middle = (low + high) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,25 @@
+// The borders of an axis as pieces: one segment per segment, one arc per outer bend.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+struct OffsetPiece {
+  Point start, end;        // of the piece
+  Point centre;            // of an arc: the axis vertex
+  bool arc = false;
+  double start_abscissa = 0, end_abscissa = 0;  // on the axis
+};
+
+// `side` +1: left, -1: right; `offset` >= 0 metres.  Raw: parts nearer to the axis than
+// `offset` are not yet removed.
+std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side);
+
+// The kerb between abscissas u and v (backwards when u > v), half widths linear from
+// `half_start` at abscissa 0 to `half_end` at the end of the axis.  Inner bends are mitred.
+Line kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
+
+}  // namespace streetgen

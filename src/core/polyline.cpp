@@ -1,0 +1,119 @@
+#include "polyline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace streetgen {
+
+double norm(const Point& a) { return std::hypot(a.x, a.y); }
+double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+Point planar(const Point& a) { return {a.x, a.y, 0}; }
+Point unit(const Point& a) {
+  const double n = norm(a);
+  return n > 0 ? Point{a.x / n, a.y / n, 0} : Point{};
+}
+Point left_normal(const Point& a) { return {-a.y, a.x, 0}; }
+
+double length(const Line& line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
+  return sum;
+}
+
+Line reversed(Line line) {
+  std::reverse(line.begin(), line.end());
+  return line;
+}
+
+Line planar(Line line) {
+  for (Point& p : line) p.z = 0;
+  return line;
+}
+
+Line distinct(const Line& line) {
+  Line out;
+  for (const Point& p : line)
+    if (out.empty() || distance(out.back(), p) > 0) out.push_back(p);
+  return out;
+}
+
+Place place_at(const Line& line, double abscissa) {
+  double before = 0;
+  const std::size_t last = line.size() - 2;
+  for (std::size_t i = 0;; ++i) {
+    const double d = distance(line[i], line[i + 1]);
+    if (i == last || (abscissa < before + d)) {
+      const double t = d > 0 ? std::clamp((abscissa - before) / d, 0.0, 1.0) : 0.0;
+      const Point p = t == 1 ? line[i + 1] : line[i] + (line[i + 1] - line[i]) * t;
+      return {i, p, unit(line[i + 1] - line[i])};
+    }
+    before += d;
+  }
+}
+
+Point local_direction(const Line& line, double abscissa) {
+  constexpr double reach = 0.1;
+  const Point before = place_at(line, abscissa - reach).point;
+  const Point after = place_at(line, abscissa + reach).point;
+  const Point direction = unit(after - before);
+  return norm(direction) > 0 ? direction : place_at(line, abscissa).direction;
+}
+
+Line substring(const Line& line, double u, double v) {
+  if (u > v) return reversed(substring(line, v, u));
+  Line out{place_at(line, u).point};
+  double before = 0;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    before += distance(line[i - 1], line[i]);
+    if (before >= v) break;
+    if (before > u) out.push_back(line[i]);
+  }
+  out.push_back(place_at(line, v).point);
+  return out;
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point ab = b - a;
+  const double square = dot(ab, ab);
+  const double t = square > 0 ? std::clamp(dot(p - a, ab) / square, 0.0, 1.0) : 0.0;
+  return distance(p, a + ab * t);
+}
+
+double distance_to_line(const Point& p, const Line& line) {
+  double best = distance(p, line.front());
+  for (std::size_t i = 1; i < line.size(); ++i)
+    best = std::min(best, distance_to_segment(p, line[i - 1], line[i]));
+  return best;
+}
+
+void append_arc(Ring& ring, const Point& centre, const Point& from, const Point& to,
+                bool counter_clockwise, int quarter) {
+  const double start = std::atan2(from.y - centre.y, from.x - centre.x);
+  double sweep = std::atan2(to.y - centre.y, to.x - centre.x) - start;
+  if (counter_clockwise && sweep < 0) sweep += 2 * M_PI;
+  if (!counter_clockwise && sweep > 0) sweep -= 2 * M_PI;
+  const double radius_from = distance(centre, from), radius_to = distance(centre, to);
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / M_PI_2 * quarter)));
+  for (int i = 1; i < chords; ++i) {
+    const double t = static_cast<double>(i) / chords;
+    const double radius = radius_from + (radius_to - radius_from) * t;
+    ring.push_back({centre.x + radius * std::cos(start + sweep * t),
+                    centre.y + radius * std::sin(start + sweep * t), 0});
+  }
+}
+
+double signed_area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    sum += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return sum / 2;
+}
+
+double area(const MultiPolygon& surface) {
+  double sum = 0;
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon) sum += signed_area(ring);
+  return sum;
+}
+
+}  // namespace streetgen

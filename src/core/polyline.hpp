@@ -1,0 +1,50 @@
+// Planar measures of one polyline.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+inline Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Point operator*(const Point& a, double k) { return {a.x * k, a.y * k, a.z * k}; }
+inline double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
+inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+double norm(const Point& a);
+double distance(const Point& a, const Point& b);
+Point planar(const Point& a);          // without z
+Point unit(const Point& a);            // zero stays zero
+Point left_normal(const Point& a);     // a quarter turn counter-clockwise
+
+double length(const Line& line);
+Line reversed(Line line);
+Line planar(Line line);
+// Without repeated consecutive points.
+Line distinct(const Line& line);
+
+// The segment that holds `abscissa` (clamped), and where in it.
+struct Place {
+  std::size_t segment = 0;
+  Point point;
+  Point direction;  // unit, of the segment
+};
+Place place_at(const Line& line, double abscissa);
+// Unit direction of the substring at +-0.1 m around `abscissa`.
+Point local_direction(const Line& line, double abscissa);
+// From abscissa u to abscissa v; backwards when u > v.
+Line substring(const Line& line, double u, double v);
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b);
+double distance_to_line(const Point& p, const Line& line);
+
+// Points on the circle about `centre` from `from` to `to` (both left out), turning
+// counter-clockwise or clockwise; a quarter circle has `quarter` chords.
+void append_arc(Ring& ring, const Point& centre, const Point& from, const Point& to,
+                bool counter_clockwise, int quarter);
+
+double signed_area(const Ring& ring);
+double area(const MultiPolygon& surface);
+
+}  // namespace streetgen
