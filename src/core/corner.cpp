@@ -150,7 +150,7 @@ std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, doub
   const Point from = unit(corner.arc.start - corner.centre), to = unit(corner.arc.end - corner.centre);
   // From a to b the arc turns clockwise about its centre: it bulges towards the node.
   double sweep = std::atan2(cross(from, to), dot(from, to));
-  if (sweep > 0) sweep -= 2 * M_PI;
+  if (sweep > M_PI_2) sweep -= 2 * M_PI;
   const double middle = std::atan2(from.y, from.x) + sweep / 2;
   corner.arc.middle = {corner.centre.x + radius * std::cos(middle),
                        corner.centre.y + radius * std::sin(middle), 0};

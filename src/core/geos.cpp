@@ -1,0 +1,118 @@
+#include "geos.hpp"
+
+#include <stdexcept>
+
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+Geos::Geos() : handle_(GEOS_init_r()) {
+  if (handle_ == nullptr) throw std::bad_alloc();
+}
+Geos::~Geos() { GEOS_finish_r(handle_); }
+
+Geos::Geometry Geos::own(GEOSGeometry* geometry) {
+  if (geometry == nullptr) {
+    poll_cancel();
+    throw std::runtime_error("a GEOS operation failed");
+  }
+  return Geometry(geometry, Free{handle_});
+}
+
+Geos::Geometry Geos::ring(const Ring& ring) {
+  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, ring.size(), 2);
+  if (sequence == nullptr) throw std::bad_alloc();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    GEOSCoordSeq_setXY_r(handle_, sequence, i, ring[i].x, ring[i].y);
+  return own(GEOSGeom_createLinearRing_r(handle_, sequence));
+}
+
+Geos::Geometry Geos::polygon(const Polygon& polygon) {
+  Geometry shell = ring(polygon.front());
+  std::vector<GEOSGeometry*> holes;
+  for (std::size_t i = 1; i < polygon.size(); ++i) holes.push_back(ring(polygon[i]).release());
+  return own(GEOSGeom_createPolygon_r(handle_, shell.release(), holes.data(), holes.size()));
+}
+
+Geos::Geometry Geos::surface(const MultiPolygon& surface) {
+  if (surface.size() == 1) return polygon(surface.front());
+  std::vector<GEOSGeometry*> parts;
+  for (const Polygon& part : surface) parts.push_back(polygon(part).release());
+  return own(
+      GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, parts.data(), parts.size()));
+}
+
+Geos::Geometry Geos::points(const std::vector<Point>& points) {
+  std::vector<GEOSGeometry*> parts;
+  for (const Point& p : points)
+    parts.push_back(own(GEOSGeom_createPointFromXY_r(handle_, p.x, p.y)).release());
+  return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOINT, parts.data(), parts.size()));
+}
+
+void Geos::append(const GEOSGeometry* geometry, MultiPolygon& out) {
+  const int type = GEOSGeomTypeId_r(handle_, geometry);
+  if (type == GEOS_POLYGON) {
+    if (GEOSisEmpty_r(handle_, geometry) == 1) return;
+    const auto read = [&](const GEOSGeometry* from, bool counter_clockwise) {
+      const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle_, from);
+      unsigned size = 0;
+      GEOSCoordSeq_getSize_r(handle_, sequence, &size);
+      Ring ring(size);
+      for (unsigned i = 0; i < size; ++i)
+        GEOSCoordSeq_getXY_r(handle_, sequence, i, &ring[i].x, &ring[i].y);
+      return (signed_area(ring) > 0) == counter_clockwise ? ring : reversed(ring);
+    };
+    Polygon polygon{read(GEOSGetExteriorRing_r(handle_, geometry), true)};
+    const int holes = GEOSGetNumInteriorRings_r(handle_, geometry);
+    for (int i = 0; i < holes; ++i)
+      polygon.push_back(read(GEOSGetInteriorRingN_r(handle_, geometry, i), false));
+    out.push_back(std::move(polygon));
+  } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
+    const int parts = GEOSGetNumGeometries_r(handle_, geometry);
+    for (int i = 0; i < parts; ++i) append(GEOSGetGeometryN_r(handle_, geometry, i), out);
+  }
+}
+
+MultiPolygon Geos::polygons(const GEOSGeometry* geometry) {
+  MultiPolygon out;
+  append(geometry, out);
+  return out;
+}
+
+bool Geos::valid(const GEOSGeometry* geometry) { return GEOSisValid_r(handle_, geometry) == 1; }
+
+double Geos::area(const GEOSGeometry* geometry) {
+  double area = 0;
+  GEOSArea_r(handle_, geometry, &area);
+  return area;
+}
+
+Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
+  return own(GEOSIntersection_r(handle_, a, b));
+}
+
+Geos::Geometry Geos::difference(const GEOSGeometry* a, const GEOSGeometry* b) {
+  return own(GEOSDifference_r(handle_, a, b));
+}
+
+Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
+  std::vector<GEOSGeometry*> all;
+  for (const MultiPolygon& part : parts) {
+    for (const Polygon& one : part) {
+      Geometry geometry = polygon(one);
+      if (!valid(geometry.get())) geometry = own(GEOSMakeValid_r(handle_, geometry.get()));
+      all.push_back(geometry.release());
+    }
+  }
+  const Geometry collection = own(
+      GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
+  return own(GEOSUnaryUnion_r(handle_, collection.get()));
+}
+
+Geos::Geometry Geos::voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope) {
+  const Geometry all = points(sites);
+  return own(GEOSVoronoiDiagram_r(handle_, all.get(), envelope, 0, 0));
+}
+
+}  // namespace streetgen

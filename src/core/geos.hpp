@@ -1,0 +1,49 @@
+// The one door to GEOS: owned geometries, conversions, the few operations we use.
+// Every result is checked; GEOS' process-wide interrupt callback is left alone.
+#pragma once
+
+#include <geos_c.h>
+
+#include <memory>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+class Geos {
+ public:
+  struct Free {
+    GEOSContextHandle_t handle;
+    void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(handle, g); }
+  };
+  using Geometry = std::unique_ptr<GEOSGeometry, Free>;
+
+  Geos();
+  ~Geos();
+  Geos(const Geos&) = delete;
+  Geos& operator=(const Geos&) = delete;
+
+  Geometry polygon(const Polygon& polygon);
+  Geometry surface(const MultiPolygon& surface);
+  Geometry points(const std::vector<Point>& points);
+  // The polygons of any geometry, exterior counter-clockwise, holes clockwise; the rest is dropped.
+  MultiPolygon polygons(const GEOSGeometry* geometry);
+
+  bool valid(const GEOSGeometry* geometry);
+  double area(const GEOSGeometry* geometry);
+  Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
+  Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
+  Geometry unite(const std::vector<MultiPolygon>& parts);
+  // Voronoi cells of the sites, one polygon each, no order promised.
+  Geometry voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope);
+  GEOSContextHandle_t handle() const { return handle_; }
+
+ private:
+  Geometry own(GEOSGeometry* geometry);
+  Geometry ring(const Ring& ring);
+  void append(const GEOSGeometry* geometry, MultiPolygon& out);
+  GEOSContextHandle_t handle_;
+};
+
+}  // namespace streetgen
