@@ -1,0 +1,149 @@
+#include "around.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "polyline.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Beyond this angle from a to b the corner lies outside a bend and has no arc.
+constexpr double widest_corner = 200 * M_PI / 180;
+// From here on the borders are nearly one line: an arc that does not fit is left out.
+constexpr double nearly_straight = 160 * M_PI / 180;
+
+double heading(const Arm& arm, double abscissa) {
+  const Point d = place_at(arm.line, abscissa).point - arm.line.front();
+  return std::atan2(d.y, d.x);
+}
+
+double turn_between(double from, double to) {
+  const double turn = std::fmod(to - from + 4 * M_PI, 2 * M_PI);
+  return turn;
+}
+
+double angle_between(const Arm& a, const Arm& b) {
+  return turn_between(heading(a, std::min(1.0, length(a.line))),
+                      heading(b, std::min(1.0, length(b.line))));
+}
+
+// The kerb lines alone, where there is no arc: they cross, or one arm's flat end sticks out.
+void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
+                       SolvedCorner& solved) {
+  if (angle >= M_PI) return;
+  const auto crossing = corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, 0);
+  const Point node = planar(a.line.front());
+  if (crossing && distance(crossing->centre, node) <= reach) {
+    solved.gap = {true, *crossing};
+    solved.limit_a = crossing->abscissa_a;
+    solved.limit_b = crossing->abscissa_b;
+    return;
+  }
+  const Point along_a = place_at(a.line, 0).direction, along_b = place_at(b.line, 0).direction;
+  solved.limit_b = std::max(0.0, dot(left_normal(along_a) * a.half_start, along_b));
+  solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.half_start, along_a));
+}
+
+}  // namespace
+
+std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
+  std::vector<std::size_t> order(arms.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t i, double at) {
+    return heading(arms[i], std::min(at, length(arms[i].line)));
+  };
+  std::vector<double> near(arms.size());
+  for (std::size_t i = 0; i < arms.size(); ++i) near[i] = key(i, 1);
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return near[i] != near[j] ? near[i] < near[j] : i < j;
+  });
+  // Arms that leave together part later: the one that turns left comes after.
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const std::size_t i = order[k], j = order[k + 1];
+    if (near[j] - near[i] > 1e-6) continue;
+    for (double at = 2; at < 64; at *= 2) {
+      const double turn = std::remainder(key(j, at) - key(i, at), 2 * M_PI);
+      if (std::abs(turn) <= 1e-6) continue;
+      if (turn < 0) std::swap(order[k], order[k + 1]);
+      break;
+    }
+  }
+  return order;
+}
+
+SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
+  SolvedCorner solved;
+  const double angle = angle_between(a, b);
+  const double width_a = 2 * a.half_start, width_b = 2 * b.half_start;
+  const Point node = planar(a.line.front());
+  if (angle > widest_corner || wish.radius <= 0) {
+    solved.method = wish.radius <= 0 ? Method::hypothesis : Method::no_arc;
+    solve_without_arc(a, b, angle, wish.max_arc_distance, solved);
+    return solved;
+  }
+  const auto near = [&](const CornerArc& c) {
+    return distance(c.centre, node) <= wish.max_arc_distance;
+  };
+  auto found = corner_arc(a.line, b.line, width_a, width_b, wish.radius);
+  if (!found && angle < nearly_straight) {
+    const auto largest = max_corner_radius(a.line, b.line, width_a, width_b, wish.radius);
+    if (largest && *largest > 0.001)
+      found = corner_arc(a.line, b.line, width_a, width_b, *largest);
+    solved.method = Method::radius_reduced;
+  }
+  if (found && !near(*found)) {
+    found = corner_arc(a.line, b.line, width_a, width_b, std::min(wish.radius_minimal, wish.radius));
+    solved.method = Method::radius_minimal;
+    if (found && !near(*found) && angle >= nearly_straight) found.reset();
+  }
+  if (!found) {
+    solved.method = Method::no_arc;
+    solve_without_arc(a, b, angle, wish.max_arc_distance, solved);
+    return solved;
+  }
+  solved.gap = {true, *found};
+  solved.limit_a = found->abscissa_a;
+  solved.limit_b = found->abscissa_b;
+  return solved;
+}
+
+void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner) {
+  a.limit = std::max(a.limit, std::min(corner.limit_a, length(a.line)));
+  b.limit = std::max(b.limit, std::min(corner.limit_b, length(b.line)));
+}
+
+double kerb_clear_limit(const Arm& arm, double limit) {
+  const double total = length(arm.line);
+  const auto clear = [&](double abscissa) {
+    const double half = half_at(arm, abscissa), window = 4 * half;
+    const Line near = substring(arm.line, std::max(0.0, abscissa - window),
+                                std::min(total, abscissa + window));
+    if (near.size() <= 2) return true;
+    const double given = std::abs(arm.half_end - arm.half_start) / std::max(total, 1e-9) * window;
+    for (const Point& kerb : border_across(arm, abscissa))
+      if (distance_to_line(kerb, near) < half - given - 1e-4) return false;
+    return true;
+  };
+  if (limit >= total || clear(limit)) return limit;
+  std::vector<double> tries;
+  double abscissa = 0;
+  for (std::size_t i = 1; i + 1 < arm.line.size(); ++i) {
+    abscissa += distance(arm.line[i - 1], arm.line[i]);
+    if (abscissa > limit + 4 * half_at(arm, limit) + 20) break;
+    const Point before = unit(arm.line[i] - arm.line[i - 1]);
+    const Point after = unit(arm.line[i + 1] - arm.line[i]);
+    const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
+    const double clear_by = half_at(arm, abscissa) * std::tan(std::min(turn, 3.0) / 2);
+    tries.push_back(abscissa + std::max(clear_by, 0.1) + 1e-6);
+  }
+  for (double step = 0.25; step <= 20; step += 0.25) tries.push_back(limit + step);
+  std::sort(tries.begin(), tries.end());
+  for (const double candidate : tries)
+    if (candidate > limit && candidate < total && clear(candidate)) return candidate;
+  return limit;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,37 @@
+// Around one node: the order of its arms, their corners, and how far each arm reaches.
+#pragma once
+
+#include <vector>
+
+#include "ring.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+
+// Indices of the arms, counter-clockwise about the node; ties by what follows, then by index.
+std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms);
+
+struct CornerWish {
+  double radius = 0;
+  double max_arc_distance = 60;
+  double radius_minimal = 0.15;
+};
+
+struct SolvedCorner {
+  Gap gap;
+  Method method = Method::hypothesis;
+  double limit_a = 0;  // what the corner asks of the two arms' limits, metres
+  double limit_b = 0;
+};
+
+// Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short,
+// the largest radius that fits; the centre too far, the minimal radius.
+SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish);
+
+void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner);
+
+// The first abscissa from `limit` outwards whose border line ends on the kerbs, not in
+// the inside of a bend; `limit` itself where the arm has none.
+double kerb_clear_limit(const Arm& arm, double limit);
+
+}  // namespace streetgen
