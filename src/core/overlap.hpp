@@ -1,0 +1,36 @@
+// Do two surfaces share ground, or do they only touch?
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+struct Box {
+  double min_x = std::numeric_limits<double>::infinity(), min_y = min_x;
+  double max_x = -min_x, max_y = -min_x;
+  void add(const Point& p) {
+    min_x = std::min(min_x, p.x);
+    min_y = std::min(min_y, p.y);
+    max_x = std::max(max_x, p.x);
+    max_y = std::max(max_y, p.y);
+  }
+  bool meets(const Box& o, double margin) const {
+    return min_x <= o.max_x + margin && o.min_x <= max_x + margin && min_y <= o.max_y + margin &&
+           o.min_y <= max_y + margin;
+  }
+  bool holds(const Point& p, double margin) const {
+    return p.x >= min_x - margin && p.x <= max_x + margin && p.y >= min_y - margin &&
+           p.y <= max_y + margin;
+  }
+};
+Box box_of(const MultiPolygon& surface);
+
+bool inside(const Point& p, const Polygon& polygon);
+
+// True when the surfaces share ground deeper than a micrometre; touching ones do not.
+bool overlap(const MultiPolygon& a, const MultiPolygon& b);
+
+}  // namespace streetgen

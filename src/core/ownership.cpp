@@ -1,0 +1,190 @@
+#include "ownership.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "overlap.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double sample_spacing = 1.0;  // metres along the axes
+constexpr double negligible = 1e-6;     // square metres
+
+bool before(const Claim& a, const Claim& b) {
+  return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
+         std::tuple(b.importance, -b.width, b.axis_id, b.place);
+}
+
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a);
+  const double o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
+  return o1 * o2 < 0 && o3 * o4 < 0;
+}
+
+// Inside both, not at an end that they share.
+bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
+  for (const Line& la : a.skeleton)
+    for (std::size_t i = 1; i < la.size(); ++i) {
+      Box segment;
+      segment.add(la[i - 1]);
+      segment.add(la[i]);
+      if (!segment.meets(within, 0)) continue;
+      for (const Line& lb : b.skeleton)
+        for (std::size_t j = 1; j < lb.size(); ++j) {
+          if (!segments_cross(la[i - 1], la[i], lb[j - 1], lb[j])) continue;
+          const Point u = la[i] - la[i - 1], v = lb[j] - lb[j - 1];
+          const Point at = la[i - 1] + u * (cross(lb[j - 1] - la[i - 1], v) / cross(u, v));
+          const double from_ends =
+              std::min({distance(at, la.front()), distance(at, la.back()),
+                        distance(at, lb.front()), distance(at, lb.back())});
+          if (from_ends > 0.01) return true;
+        }
+    }
+  return false;
+}
+
+struct Site {
+  Point point;
+  bool first = true;  // belongs to the first claim of the pair
+};
+
+void sample(const Claim& claim, const Box& within, double margin, bool first,
+            std::vector<Site>& sites) {
+  for (const Line& line : claim.skeleton) {
+    if (line.size() < 2) continue;
+    const double total = length(line);
+    const int steps = std::max(1, static_cast<int>(std::ceil(total / sample_spacing)));
+    double walked = 0;
+    std::size_t segment = 1;
+    for (int k = 0; k <= steps; ++k) {
+      const double at = total * k / steps;
+      while (segment + 1 < line.size() &&
+             walked + distance(line[segment - 1], line[segment]) < at) {
+        walked += distance(line[segment - 1], line[segment]);
+        ++segment;
+      }
+      const double size = distance(line[segment - 1], line[segment]);
+      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
+      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+      if (within.holds(p, margin)) sites.push_back({p, first});
+    }
+  }
+}
+
+// The part of `shared` that lies nearer to the first claim's axes than to the second's.
+Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& second,
+                               const GEOSGeometry* shared, const Box& box) {
+  std::vector<Site> sites;
+  const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
+  sample(first, box, margin, true, sites);
+  sample(second, box, margin, false, sites);
+  // Of sites in one place the claim that comes before keeps it.
+  const bool first_wins = before(first, second);
+  std::sort(sites.begin(), sites.end(), [&](const Site& a, const Site& b) {
+    return std::tuple(a.point.x, a.point.y, a.first != first_wins) <
+           std::tuple(b.point.x, b.point.y, b.first != first_wins);
+  });
+  sites.erase(std::unique(sites.begin(), sites.end(),
+                          [](const Site& a, const Site& b) {
+                            return distance(a.point, b.point) < 1e-6;
+                          }),
+              sites.end());
+  const auto count = std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
+  if (count == 0) return geos.surface({});
+  if (count == static_cast<std::ptrdiff_t>(sites.size()))
+    return Geos::Geometry(GEOSGeom_clone_r(geos.handle(), shared), Geos::Free{geos.handle()});
+  std::vector<Point> places;
+  for (const Site& site : sites) places.push_back(site.point);
+  const Geos::Geometry cells = geos.voronoi(places, shared);
+  std::vector<MultiPolygon> of_first;
+  for (const Polygon& cell : geos.polygons(cells.get())) {
+    const Box cell_box = box_of({cell});
+    for (const Site& site : sites)
+      if (cell_box.holds(site.point, 0) && inside(site.point, cell)) {
+        if (site.first) of_first.push_back({cell});
+        break;
+      }
+  }
+  if (of_first.empty()) return geos.surface({});
+  const Geos::Geometry ground = geos.unite(of_first);
+  return geos.intersection(shared, ground.get());
+}
+
+std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {
+  std::vector<Box> boxes(claims.size());
+  std::vector<int> order;
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    if (claims[i].surface->empty()) continue;
+    boxes[i] = box_of(*claims[i].surface);
+    order.push_back(static_cast<int>(i));
+  }
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> active;
+  for (const int i : order) {
+    std::size_t kept = 0;
+    for (const int j : active) {
+      if (boxes[j].max_x < boxes[i].min_x) continue;
+      active[kept++] = j;
+      if (claims[i].level == claims[j].level && boxes[i].meets(boxes[j], -1e-6))
+        pairs.emplace_back(std::min(i, j), std::max(i, j));
+    }
+    active.resize(kept);
+    active.push_back(i);
+    poll_cancel();
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace
+
+void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
+  std::map<int, Geos::Geometry> raw;
+  std::map<int, std::vector<MultiPolygon>> lost;
+  const auto geometry = [&](int i) {
+    auto& slot = raw[i];
+    if (!slot) slot = geos.surface(*claims[i].surface);
+    return slot.get();
+  };
+  for (const auto& [i, j] : overlapping_pairs(claims)) {
+    poll_cancel();
+    if (!overlap(*claims[i].surface, *claims[j].surface)) continue;
+    const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
+    const MultiPolygon ground = geos.polygons(shared.get());
+    if (area(ground) <= negligible) continue;
+    const Box box = box_of(ground);
+    if (skeletons_cross(claims[i], claims[j], box)) {
+      lost[before(claims[i], claims[j]) ? j : i].push_back(ground);
+      continue;
+    }
+    const Geos::Geometry clean = geos.surface(ground);
+    const Geos::Geometry of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
+    const MultiPolygon ground_of_i = geos.polygons(of_i.get());
+    const MultiPolygon ground_of_j =
+        geos.polygons(geos.difference(clean.get(), of_i.get()).get());
+    if (!ground_of_i.empty()) lost[j].push_back(ground_of_i);
+    if (!ground_of_j.empty()) lost[i].push_back(ground_of_j);
+  }
+  for (const auto& [i, grounds] : lost) {
+    poll_cancel();
+    const double whole = area(*claims[i].surface);
+    const Geos::Geometry given = geos.unite(grounds);
+    MultiPolygon rest = geos.polygons(geos.difference(geometry(i), given.get()).get());
+    rest.erase(std::remove_if(rest.begin(), rest.end(),
+                              [](const Polygon& part) { return area({part}) <= negligible; }),
+               rest.end());
+    *claims[i].surface = std::move(rest);
+    claims[i].contested_area = std::max(0.0, whole - area(*claims[i].surface));
+  }
+}
+
+}  // namespace streetgen

@@ -1,0 +1,301 @@
+#include "streetgen/streets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "around.hpp"
+#include "geos.hpp"
+#include "ownership.hpp"
+#include "polyline.hpp"
+#include "ring.hpp"
+#include "streetgen/cancel.hpp"
+#include "transition.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// A surface whose neighbours took less than this keeps its method.
+constexpr double contested_at_least = 0.01;
+
+struct EdgeEnd {
+  int edge = 0;
+  bool at_start = true;
+};
+
+int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
+
+struct Around {
+  std::vector<EdgeEnd> ends;  // counter-clockwise
+  std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
+  bool transition = false;
+};
+
+// The named steps; each reads what the ones before it wrote.
+class Pipeline {
+ public:
+  Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
+      : settings_(settings) {
+    for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    std::vector<NetworkAxis> lines;
+    for (const StreetAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
+    out_.network = network(lines, settings.tolerance, settings.crossing);
+  }
+
+  Streets run() {
+    orient_arms();
+    solve_corners();
+    settle_limits();
+    build_surfaces();
+    settle_owners();
+    return std::move(out_);
+  }
+
+ private:
+  const StreetAxis& axis_of(int edge) const {
+    return *axes_.at(out_.network.edges[edge].axis_id);
+  }
+
+  void orient_arms() {
+    const auto& edges = out_.network.edges;
+    arms_.resize(2 * edges.size());
+    around_.resize(out_.network.nodes.size());
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const Edge& edge = edges[e];
+      const StreetAxis& axis = axis_of(e);
+      const double total = length(axis.line);
+      const auto half = [&](double abscissa) {
+        return (axis.width + (axis.width_end - axis.width) *
+                                 (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) / 2;
+      };
+      const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
+      const Line line = distinct(planar(edge.line));
+      arms_[2 * e] = {line, start, end, 0, {}};
+      arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
+      around_[edge.from_node].ends.push_back({e, true});
+      around_[edge.to_node].ends.push_back({e, false});
+    }
+    for (Around& around : around_) {
+      std::vector<Arm> arms;
+      for (const EdgeEnd& end : around.ends) arms.push_back(arms_[slot(end)]);
+      std::vector<EdgeEnd> sorted;
+      for (const std::size_t i : counter_clockwise(arms)) sorted.push_back(around.ends[i]);
+      around.ends = std::move(sorted);
+    }
+  }
+
+  double wanted_radius(const EdgeEnd& a, const EdgeEnd& b) const {
+    const double ra = axis_of(a.edge).radius, rb = axis_of(b.edge).radius;
+    if (ra <= 0 || rb <= 0) return 0;
+    if (settings_.radius_rule == "max") return std::max(ra, rb);
+    if (settings_.radius_rule == "mean") return (ra + rb) / 2;
+    return std::min(ra, rb);
+  }
+
+  void solve_corners() {
+    for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
+      Around& around = around_[n];
+      const std::size_t degree = around.ends.size();
+      if (degree < 2) continue;
+      poll_cancel();
+      for (std::size_t i = 0; i < degree; ++i) {
+        const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
+        const double radius = wanted_radius(a, b);
+        const SolvedCorner solved =
+            solve_corner(arms_[slot(a)], arms_[slot(b)],
+                         {radius, settings_.max_arc_distance, settings_.radius_minimal});
+        widen_limits(arms_[slot(a)], arms_[slot(b)], solved);
+        around.gaps.push_back(solved.gap);
+        Corner corner{n, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};
+        if (solved.gap.meets && solved.gap.corner.radius > 0) {
+          corner.radius = solved.gap.corner.radius;
+          corner.centre = solved.gap.corner.centre;
+          corner.arc = solved.gap.corner.arc;
+        }
+        out_.corners.push_back(corner);
+      }
+      Arm &first = arms_[slot(around.ends[0])], &second = arms_[slot(around.ends[1])];
+      if (degree == 2 && changes_width(first, second)) {
+        around.transition = true;
+        for (Arm* arm : {&first, &second})
+          arm->limit = std::max(arm->limit, std::min(settings_.transition_length / 2,
+                                                     0.4 * length(arm->line)));
+      }
+      if (degree >= 3)
+        for (const EdgeEnd& end : around.ends) {
+          Arm& arm = arms_[slot(end)];
+          arm.limit = std::max(arm.limit, std::min(0.1, length(arm.line) / 4));
+        }
+    }
+  }
+
+  void settle_limits() {
+    const auto& edges = out_.network.edges;
+    out_.limits.resize(2 * edges.size());
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      Arm &start = arms_[2 * e], &end = arms_[2 * e + 1];
+      const double total = length(start.line);
+      const double wanted_start = start.limit, wanted_end = end.limit;
+      const bool crossed = start.limit + end.limit > total - 1e-3;
+      if (crossed) {
+        start.limit = total * start.limit / (start.limit + end.limit);
+        end.limit = total - start.limit;
+      } else {
+        const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;
+        const double clear_end = end.limit > 0 ? kerb_clear_limit(end, end.limit) : 0;
+        if (clear_start + clear_end < total - 1e-3) {
+          start.limit = clear_start;
+          end.limit = clear_end;
+        }
+      }
+      start.border = border_across(start, start.limit);
+      end.border = crossed ? Line{start.border[1], start.border[0]} : border_across(end, end.limit);
+      for (const bool at_start : {true, false}) {
+        const Arm& arm = at_start ? start : end;
+        SectionLimit limit;
+        limit.edge = e;
+        limit.at_start = at_start;
+        limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
+        limit.abscissa = at_start ? start.limit : total - end.limit;
+        limit.point = place_at(edges[e].line, limit.abscissa).point;
+        limit.border_line = at_start ? arm.border : Line{arm.border[1], arm.border[0]};
+        limit.method = crossed ? Method::crossed_limits : Method::hypothesis;
+        out_.limits[2 * e + (at_start ? 0 : 1)] = limit;
+      }
+    }
+  }
+
+  bool dead_end(int node) const { return around_[node].ends.size() == 1; }
+
+  void build_surfaces() {
+    const auto& edges = out_.network.edges;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      poll_cancel();
+      const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
+      Section section;
+      section.edge = e;
+      if (start.method == Method::crossed_limits) {
+        section.method = Method::crossed_limits;
+      } else {
+        Built built = build_section(geos_, arms_[2 * e], start.abscissa, end.abscissa,
+                                    start.border_line, end.border_line);
+        section.method = built.by_union ? Method::robust_fallback : Method::hypothesis;
+        section.surface = std::move(built.surface);
+        if (settings_.round_dead_ends)
+          for (const bool at_start : {true, false})
+            if (dead_end(at_start ? edges[e].from_node : edges[e].to_node))
+              section.surface =
+                  with_round_end(geos_, section.surface, arms_[2 * e + (at_start ? 0 : 1)]);
+      }
+      out_.sections.push_back(std::move(section));
+    }
+    for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
+      const Around& around = around_[n];
+      if (around.ends.size() < 2) continue;
+      poll_cancel();
+      std::vector<Arm> arms;
+      for (const EdgeEnd& end : around.ends) arms.push_back(arms_[slot(end)]);
+      Intersection intersection;
+      intersection.node = n;
+      intersection.level = level_of(around);
+      if (around.transition) {
+        intersection.surface = build_transition(geos_, arms[0], arms[1], settings_.transition_kind);
+        intersection.method = Method::transition;
+      } else {
+        Built built = build_intersection(geos_, arms, around.gaps);
+        intersection.method = built.by_union ? Method::robust_fallback : Method::hypothesis;
+        intersection.surface = std::move(built.surface);
+      }
+      out_.intersections.push_back(std::move(intersection));
+    }
+  }
+
+  // The level with most of the node's edges; ties: the lowest.
+  int level_of(const Around& around) const {
+    std::map<int, int> count;
+    for (const EdgeEnd& end : around.ends) ++count[out_.network.edges[end.edge].level];
+    return std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
+             return a.second < b.second;
+           })->first;
+  }
+
+  void add_axis(Claim& claim, int edge) const {
+    const StreetAxis& axis = axis_of(edge);
+    claim.importance = std::min(claim.importance, axis.importance);
+    claim.width = std::max({claim.width, axis.width, axis.width_end});
+    claim.axis_id = std::min(claim.axis_id, axis.axis_id);
+  }
+
+  void settle_owners() {
+    std::vector<Claim> claims;
+    for (Section& section : out_.sections) {
+      const SectionLimit &start = out_.limits[2 * section.edge],
+                         &end = out_.limits[2 * section.edge + 1];
+      const Arm& arm = arms_[2 * section.edge];
+      Claim claim;
+      claim.surface = &section.surface;
+      claim.level = out_.network.edges[section.edge].level;
+      if (start.abscissa < end.abscissa)
+        claim.skeleton.push_back(substring(arm.line, start.abscissa, end.abscissa));
+      claim.axis_id = axis_of(section.edge).axis_id;
+      claim.place = 2 * std::llround(1000 * out_.network.edges[section.edge].start_abscissa) + 1;
+      add_axis(claim, section.edge);
+      claims.push_back(std::move(claim));
+    }
+    for (Intersection& intersection : out_.intersections) {
+      Claim claim;
+      claim.surface = &intersection.surface;
+      claim.level = intersection.level;
+      const NodeAnchor& anchor = out_.network.nodes[intersection.node].anchors.front();
+      claim.axis_id = anchor.axis_id;
+      claim.place = 2 * std::llround(1000 * anchor.abscissa);
+      for (const EdgeEnd& end : around_[intersection.node].ends) {
+        const Arm& arm = arms_[slot(end)];
+        if (arm.limit > 0) claim.skeleton.push_back(substring(arm.line, 0, arm.limit));
+        add_axis(claim, end.edge);
+      }
+      claims.push_back(std::move(claim));
+    }
+    settle_ownership(geos_, claims);
+    std::size_t i = 0;
+    const auto read = [&](auto& rows) {
+      for (auto& row : rows) {
+        row.contested_area = claims[i++].contested_area;
+        if (row.contested_area > contested_at_least) row.method = Method::contested;
+      }
+    };
+    read(out_.sections);
+    read(out_.intersections);
+  }
+
+  const StreetSettings& settings_;
+  std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  Streets out_;
+  std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
+  std::vector<Around> around_;
+  Geos geos_;
+};
+
+}  // namespace
+
+const char* method_name(Method method) noexcept {
+  switch (method) {
+    case Method::hypothesis: return "hypothesis";
+    case Method::radius_reduced: return "radius_reduced";
+    case Method::radius_minimal: return "radius_minimal";
+    case Method::no_arc: return "no_arc";
+    case Method::crossed_limits: return "crossed_limits";
+    case Method::transition: return "transition";
+    case Method::contested: return "contested";
+    case Method::robust_fallback: return "robust_fallback";
+  }
+  return "";
+}
+
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings) {
+  return Pipeline(axes, settings).run();
+}
+
+}  // namespace streetgen
