@@ -90,12 +90,12 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
   auto found = corner_arc(a.line, b.line, width_a, width_b, wish.radius);
   if (!found && angle < nearly_straight) {
     const auto largest = max_corner_radius(a.line, b.line, width_a, width_b, wish.radius);
-    if (largest && *largest > 0.001)
-      found = corner_arc(a.line, b.line, width_a, width_b, *largest);
+    if (largest && *largest > 0.001) found = corner_arc(a.line, b.line, width_a, width_b, *largest);
     solved.method = Method::radius_reduced;
   }
   if (found && !near(*found)) {
-    found = corner_arc(a.line, b.line, width_a, width_b, std::min(wish.radius_minimal, wish.radius));
+    found =
+        corner_arc(a.line, b.line, width_a, width_b, std::min(wish.radius_minimal, wish.radius));
     solved.method = Method::radius_minimal;
     if (found && !near(*found) && angle >= nearly_straight) found.reset();
   }
@@ -119,8 +119,8 @@ double kerb_clear_limit(const Arm& arm, double limit) {
   const double total = length(arm.line);
   const auto clear = [&](double abscissa) {
     const double half = half_at(arm, abscissa), window = 4 * half;
-    const Line near = substring(arm.line, std::max(0.0, abscissa - window),
-                                std::min(total, abscissa + window));
+    const Line near =
+        substring(arm.line, std::max(0.0, abscissa - window), std::min(total, abscissa + window));
     if (near.size() <= 2) return true;
     const double given = std::abs(arm.half_end - arm.half_start) / std::max(total, 1e-9) * window;
     for (const Point& kerb : border_across(arm, abscissa))

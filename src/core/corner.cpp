@@ -12,7 +12,8 @@ namespace streetgen {
 
 namespace {
 
-constexpr double slack = 1e-7;  // metres; places nearer to an axis than its offset by more are inside
+constexpr double slack =
+    1e-7;  // metres; places nearer to an axis than its offset by more are inside
 
 struct Meeting {
   Point centre;
@@ -26,7 +27,8 @@ bool within(const OffsetPiece& piece, const Point& p, double* abscissa) {
     const Point at = p - piece.centre;
     const double turn = cross(from, to), scale = dot(from, from);
     const double sign = turn >= 0 ? 1 : -1;
-    if (cross(from, at) * sign < -1e-9 * scale || cross(at, to) * sign < -1e-9 * scale) return false;
+    if (cross(from, at) * sign < -1e-9 * scale || cross(at, to) * sign < -1e-9 * scale)
+      return false;
     if (dot(at, from + to) < 0 && scale > 0) return false;
     *abscissa = piece.start_abscissa;
     return true;
@@ -94,10 +96,20 @@ bool boxes_apart(const OffsetPiece& a, const OffsetPiece& b) {
          std::max(b.start.y, b.end.y) + slack < std::min(a.start.y, a.end.y);
 }
 
+// The offset border with the quarter of its round end behind the node: where a wide axis meets a
+// narrow one nearly straight on, the circle touches the wide one's end.
+std::vector<OffsetPiece> border_from_node(const Line& axis, double offset, int side) {
+  std::vector<OffsetPiece> pieces = offset_pieces(axis, offset, side);
+  const Point node = planar(axis.front());
+  const Point behind = node - place_at(axis, 0).direction * offset;
+  pieces.insert(pieces.begin(), {behind, pieces.front().start, node, true, 0, 0});
+  return pieces;
+}
+
 std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, double offset_a,
                                        double offset_b) {
-  const auto pieces_a = offset_pieces(axis_a, offset_a, +1);
-  const auto pieces_b = offset_pieces(axis_b, offset_b, -1);
+  const auto pieces_a = border_from_node(axis_a, offset_a, +1);
+  const auto pieces_b = border_from_node(axis_b, offset_b, -1);
   const Point node = planar(axis_a.front());
   std::optional<Meeting> best;
   double best_distance = std::numeric_limits<double>::infinity();
@@ -107,9 +119,9 @@ std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, d
     for (const OffsetPiece& b : pieces_b) {
       if (boxes_apart(a, b)) continue;
       Point places[2];
-      const int count = a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
-                              : (b.arc ? meet_line_arc(a, b, places)
-                                       : meet_line_line(a, b, node, places));
+      const int count =
+          a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
+                : (b.arc ? meet_line_arc(a, b, places) : meet_line_line(a, b, node, places));
       for (int i = 0; i < count; ++i) {
         Meeting found{places[i], 0, 0};
         const double d = distance(node, found.centre);
@@ -147,7 +159,8 @@ std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, doub
   corner.abscissa_b = meeting->abscissa_b;
   corner.arc.start = towards(axis_a, corner.abscissa_a, corner.centre, half_a);
   corner.arc.end = towards(axis_b, corner.abscissa_b, corner.centre, half_b);
-  const Point from = unit(corner.arc.start - corner.centre), to = unit(corner.arc.end - corner.centre);
+  const Point from = unit(corner.arc.start - corner.centre),
+              to = unit(corner.arc.end - corner.centre);
   // From a to b the arc turns clockwise about its centre: it bulges towards the node.
   double sweep = std::atan2(cross(from, to), dot(from, to));
   if (sweep > M_PI_2) sweep -= 2 * M_PI;

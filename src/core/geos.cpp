@@ -39,8 +39,7 @@ Geos::Geometry Geos::surface(const MultiPolygon& surface) {
   if (surface.size() == 1) return polygon(surface.front());
   std::vector<GEOSGeometry*> parts;
   for (const Polygon& part : surface) parts.push_back(polygon(part).release());
-  return own(
-      GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, parts.data(), parts.size()));
+  return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, parts.data(), parts.size()));
 }
 
 Geos::Geometry Geos::points(const std::vector<Point>& points) {
@@ -105,8 +104,8 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
       all.push_back(geometry.release());
     }
   }
-  const Geometry collection = own(
-      GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
+  const Geometry collection =
+      own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
   return own(GEOSUnaryUnion_r(handle_, collection.get()));
 }
 

@@ -32,8 +32,7 @@ std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side
   return pieces;
 }
 
-Line kerb_line(const Line& axis, double u, double v, double half_start, double half_end,
-               int side) {
+Line kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
   const Line part = distinct(planar(substring(axis, std::min(u, v), std::max(u, v))));
   const double total = length(axis);
   const auto half_at = [&](double abscissa) {
@@ -62,8 +61,8 @@ Line kerb_line(const Line& axis, double u, double v, double half_start, double h
       kerb.push_back(after);
     } else {
       const double cosine = std::max(dot(direction, next), -0.999);
-      kerb.push_back(part[i] + (left_normal(direction) + left_normal(next)) *
-                                   (side * half / (1 + cosine)));
+      kerb.push_back(part[i] +
+                     (left_normal(direction) + left_normal(next)) * (side * half / (1 + cosine)));
     }
     direction = next;
   }

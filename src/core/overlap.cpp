@@ -84,12 +84,11 @@ bool overlap(const MultiPolygon& a, const MultiPolygon& b) {
   shared.min_y = std::max(box_a.min_y, box_b.min_y);
   shared.max_x = std::min(box_a.max_x, box_b.max_x);
   shared.max_y = std::min(box_a.max_y, box_b.max_y);
-  const bool crossing =
-      any_segment(a, shared, [&](const Point& p, const Point& q, const Box& box) {
-        return any_segment(b, box, [&](const Point& r, const Point& s, const Box&) {
-          return cross_deeply(p, q, r, s);
-        });
-      });
+  const bool crossing = any_segment(a, shared, [&](const Point& p, const Point& q, const Box& box) {
+    return any_segment(b, box, [&](const Point& r, const Point& s, const Box&) {
+      return cross_deeply(p, q, r, s);
+    });
+  });
   return crossing || reaches_into(a, b, shared) || reaches_into(b, a, shared);
 }
 

@@ -41,9 +41,8 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
           if (!segments_cross(la[i - 1], la[i], lb[j - 1], lb[j])) continue;
           const Point u = la[i] - la[i - 1], v = lb[j] - lb[j - 1];
           const Point at = la[i - 1] + u * (cross(lb[j - 1] - la[i - 1], v) / cross(u, v));
-          const double from_ends =
-              std::min({distance(at, la.front()), distance(at, la.back()),
-                        distance(at, lb.front()), distance(at, lb.back())});
+          const double from_ends = std::min({distance(at, la.front()), distance(at, la.back()),
+                                             distance(at, lb.front()), distance(at, lb.back())});
           if (from_ends > 0.01) return true;
         }
     }
@@ -91,12 +90,12 @@ Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& seco
     return std::tuple(a.point.x, a.point.y, a.first != first_wins) <
            std::tuple(b.point.x, b.point.y, b.first != first_wins);
   });
-  sites.erase(std::unique(sites.begin(), sites.end(),
-                          [](const Site& a, const Site& b) {
-                            return distance(a.point, b.point) < 1e-6;
-                          }),
-              sites.end());
-  const auto count = std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
+  sites.erase(
+      std::unique(sites.begin(), sites.end(),
+                  [](const Site& a, const Site& b) { return distance(a.point, b.point) < 1e-6; }),
+      sites.end());
+  const auto count =
+      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
   if (count == 0) return geos.surface({});
   if (count == static_cast<std::ptrdiff_t>(sites.size()))
     return Geos::Geometry(GEOSGeom_clone_r(geos.handle(), shared), Geos::Free{geos.handle()});
@@ -169,8 +168,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
     const Geos::Geometry clean = geos.surface(ground);
     const Geos::Geometry of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
     const MultiPolygon ground_of_i = geos.polygons(of_i.get());
-    const MultiPolygon ground_of_j =
-        geos.polygons(geos.difference(clean.get(), of_i.get()).get());
+    const MultiPolygon ground_of_j = geos.polygons(geos.difference(clean.get(), of_i.get()).get());
     if (!ground_of_i.empty()) lost[j].push_back(ground_of_i);
     if (!ground_of_j.empty()) lost[i].push_back(ground_of_j);
   }

@@ -29,11 +29,22 @@ void append_corner(Ring& ring, const CornerArc& corner) {
   ring.push_back(corner.arc.end);
 }
 
+// Where the circle touches the round end of an arm behind the node: along that end.
+void append_round_end(Ring& ring, const Point& node, const Point& from, const Point& to) {
+  ring.push_back(from);
+  if (distance(from, to) > 1e-6) append_arc(ring, node, from, to, true, join_quarter);
+}
+
 void append_gap(Ring& ring, const Arm& a, const Arm& b, const Gap& gap) {
   if (gap.meets) {
     Line in = kerb(a, a.limit, gap.corner.abscissa_a, +1);
     if (in.size() > 1) ring.insert(ring.end(), in.begin() + 1, in.end() - 1);
+    const Point node = planar(a.line.front());
+    if (gap.corner.abscissa_a == 0)
+      append_round_end(ring, node, kerb(a, 0, 0, +1)[0], gap.corner.arc.start);
     append_corner(ring, gap.corner);
+    if (gap.corner.abscissa_b == 0)
+      append_round_end(ring, node, gap.corner.arc.end, kerb(b, 0, 0, -1)[0]);
     Line out = kerb(b, gap.corner.abscissa_b, b.limit, -1);
     if (out.size() > 1) ring.insert(ring.end(), out.begin() + 1, out.end() - 1);
     return;

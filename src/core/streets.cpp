@@ -54,9 +54,7 @@ class Pipeline {
   }
 
  private:
-  const StreetAxis& axis_of(int edge) const {
-    return *axes_.at(out_.network.edges[edge].axis_id);
-  }
+  const StreetAxis& axis_of(int edge) const { return *axes_.at(out_.network.edges[edge].axis_id); }
 
   void orient_arms() {
     const auto& edges = out_.network.edges;
@@ -68,7 +66,8 @@ class Pipeline {
       const double total = length(axis.line);
       const auto half = [&](double abscissa) {
         return (axis.width + (axis.width_end - axis.width) *
-                                 (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) / 2;
+                                 (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) /
+               2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
       const Line line = distinct(planar(edge.line));
@@ -120,8 +119,8 @@ class Pipeline {
       if (degree == 2 && changes_width(first, second)) {
         around.transition = true;
         for (Arm* arm : {&first, &second})
-          arm->limit = std::max(arm->limit, std::min(settings_.transition_length / 2,
-                                                     0.4 * length(arm->line)));
+          arm->limit = std::max(arm->limit,
+                                std::min(settings_.transition_length / 2, 0.4 * length(arm->line)));
       }
       if (degree >= 3)
         for (const EdgeEnd& end : around.ends) {
@@ -216,9 +215,9 @@ class Pipeline {
   int level_of(const Around& around) const {
     std::map<int, int> count;
     for (const EdgeEnd& end : around.ends) ++count[out_.network.edges[end.edge].level];
-    return std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
-             return a.second < b.second;
-           })->first;
+    return std::max_element(count.begin(), count.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
   }
 
   void add_axis(Claim& claim, int edge) const {
@@ -282,14 +281,22 @@ class Pipeline {
 
 const char* method_name(Method method) noexcept {
   switch (method) {
-    case Method::hypothesis: return "hypothesis";
-    case Method::radius_reduced: return "radius_reduced";
-    case Method::radius_minimal: return "radius_minimal";
-    case Method::no_arc: return "no_arc";
-    case Method::crossed_limits: return "crossed_limits";
-    case Method::transition: return "transition";
-    case Method::contested: return "contested";
-    case Method::robust_fallback: return "robust_fallback";
+    case Method::hypothesis:
+      return "hypothesis";
+    case Method::radius_reduced:
+      return "radius_reduced";
+    case Method::radius_minimal:
+      return "radius_minimal";
+    case Method::no_arc:
+      return "no_arc";
+    case Method::crossed_limits:
+      return "crossed_limits";
+    case Method::transition:
+      return "transition";
+    case Method::contested:
+      return "contested";
+    case Method::robust_fallback:
+      return "robust_fallback";
   }
   return "";
 }
