@@ -32,42 +32,47 @@ std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side
   return pieces;
 }
 
-Line kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
+Kerb kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
   const Line part = distinct(planar(substring(axis, std::min(u, v), std::max(u, v))));
-  const double total = length(axis);
+  const double total = half_start == half_end ? 0 : length(axis);
   const auto half_at = [&](double abscissa) {
     return half_start + (half_end - half_start) * (total > 0 ? abscissa / total : 0);
   };
   double abscissa = std::min(u, v);
-  const double first_half = half_at(abscissa);
-  Line kerb;
+  Kerb kerb;
   if (part.size() < 2) {
     const Point across = left_normal(place_at(axis, abscissa).direction) * side;
-    kerb.push_back(planar(part[0]) + across * first_half);
+    kerb.line.push_back(planar(part[0]) + across * half_at(abscissa));
     return kerb;
   }
   Point direction = unit(part[1] - part[0]);
-  kerb.push_back(part[0] + left_normal(direction) * (side * first_half));
+  kerb.line.push_back(part[0] + left_normal(direction) * (side * half_at(abscissa)));
+  double trimmed = 0;  // of the segment before, by the bend before it
   for (std::size_t i = 1; i + 1 < part.size(); ++i) {
-    abscissa += distance(part[i - 1], part[i]);
+    const double size = distance(part[i - 1], part[i]);
+    abscissa += size;
     const Point next = unit(part[i + 1] - part[i]);
-    const double half = half_at(abscissa);
-    const double turn = cross(direction, next) * side;
-    const Point before = part[i] + left_normal(direction) * (side * half);
-    const Point after = part[i] + left_normal(next) * (side * half);
+    const double half = half_at(abscissa), turn = cross(direction, next) * side;
+    const Point before = left_normal(direction) * (side * half);
+    const Point after = left_normal(next) * (side * half);
+    double trim = 0;
     if (turn < -straight) {
-      kerb.push_back(before);
-      append_arc(kerb, part[i], before, after, side < 0, join_quarter);
-      kerb.push_back(after);
+      kerb.line.push_back(part[i] + before);
+      append_arc(kerb.line, part[i], part[i] + before, part[i] + after, side < 0, join_quarter);
+      kerb.line.push_back(part[i] + after);
     } else {
       const double cosine = std::max(dot(direction, next), -0.999);
-      kerb.push_back(part[i] +
-                     (left_normal(direction) + left_normal(next)) * (side * half / (1 + cosine)));
+      trim = half * std::sqrt((1 - cosine) / (1 + cosine));
+      kerb.line.push_back(part[i] + (before + after) * (1 / (1 + cosine)));
     }
+    if (trimmed + trim > size + 1e-9) kerb.whole = false;
+    trimmed = trim;
     direction = next;
   }
-  kerb.push_back(part.back() + left_normal(direction) * (side * half_at(std::max(u, v))));
-  return u > v ? reversed(kerb) : kerb;
+  if (trimmed > distance(part[part.size() - 2], part.back()) + 1e-9) kerb.whole = false;
+  kerb.line.push_back(part.back() + left_normal(direction) * (side * half_at(std::max(u, v))));
+  if (u > v) kerb.line = reversed(std::move(kerb.line));
+  return kerb;
 }
 
 }  // namespace streetgen

@@ -8,8 +8,8 @@
 namespace streetgen {
 
 struct OffsetPiece {
-  Point start, end;        // of the piece
-  Point centre;            // of an arc: the axis vertex
+  Point start, end;  // of the piece
+  Point centre;      // of an arc: the axis vertex
   bool arc = false;
   double start_abscissa = 0, end_abscissa = 0;  // on the axis
 };
@@ -18,8 +18,13 @@ struct OffsetPiece {
 // `offset` are not yet removed.
 std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side);
 
+struct Kerb {
+  Line line;
+  bool whole = true;  // false: an inner bend needs more than its segments are long
+};
+
 // The kerb between abscissas u and v (backwards when u > v), half widths linear from
 // `half_start` at abscissa 0 to `half_end` at the end of the axis.  Inner bends are mitred.
-Line kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
+Kerb kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
 
 }  // namespace streetgen

@@ -13,11 +13,22 @@ namespace {
 constexpr int corner_quarter = 16;
 constexpr int join_quarter = 8;
 
-void append(Ring& ring, const Line& line) { ring.insert(ring.end(), line.begin(), line.end()); }
+// A ring in the making; `whole` ends once a piece did not fit.
+struct Outline {
+  Ring ring;
+  bool whole = true;
 
-// The kerb from abscissa u to v, its end at u or v replaced by a given point.
-Line kerb(const Arm& arm, double u, double v, int side) {
-  return kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side);
+  // The kerb's inner points: a border line or a corner already gave an end where one is left out.
+  void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
+    const Kerb kerb = kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side);
+    whole = whole && kerb.whole;
+    for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
+      ring.push_back(kerb.line[i]);
+  }
+};
+
+Point kerb_at_node(const Arm& arm, int side) {
+  return kerb_line(arm.line, 0, 0, arm.half_start, arm.half_end, side).line.front();
 }
 
 void append_corner(Ring& ring, const CornerArc& corner) {
@@ -30,30 +41,28 @@ void append_corner(Ring& ring, const CornerArc& corner) {
 }
 
 // Where the circle touches the round end of an arm behind the node: along that end.
-void append_round_end(Ring& ring, const Point& node, const Point& from, const Point& to) {
+void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
   ring.push_back(from);
   if (distance(from, to) > 1e-6) append_arc(ring, node, from, to, true, join_quarter);
 }
 
-void append_gap(Ring& ring, const Arm& a, const Arm& b, const Gap& gap) {
-  if (gap.meets) {
-    Line in = kerb(a, a.limit, gap.corner.abscissa_a, +1);
-    if (in.size() > 1) ring.insert(ring.end(), in.begin() + 1, in.end() - 1);
-    const Point node = planar(a.line.front());
-    if (gap.corner.abscissa_a == 0)
-      append_round_end(ring, node, kerb(a, 0, 0, +1)[0], gap.corner.arc.start);
-    append_corner(ring, gap.corner);
-    if (gap.corner.abscissa_b == 0)
-      append_round_end(ring, node, gap.corner.arc.end, kerb(b, 0, 0, -1)[0]);
-    Line out = kerb(b, gap.corner.abscissa_b, b.limit, -1);
-    if (out.size() > 1) ring.insert(ring.end(), out.begin() + 1, out.end() - 1);
+void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
+  const Point node = planar(a.line.front());
+  if (!gap.meets) {
+    outline.follow(a, a.limit, 0, +1, false, true);
+    const Point from = kerb_at_node(a, +1), to = kerb_at_node(b, -1);
+    if (distance(from, to) > 0) append_arc(outline.ring, node, from, to, true, join_quarter);
+    outline.follow(b, 0, b.limit, -1, true, false);
     return;
   }
-  const Line in = kerb(a, a.limit, 0, +1), out = kerb(b, 0, b.limit, -1);
-  if (in.size() > 1) ring.insert(ring.end(), in.begin() + 1, in.end());
-  if (distance(in.back(), out.front()) > 0)
-    append_arc(ring, planar(a.line.front()), in.back(), out.front(), true, join_quarter);
-  if (out.size() > 1) ring.insert(ring.end(), out.begin(), out.end() - 1);
+  const CornerArc& corner = gap.corner;
+  outline.follow(a, a.limit, corner.abscissa_a, +1, false, false);
+  if (corner.abscissa_a == 0)
+    append_round_end(outline.ring, node, kerb_at_node(a, +1), corner.arc.start);
+  append_corner(outline.ring, corner);
+  if (corner.abscissa_b == 0)
+    append_round_end(outline.ring, node, corner.arc.end, kerb_at_node(b, -1));
+  outline.follow(b, corner.abscissa_b, b.limit, -1, false, false);
 }
 
 Polygon fan(const Point& centre, const Point& from, const Point& to) {
@@ -66,8 +75,13 @@ Polygon fan(const Point& centre, const Point& from, const Point& to) {
 // Between the two axes and the arc: the ground that the corner adds.
 Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
   Ring ring = planar(substring(a.line, 0, gap.corner.abscissa_a));
+  if (gap.corner.abscissa_a == 0)
+    append_round_end(ring, ring.front(), kerb_at_node(a, +1), gap.corner.arc.start);
   append_corner(ring, gap.corner);
-  append(ring, planar(substring(b.line, gap.corner.abscissa_b, 0)));
+  const Line back = planar(substring(b.line, gap.corner.abscissa_b, 0));
+  if (gap.corner.abscissa_b == 0)
+    append_round_end(ring, back.back(), gap.corner.arc.end, kerb_at_node(b, -1));
+  ring.insert(ring.end(), back.begin(), back.end());
   return {closed(std::move(ring))};
 }
 
@@ -113,8 +127,10 @@ MultiPolygon arm_pieces(const Arm& arm, double start, double end) {
   return pieces(part, half, half);
 }
 
-bool simple(Geos& geos, const Ring& ring) {
-  return ring.size() >= 4 && signed_area(ring) > 0 && geos.valid(geos.polygon({ring}).get());
+bool simple(Geos& geos, const Outline& outline) {
+  const Ring& ring = outline.ring;
+  return outline.whole && ring.size() >= 4 && signed_area(ring) > 0 &&
+         geos.valid(geos.polygon({ring}).get());
 }
 
 }  // namespace
@@ -143,31 +159,27 @@ Ring closed(Ring ring) {
 
 Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
                     const Line& end_border) {
-  Ring ring{start_border[1]};
-  const Line right = kerb(arm, start, end, -1), left = kerb(arm, end, start, +1);
-  if (right.size() > 1) ring.insert(ring.end(), right.begin() + 1, right.end() - 1);
-  ring.push_back(end_border[1]);
-  ring.push_back(end_border[0]);
-  if (left.size() > 1) ring.insert(ring.end(), left.begin() + 1, left.end() - 1);
-  ring.push_back(start_border[0]);
-  ring = closed(std::move(ring));
-  if (simple(geos, ring)) return {{{ring}}, false};
+  Outline outline;
+  outline.ring.push_back(start_border[1]);
+  outline.follow(arm, start, end, -1, false, false);
+  outline.ring.push_back(end_border[1]);
+  outline.ring.push_back(end_border[0]);
+  outline.follow(arm, end, start, +1, false, false);
+  outline.ring.push_back(start_border[0]);
+  outline.ring = closed(std::move(outline.ring));
+  if (simple(geos, outline)) return {{{outline.ring}}, false};
   return {geos.polygons(geos.unite({arm_pieces(arm, start, end)}).get()), true};
 }
 
-Ring intersection_outline(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
-  Ring ring;
-  for (std::size_t i = 0; i < arms.size(); ++i) {
-    ring.push_back(arms[i].border[1]);
-    ring.push_back(arms[i].border[0]);
-    append_gap(ring, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
-  }
-  return closed(std::move(ring));
-}
-
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
-  const Ring ring = intersection_outline(arms, gaps);
-  if (simple(geos, ring)) return {{{ring}}, false};
+  Outline outline;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    outline.ring.push_back(arms[i].border[1]);
+    outline.ring.push_back(arms[i].border[0]);
+    append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
+  }
+  outline.ring = closed(std::move(outline.ring));
+  if (simple(geos, outline)) return {{{outline.ring}}, false};
   std::vector<MultiPolygon> parts;
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
@@ -176,7 +188,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
     } else {
-      const Point left = kerb(a, 0, 0, +1).front(), right = kerb(b, 0, 0, -1).front();
+      const Point left = kerb_at_node(a, +1), right = kerb_at_node(b, -1);
       const Point node = planar(a.line.front());
       if (cross(left - node, right - node) > 0 || dot(left - node, right - node) < 0) {
         const Polygon join = fan(node, left, right);

@@ -14,8 +14,8 @@ struct Arm {
   Line line;              // starts at the node
   double half_start = 0;  // half widths, metres, linear along the line
   double half_end = 0;
-  double limit = 0;       // abscissa where the intersection ends
-  Line border;            // at the limit: left and right kerb, seen from the node
+  double limit = 0;  // abscissa where the intersection ends
+  Line border;       // at the limit: left and right kerb, seen from the node
 };
 
 // Between arm i and the next one counter-clockwise.
@@ -42,7 +42,6 @@ Built build_section(Geos& geos, const Arm& arm, double start, double end, const 
 
 // gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
-Ring intersection_outline(const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
 
 // The union of quads, bends and discs: holds for any line.
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
