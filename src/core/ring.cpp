@@ -93,8 +93,10 @@ MultiPolygon pieces(const Line& line, const std::vector<double>& left,
   };
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point direction = unit(line[i] - line[i - 1]), across = left_normal(direction);
-    add({closed({line[i - 1] + across * left[i - 1], line[i - 1] - across * right[i - 1],
-                 line[i] - across * right[i], line[i] + across * left[i]})});
+    // The axis points are part of the ring, so that fans and quads share whole edges.
+    add({closed({line[i - 1] + across * left[i - 1], line[i - 1],
+                 line[i - 1] - across * right[i - 1], line[i] - across * right[i], line[i],
+                 line[i] + across * left[i]})});
     if (i + 1 == line.size()) break;
     const Point next = left_normal(unit(line[i + 1] - line[i]));
     const double turn = cross(across, next);
