@@ -1,0 +1,48 @@
+// Which boxes lie near a box: a packed R-tree.
+#pragma once
+
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <iterator>
+#include <vector>
+
+#include "overlap.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+class BoxIndex {
+ public:
+  using Corner = boost::geometry::model::d2::point_xy<double>;
+  using Extent = boost::geometry::model::box<Corner>;
+  using Entry = std::pair<Extent, int>;
+
+  explicit BoxIndex(const std::vector<Box>& boxes) : tree_(entries(boxes)) {}
+
+  // Indices of the boxes that meet `box` grown by `margin`, ascending.
+  std::vector<int> near(const Box& box, double margin) const {
+    std::vector<Entry> found;
+    tree_.query(
+        boost::geometry::index::intersects(Extent{{box.min_x - margin, box.min_y - margin},
+                                                  {box.max_x + margin, box.max_y + margin}}),
+        std::back_inserter(found));
+    std::vector<int> indices;
+    for (const Entry& entry : found) indices.push_back(entry.second);
+    std::sort(indices.begin(), indices.end());
+    return indices;
+  }
+
+ private:
+  static std::vector<Entry> entries(const std::vector<Box>& boxes) {
+    std::vector<Entry> all;
+    all.reserve(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      all.push_back({Extent{{boxes[i].min_x, boxes[i].min_y}, {boxes[i].max_x, boxes[i].max_y}},
+                     static_cast<int>(i)});
+    return all;
+  }
+  boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;
+};
+
+}  // namespace streetgen

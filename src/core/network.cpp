@@ -1,0 +1,378 @@
+#include "streetgen/network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "box_index.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double same_place = 1e-6;
+
+// One vertex of one axis.
+struct Vertex {
+  int axis;
+  int index;
+  double abscissa;
+  Point point;
+  bool end;
+};
+
+// Where an axis is cut: at a group of joined vertices, or at a crossing.
+struct Cut {
+  double abscissa;
+  int group;
+};
+
+class Groups {
+ public:
+  explicit Groups(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int add() {
+    parent_.push_back(static_cast<int>(parent_.size()));
+    return parent_.back();
+  }
+  int of(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int i, int j) {
+    i = of(i), j = of(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+  int size() const { return static_cast<int>(parent_.size()); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+class Builder {
+ public:
+  Builder(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing)
+      : tolerance_(tolerance), crossing_(crossing), groups_(0) {
+    for (const NetworkAxis& axis : axes) axes_.push_back(&axis);
+    std::sort(axes_.begin(), axes_.end(),
+              [](const NetworkAxis* a, const NetworkAxis* b) { return a->axis_id < b->axis_id; });
+  }
+
+  Network build() {
+    read_vertices();
+    join_vertices();
+    part_wide_groups();
+    cut_at_joined_vertices();
+    cut_at_ends_on_segments();
+    cut_at_crossings();
+    make_nodes();
+    make_edges();
+    number_nodes();
+    return std::move(out_);
+  }
+
+ private:
+  const Line& line(int axis) const { return lines_[axis]; }
+
+  void read_vertices() {
+    for (int a = 0; a < static_cast<int>(axes_.size()); ++a) {
+      Line kept;
+      for (const Point& p : axes_[a]->line)
+        if (kept.empty() || distance(kept.back(), p) > 0) kept.push_back(p);
+      lines_.push_back(kept);
+      first_.push_back(static_cast<int>(vertices_.size()));
+      double abscissa = 0;
+      for (int i = 0; i < static_cast<int>(kept.size()); ++i) {
+        if (i > 0) abscissa += distance(kept[i - 1], kept[i]);
+        const bool end = i == 0 || i + 1 == static_cast<int>(kept.size());
+        vertices_.push_back({a, i, abscissa, kept[i], end});
+      }
+      lengths_.push_back(abscissa);
+    }
+    first_.push_back(static_cast<int>(vertices_.size()));
+    groups_ = Groups(static_cast<int>(vertices_.size()));
+    cuts_.resize(axes_.size());
+  }
+
+  bool may_join(const Vertex& u, const Vertex& v, double apart) const {
+    if (u.axis == v.axis) {
+      if (std::abs(u.index - v.index) <= 1) return false;
+      return (u.end && v.end && lengths_[u.axis] > 3 * tolerance_) || apart <= same_place;
+    }
+    return axes_[u.axis]->level == axes_[v.axis]->level || u.end || v.end;
+  }
+
+  template <class Use>
+  void near_pairs(const BoxIndex& index, double reach, Use use) {
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) {
+      poll_cancel();
+      Box box;
+      box.add(vertices_[i].point);
+      for (const int j : index.near(box, reach)) {
+        if (j <= i) continue;
+        const double apart = distance(vertices_[i].point, vertices_[j].point);
+        if (apart <= reach && may_join(vertices_[i], vertices_[j], apart)) use(i, j);
+      }
+    }
+  }
+
+  BoxIndex vertex_index() const {
+    std::vector<Box> boxes(vertices_.size());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) boxes[i].add(vertices_[i].point);
+    return BoxIndex(boxes);
+  }
+
+  void join_vertices() {
+    near_pairs(vertex_index(), tolerance_, [&](int i, int j) { groups_.join(i, j); });
+  }
+
+  // A chain of joined vertices may grow too wide: then only what coincides stays joined.
+  void part_wide_groups() {
+    std::map<int, Box> extent;
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
+      extent[groups_.of(i)].add(vertices_[i].point);
+    std::set<int> wide;
+    for (const auto& [group, box] : extent) {
+      const double width = std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
+      if (width <= 3 * tolerance_) continue;
+      wide.insert(group);
+      const Vertex& v = vertices_[group];
+      const std::int64_t axis_id = axes_[v.axis]->axis_id;
+      out_.reports.push_back({NetworkIssue::wide_cluster, axis_id, axis_id, v.point, width});
+    }
+    if (wide.empty()) return;
+    Groups parted(static_cast<int>(vertices_.size()));
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
+      if (wide.count(groups_.of(i)) == 0) parted.join(i, groups_.of(i));
+    near_pairs(vertex_index(), same_place, [&](int i, int j) {
+      if (wide.count(groups_.of(i)) != 0) parted.join(i, j);
+    });
+    groups_ = parted;
+  }
+
+  void cut_at_joined_vertices() {
+    std::map<int, std::vector<int>> members;
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
+      members[groups_.of(i)].push_back(i);
+    for (const auto& [group, all] : members) {
+      const bool node = all.size() > 1 || vertices_[all.front()].end;
+      if (!node) continue;
+      for (const int i : all) cuts_[vertices_[i].axis].push_back({vertices_[i].abscissa, group});
+    }
+  }
+
+  struct Segment {
+    int axis;
+    int index;  // from vertex index to index + 1
+    double abscissa;
+  };
+
+  void index_segments() {
+    std::vector<Box> boxes;
+    for (int a = 0; a < static_cast<int>(axes_.size()); ++a)
+      for (int i = 0; i + 1 < static_cast<int>(line(a).size()); ++i) {
+        segments_.push_back({a, i, vertices_[first_[a] + i].abscissa});
+        Box box;
+        box.add(line(a)[i]);
+        box.add(line(a)[i + 1]);
+        boxes.push_back(box);
+      }
+    segment_boxes_ = std::move(boxes);
+  }
+
+  bool cut_near(int axis, double abscissa, int group) const {
+    for (const Cut& cut : cuts_[axis])
+      if (cut.group == group && std::abs(cut.abscissa - abscissa) <= 4 * tolerance_) return true;
+    return false;
+  }
+
+  void cut_at_ends_on_segments() {
+    index_segments();
+    const BoxIndex index(segment_boxes_);
+    std::vector<std::pair<int, Cut>> found;
+    for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
+      const Vertex& vertex = vertices_[v];
+      if (!vertex.end) continue;
+      poll_cancel();
+      Box box;
+      box.add(vertex.point);
+      std::map<int, std::pair<double, double>> best;  // axis -> distance, abscissa
+      for (const int s : index.near(box, tolerance_)) {
+        const Segment& segment = segments_[s];
+        const Point &a = line(segment.axis)[segment.index],
+                    &b = line(segment.axis)[segment.index + 1];
+        const double size = distance(a, b);
+        const double along = std::clamp(dot(vertex.point - a, b - a) / size, 0.0, size);
+        const double abscissa = segment.abscissa + along;
+        const double apart = distance(vertex.point, a + (b - a) * (along / size));
+        if (apart > tolerance_) continue;
+        if (segment.axis == vertex.axis && std::abs(abscissa - vertex.abscissa) <= 4 * tolerance_)
+          continue;
+        const auto slot = best.try_emplace(segment.axis, apart, abscissa).first;
+        if (apart < slot->second.first) slot->second = {apart, abscissa};
+      }
+      for (const auto& [axis, place] : best)
+        if (!cut_near(axis, place.second, groups_.of(v)))
+          found.push_back({axis, {place.second, groups_.of(v)}});
+    }
+    for (const auto& [axis, cut] : found) cuts_[axis].push_back(cut);
+  }
+
+  bool meet_near(int a, double at_a, int b, double at_b) const {
+    for (const Cut& cut : cuts_[a])
+      if (std::abs(cut.abscissa - at_a) <= 4 * tolerance_ && cut_near(b, at_b, cut.group))
+        return true;
+    return false;
+  }
+
+  void cut_at_crossings() {
+    const BoxIndex index(segment_boxes_);
+    struct Found {
+      int a, b;
+      double at_a, at_b;
+      Point point;
+    };
+    std::vector<Found> found;
+    for (int s = 0; s < static_cast<int>(segments_.size()); ++s) {
+      poll_cancel();
+      const Segment& one = segments_[s];
+      const Point &p = line(one.axis)[one.index], &q = line(one.axis)[one.index + 1];
+      for (const int t : index.near(segment_boxes_[s], 0)) {
+        if (t <= s) continue;
+        const Segment& other = segments_[t];
+        if (axes_[one.axis]->level != axes_[other.axis]->level) continue;
+        if (one.axis == other.axis && std::abs(one.index - other.index) <= 1) continue;
+        const Point &r = line(other.axis)[other.index], &w = line(other.axis)[other.index + 1];
+        const double d = cross(q - p, w - r);
+        if (d == 0) continue;
+        const double u = cross(r - p, w - r) / d, v = cross(r - p, q - p) / d;
+        if (u < 0 || u > 1 || v < 0 || v > 1) continue;
+        const double at_a = one.abscissa + u * distance(p, q);
+        const double at_b = other.abscissa + v * distance(r, w);
+        if (meet_near(one.axis, at_a, other.axis, at_b)) continue;
+        Point point = p + (q - p) * u;
+        found.push_back({one.axis, other.axis, at_a, at_b, point});
+      }
+    }
+    for (const Found& f : found) {
+      out_.reports.push_back(
+          {NetworkIssue::crossing, axes_[f.a]->axis_id, axes_[f.b]->axis_id, f.point, 0});
+      if (crossing_ == Crossing::over || meet_near(f.a, f.at_a, f.b, f.at_b)) continue;
+      // A node that one of the two already has there is the node of the crossing.
+      int group = -1;
+      for (const auto& [axis, at] : {std::pair(f.a, f.at_a), std::pair(f.b, f.at_b)})
+        for (const Cut& cut : cuts_[axis])
+          if (group < 0 && std::abs(cut.abscissa - at) <= tolerance_) group = cut.group;
+      if (group < 0) {
+        group = groups_.add();
+        crossing_points_[group] = f.point;
+      }
+      if (!cut_near(f.a, f.at_a, group)) cuts_[f.a].push_back({f.at_a, group});
+      if (!cut_near(f.b, f.at_b, group)) cuts_[f.b].push_back({f.at_b, group});
+    }
+  }
+
+  Point place_of(int group) const {
+    const auto crossing = crossing_points_.find(group);
+    return crossing != crossing_points_.end() ? crossing->second : vertices_[group].point;
+  }
+
+  void make_nodes() {
+    for (int a = 0; a < static_cast<int>(axes_.size()); ++a) {
+      std::sort(cuts_[a].begin(), cuts_[a].end(), [](const Cut& x, const Cut& y) {
+        return std::tie(x.abscissa, x.group) < std::tie(y.abscissa, y.group);
+      });
+      for (const Cut& cut : cuts_[a]) {
+        const auto [slot, fresh] = node_of_.try_emplace(cut.group, out_.nodes.size());
+        if (fresh) out_.nodes.push_back({place_of(cut.group), {}});
+        out_.nodes[slot->second].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
+      }
+    }
+  }
+
+  void make_edges() {
+    for (int a = 0; a < static_cast<int>(axes_.size()); ++a) {
+      const std::size_t before = out_.edges.size();
+      for (std::size_t k = 0; k + 1 < cuts_[a].size(); ++k) {
+        const Cut &from = cuts_[a][k], &to = cuts_[a][k + 1];
+        const bool back = from.group == to.group;
+        if (to.abscissa - from.abscissa <= (back ? 4 * tolerance_ : 0)) continue;
+        Edge edge;
+        edge.axis_id = axes_[a]->axis_id;
+        edge.from_node = node_of_.at(from.group);
+        edge.to_node = node_of_.at(to.group);
+        edge.level = axes_[a]->level;
+        edge.start_abscissa = from.abscissa;
+        edge.end_abscissa = to.abscissa;
+        edge.line.push_back(out_.nodes[edge.from_node].point);
+        for (int v = first_[a]; v < first_[a + 1]; ++v)
+          if (vertices_[v].abscissa > from.abscissa && vertices_[v].abscissa < to.abscissa)
+            if (distance(vertices_[v].point, edge.line.back()) > 0)
+              edge.line.push_back(vertices_[v].point);
+        const Point& last = out_.nodes[edge.to_node].point;
+        while (edge.line.size() > 1 && distance(edge.line.back(), last) == 0) edge.line.pop_back();
+        edge.line.push_back(last);
+        if (edge.line.size() == 2 && distance(edge.line[0], edge.line[1]) == 0) continue;
+        out_.edges.push_back(std::move(edge));
+      }
+      if (out_.edges.size() == before)
+        out_.reports.push_back({NetworkIssue::collapsed_axis, axes_[a]->axis_id, axes_[a]->axis_id,
+                                axes_[a]->line.front(), lengths_[a]});
+    }
+  }
+
+  // Nodes without an edge go; the rest are numbered by their smallest anchor.
+  void number_nodes() {
+    std::vector<bool> used(out_.nodes.size(), false);
+    for (const Edge& edge : out_.edges) used[edge.from_node] = used[edge.to_node] = true;
+    const auto less = [](const NodeAnchor& a, const NodeAnchor& b) {
+      return std::tie(a.axis_id, a.abscissa) < std::tie(b.axis_id, b.abscissa);
+    };
+    std::vector<int> order;
+    for (int n = 0; n < static_cast<int>(out_.nodes.size()); ++n) {
+      std::sort(out_.nodes[n].anchors.begin(), out_.nodes[n].anchors.end(), less);
+      if (used[n]) order.push_back(n);
+    }
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+      return less(out_.nodes[i].anchors.front(), out_.nodes[j].anchors.front());
+    });
+    std::vector<int> number(out_.nodes.size(), -1);
+    std::vector<Node> nodes;
+    for (const int n : order) {
+      number[n] = static_cast<int>(nodes.size());
+      nodes.push_back(std::move(out_.nodes[n]));
+    }
+    out_.nodes = std::move(nodes);
+    for (Edge& edge : out_.edges) {
+      edge.from_node = number[edge.from_node];
+      edge.to_node = number[edge.to_node];
+    }
+  }
+
+  double tolerance_;
+  Crossing crossing_;
+  std::vector<const NetworkAxis*> axes_;  // by axis_id
+  std::vector<Line> lines_;
+  std::vector<double> lengths_;
+  std::vector<Vertex> vertices_;  // by (axis_id, index): a group's smallest is its place
+  std::vector<int> first_;
+  Groups groups_;
+  std::vector<std::vector<Cut>> cuts_;
+  std::vector<Segment> segments_;
+  std::vector<Box> segment_boxes_;
+  std::map<int, Point> crossing_points_;
+  std::map<int, int> node_of_;
+  Network out_;
+};
+
+}  // namespace
+
+Network network(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing) {
+  return Builder(axes, tolerance, crossing).build();
+}
+
+}  // namespace streetgen
