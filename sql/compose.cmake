@@ -1,0 +1,9 @@
+# The install script: all once-files, then all again-files.  An object planted beforehand
+# must make the install fail, so OR REPLACE is taken out.
+set(script "\\echo Use \"CREATE EXTENSION streetgen CASCADE\" to load this file. \\quit\n")
+foreach(part IN LISTS ONCE AGAIN)
+  file(READ ${part} text)
+  string(REPLACE "CREATE OR REPLACE" "CREATE" text "${text}")
+  string(APPEND script "\n${text}")
+endforeach()
+file(WRITE ${OUT} "${script}")
