@@ -1,0 +1,32 @@
+#include "border.hpp"
+
+extern "C" {
+__attribute__((visibility("default"))) extern const Pg_magic_struct* Pg_magic_func(void);
+PG_MODULE_MAGIC;
+}
+
+namespace streetgen::pg {
+
+int sqlstate_of(ErrorKind kind) noexcept {
+  switch (kind) {
+    case ErrorKind::invalid_input:
+      return ERRCODE_INVALID_PARAMETER_VALUE;
+    case ErrorKind::degenerate:
+      return ERRCODE_DATA_EXCEPTION;
+    case ErrorKind::unsupported:
+      return ERRCODE_FEATURE_NOT_SUPPORTED;
+    case ErrorKind::cancelled:
+      return ERRCODE_QUERY_CANCELED;
+  }
+  return ERRCODE_INTERNAL_ERROR;
+}
+
+bool cancel_requested() noexcept { return QueryCancelPending || ProcDiePending; }
+
+void report(const Outcome& outcome) {
+  if (outcome.sqlstate == 0) return;
+  CHECK_FOR_INTERRUPTS();
+  ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message)));
+}
+
+}  // namespace streetgen::pg

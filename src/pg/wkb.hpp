@@ -1,0 +1,38 @@
+// Geometries as EWKB, the form of PostGIS' casts to and from bytea.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen::pg {
+
+// Bytes that PostgreSQL owns; valid during the call.
+struct Bytes {
+  const char* data = nullptr;
+  std::size_t size = 0;
+};
+
+struct ReadLine {
+  Line line;
+  int srid = 0;
+  bool has_z = false;
+};
+
+// A LINESTRING of two points or more, or a MULTILINESTRING of one part, with finite coordinates
+// and two distinct points; M is refused.  `what` opens the message of each Error{invalid_input}.
+ReadLine read_line(Bytes wkb, const std::string& what);
+
+struct Form {
+  int srid = 0;
+  bool has_z = false;
+};
+std::string write_point(const Point& point, Form form);
+std::string write_line(const Line& line, Form form);
+std::string write_arc(const Arc& arc, Form form);             // CIRCULARSTRING
+std::string write_surface(const MultiPolygon& s, Form form);  // MULTIPOLYGON
+std::string write_polygon(const MultiPolygon& s, Form form);  // POLYGON where there is one part
+std::string write_curved(const CurvedRing& ring, Form form);  // CURVEPOLYGON
+
+}  // namespace streetgen::pg
