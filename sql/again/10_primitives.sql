@@ -1,0 +1,79 @@
+-- The constructions, usable alone. A private twin of each takes and gives EWKB.
+
+CREATE OR REPLACE FUNCTION streetgen._arc_centre(bytea, bytea, float8, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_centre';
+COMMENT ON FUNCTION streetgen._arc_centre(bytea, bytea, float8, float8, float8) IS 'EWKB twin of streetgen.arc_centre';
+CREATE OR REPLACE FUNCTION streetgen.arc_centre(axis_a geometry, axis_b geometry, width_a float8, width_b float8, radius float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._arc_centre(axis_a::bytea, axis_b::bytea, width_a, width_b, radius)::geometry $$;
+COMMENT ON FUNCTION streetgen.arc_centre(geometry, geometry, float8, float8, float8) IS 'Centre (POINT) of the circle of the given radius that touches the left border of a and the right border of b, the nearest to the node. Both axes (LINESTRING, metres) start at the node; the corner lies counter-clockwise from a to b. Widths are kerb to kerb, up to 200 m. Bad geometry or numbers: 22023. NULL where the offset borders do not meet. StreetGen paper, 2.4.';
+
+CREATE OR REPLACE FUNCTION streetgen._corner_arc(bytea, bytea, float8, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_corner_arc';
+COMMENT ON FUNCTION streetgen._corner_arc(bytea, bytea, float8, float8, float8) IS 'EWKB twin of streetgen.corner_arc';
+CREATE OR REPLACE FUNCTION streetgen.corner_arc(axis_a geometry, axis_b geometry, width_a float8, width_b float8, radius float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._corner_arc(axis_a::bytea, axis_b::bytea, width_a, width_b, radius)::geometry $$;
+COMMENT ON FUNCTION streetgen.corner_arc(geometry, geometry, float8, float8, float8) IS 'The arc of that circle (CIRCULARSTRING) from the border of a to the border of b. Both axes (LINESTRING, metres) start at the node; the corner lies counter-clockwise from a to b. Widths are kerb to kerb, up to 200 m. Bad geometry or numbers: 22023. NULL as arc_centre. StreetGen paper, 2.5.';
+
+CREATE OR REPLACE FUNCTION streetgen._max_corner_radius(bytea, bytea, float8, float8) RETURNS float8
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_max_corner_radius';
+COMMENT ON FUNCTION streetgen._max_corner_radius(bytea, bytea, float8, float8) IS 'EWKB twin of streetgen.max_corner_radius';
+CREATE OR REPLACE FUNCTION streetgen.max_corner_radius(axis_a geometry, axis_b geometry, width_a float8, width_b float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._max_corner_radius(axis_a::bytea, axis_b::bytea, width_a, width_b) $$;
+COMMENT ON FUNCTION streetgen.max_corner_radius(geometry, geometry, float8, float8) IS 'The largest radius, up to 1000 m, whose arc touches both axes within their lengths, to 1e-6 m. Both axes (LINESTRING, metres) start at the node; the corner lies counter-clockwise from a to b. Widths are kerb to kerb, up to 200 m. Bad geometry or numbers: 22023. NULL where not even radius 0 does.';
+
+CREATE OR REPLACE FUNCTION streetgen._border_line(bytea, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_border_line';
+COMMENT ON FUNCTION streetgen._border_line(bytea, float8, float8) IS 'EWKB twin of streetgen.border_line';
+CREATE OR REPLACE FUNCTION streetgen.border_line(axis geometry, abscissa float8, width float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._border_line(axis::bytea, abscissa, width)::geometry $$;
+COMMENT ON FUNCTION streetgen.border_line(geometry, float8, float8) IS 'The line across the axis at an abscissa (metres, clamped), from the left to the right kerb, normal to the axis between 0.1 m before and after.';
+
+CREATE OR REPLACE FUNCTION streetgen._section_surface(bytea, float8, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_section_surface';
+COMMENT ON FUNCTION streetgen._section_surface(bytea, float8, float8, float8) IS 'EWKB twin of streetgen.section_surface';
+CREATE OR REPLACE FUNCTION streetgen.section_surface(axis geometry, width float8, start_abscissa float8, end_abscissa float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._section_surface(axis::bytea, width, start_abscissa, end_abscissa)::geometry $$;
+COMMENT ON FUNCTION streetgen.section_surface(geometry, float8, float8, float8) IS 'The roadway (POLYGON) of an axis between two abscissas, metres: flat ends, round outer bends, mitred inner ones. Empty where the abscissas cross.';
+
+CREATE OR REPLACE FUNCTION streetgen._clean(bytea, boolean[], float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_clean';
+COMMENT ON FUNCTION streetgen._clean(bytea, boolean[], float8, float8) IS 'EWKB twin of streetgen.clean';
+CREATE OR REPLACE FUNCTION streetgen.clean(line geometry, keep boolean[], epsilon float8, r_min float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._clean(line::bytea, keep, epsilon, r_min)::geometry $$;
+COMMENT ON FUNCTION streetgen.clean(geometry, boolean[], float8, float8) IS 'Removes points nearer than epsilon to the last kept one, collinear ones (1 mm), then those where r_min tan(theta / 2) exceeds half of a neighbouring segment; never an end, nor a point whose keep is true (empty: none). Metres. GIS data to functional road models, 3.4.';
+
+CREATE OR REPLACE FUNCTION streetgen._intersection_surface(bytea[], float8[], float8[], boolean) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500 AS 'MODULE_PATHNAME', 'streetgen_intersection_surface';
+COMMENT ON FUNCTION streetgen._intersection_surface(bytea[], float8[], float8[], boolean) IS 'EWKB twin of streetgen.intersection_surface';
+CREATE OR REPLACE FUNCTION streetgen.intersection_surface(axes geometry[], widths float8[], radii float8[], curved boolean DEFAULT false) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 500
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._intersection_surface(ARRAY(SELECT axis::bytea FROM unnest(axes) WITH ORDINALITY AS t(axis, i) ORDER BY i), widths, radii, curved)::geometry $$;
+COMMENT ON FUNCTION streetgen.intersection_surface(geometry[], float8[], float8[], boolean) IS 'The intersection (POLYGON) of axes that start at one node, in any order; radii[i] belongs to the corner from axes[i] to the next axis counter-clockwise. curved: a CURVEPOLYGON with true arcs, where the outline can be built piece by piece. Lists of different length: 22023.';
+CREATE OR REPLACE FUNCTION streetgen._variable_buffer(bytea, float8[], text, text) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500 AS 'MODULE_PATHNAME', 'streetgen_variable_buffer';
+COMMENT ON FUNCTION streetgen._variable_buffer(bytea, float8[], text, text) IS 'EWKB twin of streetgen.variable_buffer';
+CREATE OR REPLACE FUNCTION streetgen.variable_buffer(line geometry, radii float8[], side text DEFAULT 'both', ends text DEFAULT 'flat') RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 500
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._variable_buffer(line::bytea, radii, side, ends)::geometry $$;
+COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS 'The roadway about a line whose half width (radii, metres, one a vertex) is linear between vertices; side both, left or right; ends flat or round. StreetGen paper, figure 11.';
+CREATE OR REPLACE FUNCTION streetgen.turning_radius(speed float8, width float8, mode text DEFAULT 'paper') RETURNS float8
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_turning_radius';
+COMMENT ON FUNCTION streetgen.turning_radius(float8, float8, text) IS 'Corner radius in metres, 0.15 to 15, from a speed in km/h and a kerb-to-kerb width in metres. mode paper: equation 1 of the StreetGen paper; setra: the law it comes from.';
+CREATE OR REPLACE FUNCTION streetgen._streets(axis_id bigint[], geom bytea[], width float8[], width_end float8[], radius float8[], importance integer[], level integer[], srid integer, tolerance float8, crossing text, max_arc_distance float8, radius_minimal float8, transition_length float8, transition_kind text, radius_rule text, round_dead_ends boolean, max_hole_area float8)
+    RETURNS TABLE(relation text, row_index integer, of_axis bigint, node_a integer, node_b integer, edge_a integer, edge_b integer, start_a boolean, start_b boolean, of_level integer, measure_1 float8, measure_2 float8, geom_1 bytea, geom_2 bytea, anchor_axis bigint[], anchor_abscissa float8[], method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 ROWS 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
+COMMENT ON FUNCTION streetgen._streets(bigint[], bytea[], float8[], float8[], float8[], integer[], integer[], integer, float8, text, float8, float8, float8, text, text, boolean, float8) IS 'The whole pipeline over a set of axes: a row per node, edge, section_limit, corner, section, intersection and report; indices join them. Geometries are EWKB.';
