@@ -1,0 +1,316 @@
+-- A model is a schema of the user's: these functions make it, hand it out and take it away.
+
+CREATE OR REPLACE FUNCTION streetgen.version() RETURNS text
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT extversion FROM pg_extension WHERE extname = 'streetgen' $$;
+COMMENT ON FUNCTION streetgen.version() IS 'Version of the installed extension.';
+
+CREATE OR REPLACE FUNCTION streetgen._default_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ VALUES
+    ('tolerance', '0.5', 'm', 'ends and vertices this near to each other are one node', 0.001, 10, NULL::text[]),
+    ('crossing', 'over', NULL, 'axes of one level that cross without a vertex: over (no node) or split', NULL, NULL, ARRAY['over', 'split']),
+    ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000, NULL),
+    ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
+    ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL, ARRAY['min', 'max', 'mean']),
+    ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance, the last entry for all beyond it; null: no arc; empty: turning_radius', NULL, NULL, NULL),
+    ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
+    ('transition_length', '10', 'm', 'length of a change of width', 0, 200, NULL),
+    ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
+    ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
+    ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
+    ('max_width_per_lane', '5.5', 'm', 'a source width beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
+    ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL),
+    ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
+    ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
+    ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h', 'speed by importance, the last entry for all beyond it', NULL, NULL, NULL),
+    ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL),
+    ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL),
+    ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
+    ('reach', '60', 'm', 'an edit changes nothing farther away along the network', 10, 1000, NULL),
+    ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL)
+    $$;
+COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_owner.model) THEN
+        RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
+            HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
+    END IF;
+    IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
+        RAISE EXCEPTION 'only the owner of model "%" may do this', model USING ERRCODE = '42501',
+            HINT = 'Ask its owner, or become a member of the role that owns its schema.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_owner(name) IS 'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
+
+CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF NOT pg_has_role(session_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
+        RAISE EXCEPTION 'schema "%" belongs to another role', model USING ERRCODE = '42501',
+            HINT = 'Only the owner of a schema registers it as a model.';
+    END IF;
+    INSERT INTO streetgen.model VALUES (model, srid, dimension, streetgen.version())
+        ON CONFLICT (name) DO UPDATE SET srid = excluded.srid, dimension = excluded.dimension, template_version = excluded.template_version;
+    DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name);
+END $$;
+COMMENT ON FUNCTION streetgen._register_model(name, integer, integer) IS 'Writes the registry, for the owner of the schema only; forgets models whose schema is gone.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_srid(srid integer) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    reference record;
+    utm constant text := 'Use a projection in metres that keeps its scale, such as the UTM zone of the place (EPSG 32600 + zone north, 32700 + zone south; Paris is 32631) or the national one (France 2154).';
+BEGIN
+    SELECT srtext, proj4text INTO reference FROM spatial_ref_sys s WHERE s.srid = _check_srid.srid;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION 'SRID % is unknown', coalesce(srid::text, 'NULL') USING ERRCODE = '22023', HINT = utm;
+    ELSIF reference.srtext LIKE 'GEOG%' OR reference.srtext LIKE 'GEOC%' OR reference.proj4text ~ '\+proj=(longlat|geocent)' THEN
+        RAISE EXCEPTION 'SRID % is not projected: its units are degrees', srid USING ERRCODE = '22023', HINT = utm;
+    ELSIF reference.proj4text !~ '\+units=m( |$)' THEN
+        RAISE EXCEPTION 'SRID % is not in metres', srid USING ERRCODE = '22023', HINT = utm;
+    ELSIF reference.proj4text ~ '\+proj=(merc|webmerc|eqc|mill|cea)( |$)' THEN
+        RAISE EXCEPTION 'SRID % does not keep its scale: a 7 m street would be built 4.6 m wide in Paris', srid USING ERRCODE = '22023', HINT = utm;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_srid(integer) IS 'Raises 22023 for spatial references that are unknown, geographic, not in metres or more than 1 % off in scale.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
+WITH s AS (
+    SELECT jsonb_object_agg(name, value) AS v,
+           hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
+    FROM %1$I.setting
+), known AS (
+    SELECT a.*, s.v, s.setting_hash, c.width AS class_width, c.speed AS class_speed, c.importance AS class_importance,
+           streetgen.believed_width(a.width, a.lane_count, CASE WHEN a.kind IN ('runway', 'taxiway') THEN NULL ELSE (s.v ->> 'max_width_per_lane')::float8 END) AS believed
+    FROM %1$I.axis a CROSS JOIN s LEFT JOIN %1$I.axis_class c ON c.class = a.kind
+), with_width AS (
+    SELECT k.*, coalesce(k.believed, streetgen.estimated_width(k.lane_count, k.class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)) AS width_used,
+           coalesce(k.importance, k.class_importance) AS importance_known
+    FROM known k
+), with_speed AS (
+    SELECT w.*, coalesce(w.speed, w.class_speed, streetgen.estimated_speed(w.importance_known, w.width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used
+    FROM with_width w
+)
+SELECT axis_id, geom, level, width_used AS width, coalesce(width_end, width_used) AS width_end,
+       coalesce(lane_count, streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8)) AS lane_count,
+       speed_used AS speed, coalesce(importance_known, (v ->> 'importance_default')::integer) AS importance,
+       streetgen.wanted_radius(radius, importance_known, speed_used, width_used, v ->> 'radius_by_importance', v ->> 'turning_mode') AS radius,
+       array_remove(ARRAY[CASE WHEN believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL THEN 'lane_count' END,
+                          CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
+       hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance), 0) AS input_hash,
+       setting_hash
+FROM with_speed
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
+SELECT i.node_id, i.level, min(e.group_id) AS group_id
+FROM %1$I.intersection i
+CROSS JOIN LATERAL (
+    SELECT least(i.node_id, g.from_node, g.to_node) AS group_id
+    FROM %1$I.edge g JOIN %1$I.section s USING (edge_id)
+    WHERE i.node_id IN (g.from_node, g.to_node) AND s.method = 'crossed_limits'
+    UNION ALL SELECT i.node_id) e
+GROUP BY i.node_id, i.level
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between: the smallest node of each and its neighbours over crossed limits'$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    z text := CASE WHEN dimension = 3 THEN 'Z' ELSE '' END;
+    statement text;
+BEGIN
+    IF model IS NULL OR model = '' THEN
+        RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023', HINT = 'It names the schema of the model''s tables.';
+    END IF;
+    IF dimension IS NULL OR dimension NOT IN (2, 3) THEN
+        RAISE EXCEPTION 'dimension is %, expected 2 or 3', coalesce(dimension::text, 'NULL') USING ERRCODE = '22023', HINT = '3 keeps the heights of axes and nodes.';
+    END IF;
+    PERFORM streetgen._check_srid(srid);
+    IF EXISTS (SELECT FROM pg_namespace WHERE nspname = model) THEN
+        RAISE EXCEPTION 'schema "%" already exists', model USING ERRCODE = '42P06',
+            HINT = format('Choose another name, or SELECT streetgen.drop_model(%L) if it is a model that may go.', model);
+    END IF;
+    EXECUTE format('CREATE SCHEMA %I', model);
+    FOREACH statement IN ARRAY ARRAY[
+        $t$CREATE TABLE %1$I.setting (name text PRIMARY KEY, value text, unit text, description text NOT NULL, minimum float8, maximum float8, choice text[])$t$,
+        $t$COMMENT ON TABLE %1$I.setting IS 'Settings of the model; streetgen.set changes one, within its range'$t$,
+        $t$CREATE TABLE %1$I.axis_class (class text PRIMARY KEY, taken boolean NOT NULL, width float8 CHECK (width BETWEEN 0.001 AND 200), speed float8 CHECK (speed BETWEEN 0 AND 400), importance integer CHECK (importance BETWEEN 1 AND 99))$t$,
+        $t$COMMENT ON TABLE %1$I.axis_class IS 'Classes of a source: whether importers take them, and what axes of the class have where the source is silent (width m, speed km/h, importance 1 highest)'$t$,
+        $t$CREATE TABLE %1$I.axis (
+            axis_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+            geom geometry(LineString%2$s, %3$s) NOT NULL CONSTRAINT geom_is_a_finite_line CHECK (
+                NOT ST_IsEmpty(geom) AND ST_XMin(geom) BETWEEN -1e12 AND 1e12 AND ST_XMax(geom) BETWEEN -1e12 AND 1e12
+                AND ST_YMin(geom) BETWEEN -1e12 AND 1e12 AND ST_YMax(geom) BETWEEN -1e12 AND 1e12
+                AND geom::text !~* '(0000F87F|0000F8FF|0000F07F|0000F0FF)' AND (ST_XMin(geom) < ST_XMax(geom) OR ST_YMin(geom) < ST_YMax(geom))),
+            width float8 CHECK (width BETWEEN 0.001 AND 200), width_end float8 CHECK (width_end BETWEEN 0.001 AND 200),
+            lane_count integer CHECK (lane_count BETWEEN 1 AND 30),
+            direction text NOT NULL DEFAULT 'both' CHECK (direction IN ('both', 'direct', 'reverse')),
+            speed float8 CHECK (speed BETWEEN 0.001 AND 400), importance integer CHECK (importance BETWEEN 1 AND 99),
+            name text, level integer NOT NULL DEFAULT 0 CHECK (level BETWEEN -50 AND 50), kind text,
+            radius float8 CHECK (radius BETWEEN 0 AND 200),
+            source text, source_ref text, source_geom geometry,
+            UNIQUE (source, source_ref))$t$,
+        $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$,
+        $t$COMMENT ON TABLE %1$I.axis IS 'Input: road axes. Only geom is obligatory. width, width_end, radius in metres (width kerb to kerb), speed km/h, importance 1 highest, direction along the line; source_geom is the line before cleaning'$t$,
+        $t$CREATE TABLE %1$I.node (node_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY, geom geometry(Point%2$s, %3$s) NOT NULL)$t$,
+        $t$CREATE INDEX node_geom ON %1$I.node USING gist (geom)$t$,
+        $t$COMMENT ON TABLE %1$I.node IS 'Where axes meet or end'$t$,
+        $t$CREATE TABLE %1$I.edge (
+            edge_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+            axis_id bigint NOT NULL REFERENCES %1$I.axis ON DELETE CASCADE,
+            from_node bigint NOT NULL REFERENCES %1$I.node, to_node bigint NOT NULL REFERENCES %1$I.node,
+            level integer NOT NULL, start_abscissa float8 NOT NULL, end_abscissa float8 NOT NULL CHECK (end_abscissa > start_abscissa),
+            geom geometry(LineString%2$s, %3$s) NOT NULL,
+            width float8 NOT NULL, width_end float8 NOT NULL, lane_count integer NOT NULL, speed float8 NOT NULL, importance integer NOT NULL,
+            estimated text[] NOT NULL, input_hash bigint NOT NULL, setting_hash bigint NOT NULL)$t$,
+        $t$CREATE INDEX edge_axis ON %1$I.edge (axis_id)$t$, $t$CREATE INDEX edge_from_node ON %1$I.edge (from_node)$t$,
+        $t$CREATE INDEX edge_to_node ON %1$I.edge (to_node)$t$, $t$CREATE INDEX edge_geom ON %1$I.edge USING gist (geom)$t$,
+        $t$COMMENT ON TABLE %1$I.edge IS 'Axes snapped and cut at nodes, with the values used; estimated names those that the source lacks. Abscissas in metres along the axis'$t$,
+        $t$CREATE TABLE %1$I.section_limit (
+            section_limit_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+            edge_id bigint NOT NULL REFERENCES %1$I.edge ON DELETE CASCADE, which text NOT NULL CHECK (which IN ('start', 'end')),
+            wanted_abscissa float8 NOT NULL, abscissa float8 NOT NULL CHECK (abscissa >= 0),
+            geom geometry(Point%2$s, %3$s) NOT NULL, border_line geometry(LineString, %3$s) NOT NULL, method text NOT NULL,
+            UNIQUE (edge_id, which))$t$,
+        $t$CREATE INDEX section_limit_geom ON %1$I.section_limit USING gist (geom)$t$,
+        $t$COMMENT ON TABLE %1$I.section_limit IS 'Where the constant part of an edge begins and ends, abscissas in metres along the edge; border_line runs from the left to the right kerb'$t$,
+        $t$CREATE TABLE %1$I.section (
+            edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE, level integer NOT NULL,
+            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+        $t$CREATE INDEX section_surface ON %1$I.section USING gist (surface)$t$,
+        $t$COMMENT ON TABLE %1$I.section IS 'Roadway of the constant part of an edge; empty where its limits crossed; contested_area (m2) went to another surface'$t$,
+        $t$CREATE TABLE %1$I.corner (
+            corner_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+            node_id bigint NOT NULL REFERENCES %1$I.node ON DELETE CASCADE,
+            edge_a bigint NOT NULL REFERENCES %1$I.edge ON DELETE CASCADE, end_a text NOT NULL CHECK (end_a IN ('start', 'end')),
+            edge_b bigint NOT NULL REFERENCES %1$I.edge ON DELETE CASCADE, end_b text NOT NULL CHECK (end_b IN ('start', 'end')),
+            centre geometry(Point, %3$s), radius_wanted float8 NOT NULL, radius float8 NOT NULL, arc geometry(CircularString, %3$s), method text NOT NULL,
+            UNIQUE (node_id, edge_a, end_a, edge_b, end_b))$t$,
+        $t$CREATE INDEX corner_edge_a ON %1$I.corner (edge_a)$t$, $t$CREATE INDEX corner_edge_b ON %1$I.corner (edge_b)$t$,
+        $t$CREATE INDEX corner_arc ON %1$I.corner USING gist (arc)$t$,
+        $t$COMMENT ON TABLE %1$I.corner IS 'Kerb of a corner, counter-clockwise from edge_a to edge_b: true arc, centre, radius wanted and used (metres, 0 without an arc)'$t$,
+        $t$CREATE TABLE %1$I.intersection (
+            node_id bigint PRIMARY KEY REFERENCES %1$I.node ON DELETE CASCADE, level integer NOT NULL,
+            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+        $t$CREATE INDEX intersection_surface ON %1$I.intersection USING gist (surface)$t$,
+        $t$COMMENT ON TABLE %1$I.intersection IS 'Roadway about a node, out to the section limits'$t$,
+        $t$CREATE TABLE %1$I.report (
+            issue text NOT NULL, axis_a bigint NOT NULL, axis_b bigint NOT NULL, measure float8 NOT NULL, geom geometry(Point, %3$s) NOT NULL)$t$,
+        $t$CREATE INDEX report_axis ON %1$I.report (axis_a)$t$,
+        $t$COMMENT ON TABLE %1$I.report IS 'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it'$t$
+    ] LOOP
+        EXECUTE format(statement, model, z, srid);
+    END LOOP;
+    EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
+    EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
+    PERFORM streetgen._make_views(model);
+    PERFORM streetgen._register_model(model, srid, dimension);
+END $$;
+COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
+
+CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    EXECUTE format('DROP SCHEMA %I CASCADE', model);
+    PERFORM streetgen._forget_models();
+END $$;
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    AS $$ DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name) $$;
+COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
+
+CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    srid integer;
+    dimension integer;
+BEGIN
+    IF to_regclass(format('%I.axis', schema)) IS NULL OR to_regclass(format('%I.setting', schema)) IS NULL THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its tables axis and setting are missing.';
+    END IF;
+    SELECT g.srid, g.coord_dimension INTO srid, dimension FROM geometry_columns g
+        WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
+    PERFORM streetgen._register_model(schema, srid, dimension);
+    PERFORM streetgen._make_views(schema);
+END $$;
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back.';
+
+CREATE OR REPLACE FUNCTION streetgen.setting(model name)
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ BEGIN RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model); END $$;
+COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known record;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    EXECUTE format('SELECT * FROM %I.setting WHERE name = $1', model) INTO known USING setting;
+    IF known.name IS NULL THEN
+        RAISE EXCEPTION 'there is no setting "%"', setting USING ERRCODE = '22023', HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
+    END IF;
+    IF value IS NULL AND setting <> 'max_width_per_lane' OR known.choice IS NOT NULL AND value <> ALL (known.choice) THEN
+        RAISE EXCEPTION 'setting "%" cannot be %', setting, coalesce(quote_literal(value), 'NULL') USING ERRCODE = '22023',
+            HINT = coalesce('One of ' || array_to_string(known.choice, ', '), known.description);
+    END IF;
+    IF known.minimum IS NOT NULL AND value IS NOT NULL THEN
+        IF value !~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$' OR NOT (value::float8 BETWEEN known.minimum AND known.maximum) THEN
+            RAISE EXCEPTION 'setting "%" cannot be %', setting, quote_literal(value) USING ERRCODE = '22023',
+                HINT = format('Expected %s to %s %s.', known.minimum, known.maximum, known.unit);
+        END IF;
+    END IF;
+    IF setting IN ('radius_by_importance', 'speed_by_importance') THEN
+        BEGIN
+            IF value <> '' AND EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^\d{1,2}$' OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400)) THEN
+                RAISE EXCEPTION 'not a number';
+            END IF;
+        EXCEPTION WHEN OTHERS THEN
+            RAISE EXCEPTION 'setting "%" cannot be %', setting, quote_literal(value) USING ERRCODE = '22023',
+                HINT = 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
+        END;
+    END IF;
+    EXECUTE format('UPDATE %I.setting SET value = $2 WHERE name = $1 AND value IS DISTINCT FROM $2', model) USING setting, value;
+END $$;
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside); rows computed before are stale until generate.';
+
+CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    IF kind NOT IN ('reader', 'editor') THEN
+        RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
+    END IF;
+    EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
+    EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
+    IF kind = 'editor' THEN
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.axis TO %I', model, role);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its axes (editor).';

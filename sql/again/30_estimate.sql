@@ -1,0 +1,50 @@
+-- What the source lacks, by named functions; their coefficients are settings of the model.
+
+CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END $$;
+COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS 'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count believes all.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8, width_default float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT least(coalesce(lane_count * lane_width, class_width, width_default), 200) $$;
+COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
+
+CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT (table_of ->> (SELECT max(key::integer) FROM jsonb_object_keys(table_of) key WHERE key::integer <= importance)::text)::float8 $$;
+COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width))) $$;
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance, else from the width (metres), 20 to 110.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer)) $$;
+COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
+
+CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(radius,
+        CASE WHEN importance IS NOT NULL AND radius_by_importance <> '' THEN coalesce(streetgen._by_importance(importance, radius_by_importance::jsonb), 0) END,
+        streetgen.turning_radius(least(speed, 400), width, mode)) $$;
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (a null entry: 0, no arc), else turning_radius.';
+
+CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
+    RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ VALUES
+    ('motorway', true, 10.5::float8, 110::float8, 1), ('motorway_link', true, 6, 70, 2), ('trunk', true, 10.5, 90, 1), ('trunk_link', true, 6, 60, 2),
+    ('primary', true, 9, 50, 2), ('primary_link', true, 5, 50, 3), ('secondary', true, 8, 50, 3), ('secondary_link', true, 5, 50, 3),
+    ('tertiary', true, 7, 50, 4), ('tertiary_link', true, 5, 50, 4), ('residential', true, 6, 30, 5), ('living_street', true, 5, 20, 5),
+    ('unclassified', true, 6, 50, 5), ('service', true, 4, 20, 6), ('road', true, 6, 50, 5),
+    ('runway', true, 40, 100, 1), ('taxiway', true, 20, 30, 2),
+    ('highway', true, 10.5, 90, 1), ('major', true, 8, 50, 3), ('minor', true, 6, 30, 5),
+    ('Type autoroutier', true, 10.5, 110, 1), ('Autoroute', true, 10.5, 130, 1), ('Quasi-autoroute', true, 10.5, 110, 1), ('Bretelle', true, 5, 50, 3),
+    ('Route à 2 chaussées', true, 7, 70, 2), ('Route à 1 chaussée', true, 6, 50, NULL), ('Rond-point', true, 7, 30, NULL), ('Route empierrée', true, 4, 30, 6), ('Chemin', false, 3, 20, 6),
+    ('track', false, 3, 20, 6), ('pedestrian', false, 5, 5, 6), ('footway', false, 2, 5, 6), ('path', false, 2, 5, 6), ('cycleway', false, 2, 20, 6),
+    ('steps', false, 2, 5, 6), ('Sentier', false, 2, 5, 6), ('Escalier', false, 2, 5, 6), ('Piste cyclable', false, 2, 20, 6), ('Bac ou liaison maritime', false, NULL, NULL, NULL)
+    $$;
+COMMENT ON FUNCTION streetgen._default_axis_class() IS 'The classes of OSM, BD TOPO and Lille''s lines that a new model knows.';
