@@ -1,3 +1,6 @@
+-- Bodies name PostGIS, whose schema the last file of the script pins.
+SET LOCAL check_function_bodies = off;
+
 -- The constructions, usable alone. A private twin of each takes and gives EWKB.
 
 CREATE OR REPLACE FUNCTION streetgen._arc_centre(bytea, bytea, float8, float8, float8) RETURNS bytea

@@ -1,0 +1,220 @@
+-- claim, then one set-based statement.
+
+CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean) RETURNS bigint[]
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- The first key of each lock: the model; 0 as second key: the whole model.
+    model_key integer := hashtext('streetgen.' || model);
+    held integer[] := '{}';
+    missed integer[] := '{}';
+    cell integer;
+    granted bigint[];
+BEGIN
+    IF current_setting('transaction_isolation') <> 'read committed' THEN
+        RAISE EXCEPTION 'generate needs isolation level read committed, this transaction has %', current_setting('transaction_isolation')
+            USING ERRCODE = '0A000', HINT = 'Under a higher level it would compute from a snapshot older than its locks.';
+    END IF;
+    IF axes IS NULL THEN
+        IF wait THEN
+            PERFORM pg_advisory_xact_lock(model_key, 0);
+        ELSIF NOT pg_try_advisory_xact_lock(model_key, 0) THEN
+            RETURN '{}';
+        END IF;
+        RETURN NULL;
+    END IF;
+    IF wait THEN
+        PERFORM pg_advisory_xact_lock_shared(model_key, 0);
+    ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
+        RETURN '{}';
+    END IF;
+    FOR cell IN EXECUTE format($sql$
+        SELECT DISTINCT 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) AS cell
+        FROM (SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'cell_size') AS size,
+                     (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') AS reach) s,
+             (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
+              UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) g,
+             generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
+             generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
+        ORDER BY 1 $sql$, model) USING axes
+    LOOP
+        IF wait THEN
+            PERFORM pg_advisory_xact_lock(model_key, cell);
+        ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
+            missed := missed || cell;
+        END IF;
+    END LOOP;
+    IF missed = '{}' THEN
+        RETURN axes;
+    END IF;
+    EXECUTE format($sql$
+        SELECT coalesce(array_agg(id), '{}') FROM unnest($1) id WHERE NOT EXISTS (
+            SELECT FROM (SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'cell_size') AS size,
+                                (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') AS reach) s,
+                 (SELECT geom FROM %1$I.axis WHERE axis_id = id UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = id) g,
+                 generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
+                 generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
+            WHERE 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) = ANY ($2)) $sql$, model)
+        INTO granted USING axes, missed;
+    RETURN granted;
+END $$;
+COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
+
+CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT NULL, wait boolean DEFAULT false)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint, hard bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 7 SET search_path = pg_catalog, public SET jit = off
+    AS $$
+DECLARE
+    claimed bigint[];
+    skipped_axes bigint;
+    written bigint[];
+    gathered bigint[];
+    far float8;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    claimed := streetgen._claim(model, axes, wait);
+    IF axes IS NULL THEN
+        EXECUTE format('SELECT CASE WHEN $1 IS NULL THEN 0 ELSE (SELECT count(*) FROM %I.axis) END', model) INTO skipped_axes USING claimed;
+    ELSE
+        skipped_axes := cardinality(axes) - cardinality(claimed);
+    END IF;
+    IF claimed IS NOT NULL THEN
+        -- What the asked axes can change, and what that depends on.
+        EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
+        EXECUTE format($sql$
+            WITH asked AS (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
+            SELECT array_agg(DISTINCT id) FROM (
+                SELECT axis_id AS id FROM %1$I.edge e WHERE EXISTS (SELECT FROM asked a WHERE ST_DWithin(e.geom, a.geom, $2))
+                UNION ALL SELECT unnest($1)) w $sql$, model) INTO written USING claimed, far;
+        EXECUTE format($sql$
+            WITH near AS (SELECT DISTINCT b.axis_id, b.geom FROM %1$I.axis w JOIN %1$I.axis b ON ST_DWithin(w.geom, b.geom, $2) WHERE w.axis_id = ANY ($1))
+            SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') FROM near n JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10) $sql$, model) INTO gathered USING written, far;
+    END IF;
+    RETURN QUERY EXECUTE format($sql$
+WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
+used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE $2 IS NULL OR axis_id = ANY ($2)),
+result AS MATERIALIZED (
+    SELECT s.* FROM setting, (
+        SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(geom::bytea ORDER BY axis_id) AS geom,
+               array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
+               array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
+               array_agg(level ORDER BY axis_id) AS level FROM used) u,
+    LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
+        (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
+        (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8) s),
+new_edge AS MATERIALIZED (
+    SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, geom_1 AS geom
+    FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
+new_node AS MATERIALIZED (
+    SELECT row_index, geom_1 AS geom, anchor_axis, anchor_abscissa FROM result
+    WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
+-- Identity: an axis end is known by its side, a shared vertex by its abscissa.
+old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE $2 IS NULL OR axis_id = ANY ($1) OR axis_id = ANY ($2)),
+old_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM old_edge GROUP BY axis_id),
+old_anchor AS (
+    SELECT DISTINCT o.axis_id, CASE WHEN start_abscissa = first THEN -1 ELSE round((start_abscissa * 100)::numeric) END AS place, from_node AS node_id FROM old_edge o JOIN old_span USING (axis_id)
+    UNION SELECT o.axis_id, CASE WHEN end_abscissa = last THEN -2 ELSE round((end_abscissa * 100)::numeric) END, to_node FROM old_edge o JOIN old_span USING (axis_id)),
+new_span AS (SELECT of_axis AS axis_id, min(measure_1) AS first, max(measure_2) AS last FROM result WHERE relation = 'edge' GROUP BY of_axis),
+new_anchor AS (
+    SELECT row_index, a.axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round((abscissa * 100)::numeric) END AS place
+    FROM new_node, unnest(anchor_axis, anchor_abscissa) AS a(axis_id, abscissa) LEFT JOIN new_span USING (axis_id)),
+claim_of AS (SELECT row_index, node_id, min(axis_id) AS axis_id FROM new_anchor JOIN old_anchor USING (axis_id, place) GROUP BY row_index, node_id),
+heir AS (SELECT DISTINCT ON (node_id) node_id, row_index FROM claim_of ORDER BY node_id, axis_id, row_index),
+kept_node AS (SELECT row_index, min(node_id) AS node_id FROM heir GROUP BY row_index),
+node_id_of AS MATERIALIZED (
+    SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom
+    FROM (SELECT n.row_index, k.node_id, n.geom FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
+old_key AS (SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn FROM old_edge),
+edge_id_of AS MATERIALIZED (
+    SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom
+    FROM (SELECT e.*, o.edge_id FROM (
+            SELECT e.*, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id ORDER BY e.start_abscissa) AS turn
+            FROM new_edge e JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
+          LEFT JOIN old_key o USING (axis_id, from_node, turn) ORDER BY e.row_index OFFSET 0) t),
+gone_edge AS (
+    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND ($1 IS NULL OR o.axis_id = ANY ($1))
+        AND NOT EXISTS (SELECT FROM edge_id_of n WHERE n.edge_id = o.edge_id) RETURNING d.edge_id, d.from_node, d.to_node),
+set_node AS (
+    INSERT INTO %1$I.node AS t (node_id, geom) SELECT node_id, geom::geometry FROM node_id_of
+    ON CONFLICT (node_id) DO UPDATE SET geom = excluded.geom WHERE t.geom::bytea <> excluded.geom::bytea RETURNING xmax = 0 AS fresh),
+gone_node AS (
+    DELETE FROM %1$I.node d USING (SELECT from_node AS node_id FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1)
+                                   UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL) o
+    WHERE d.node_id = o.node_id AND NOT EXISTS (SELECT FROM node_id_of n WHERE n.node_id = d.node_id)
+        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id IN (e.from_node, e.to_node) AND NOT ($1 IS NULL OR e.axis_id = ANY ($1))) RETURNING d.node_id),
+set_edge AS (
+    INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, speed, importance, estimated, input_hash, setting_hash)
+    SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
+    FROM edge_id_of e JOIN used u USING (axis_id) ORDER BY e.row_index
+    ON CONFLICT (edge_id) DO UPDATE SET axis_id = excluded.axis_id, from_node = excluded.from_node, to_node = excluded.to_node, level = excluded.level, start_abscissa = excluded.start_abscissa,
+        end_abscissa = excluded.end_abscissa, geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, speed = excluded.speed,
+        importance = excluded.importance, estimated = excluded.estimated, input_hash = excluded.input_hash, setting_hash = excluded.setting_hash
+    WHERE (t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom::bytea, t.width, t.width_end, t.lane_count, t.speed, t.importance, t.estimated, t.input_hash, t.setting_hash)
+        IS DISTINCT FROM (excluded.axis_id, excluded.from_node, excluded.to_node, excluded.level, excluded.start_abscissa, excluded.end_abscissa, excluded.geom::bytea, excluded.width, excluded.width_end,
+                          excluded.lane_count, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
+    RETURNING xmax = 0 AS fresh),
+new_limit AS MATERIALIZED (
+    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, r.geom_1, r.geom_2, r.method
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a
+    LEFT JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = CASE WHEN r.start_a THEN 'start' ELSE 'end' END WHERE r.relation = 'section_limit'),
+set_limit AS (
+    INSERT INTO %1$I.section_limit AS t (section_limit_id, edge_id, which, wanted_abscissa, abscissa, geom, border_line, method)
+    SELECT coalesce(section_limit_id, nextval('%1$I.section_limit_section_limit_id_seq')), edge_id, which, wanted, abscissa, geom_1::geometry, geom_2::geometry, method FROM new_limit
+    ON CONFLICT (section_limit_id) DO UPDATE SET wanted_abscissa = excluded.wanted_abscissa, abscissa = excluded.abscissa, geom = excluded.geom, border_line = excluded.border_line, method = excluded.method
+    WHERE (t.wanted_abscissa, t.abscissa, t.geom::bytea, t.border_line::bytea, t.method) IS DISTINCT FROM (excluded.wanted_abscissa, excluded.abscissa, excluded.geom::bytea, excluded.border_line::bytea, excluded.method)
+    RETURNING xmax = 0 AS fresh),
+new_section AS MATERIALIZED (
+    SELECT e.edge_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a WHERE r.relation = 'section'),
+set_section AS (
+    INSERT INTO %1$I.section AS t SELECT edge_id, level, surface::geometry, method, contested_area FROM new_section
+    ON CONFLICT (edge_id) DO UPDATE SET level = excluded.level, surface = excluded.surface, method = excluded.method, contested_area = excluded.contested_area
+    WHERE (t.level, t.surface::bytea, t.method, t.contested_area) IS DISTINCT FROM (excluded.level, excluded.surface::bytea, excluded.method, excluded.contested_area) RETURNING xmax = 0 AS fresh),
+new_corner AS MATERIALIZED (
+    SELECT k.corner_id, n.node_id, a.edge_id AS edge_a, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS end_a, b.edge_id AS edge_b, CASE WHEN r.start_b THEN 'start' ELSE 'end' END AS end_b,
+           r.geom_1 AS centre, r.measure_1 AS radius_wanted, r.measure_2 AS radius, r.geom_2 AS arc, r.method
+    FROM result r JOIN node_id_of n ON n.row_index = r.node_a JOIN edge_id_of a ON a.row_index = r.edge_a JOIN edge_id_of b ON b.row_index = r.edge_b
+    LEFT JOIN %1$I.corner k ON (k.node_id, k.edge_a, k.end_a, k.edge_b, k.end_b)
+        = (n.node_id, a.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END, b.edge_id, CASE WHEN r.start_b THEN 'start' ELSE 'end' END)
+    WHERE r.relation = 'corner' ORDER BY r.row_index),
+set_corner AS (
+    INSERT INTO %1$I.corner AS t (corner_id, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method)
+    SELECT coalesce(corner_id, nextval('%1$I.corner_corner_id_seq')), node_id, edge_a, end_a, edge_b, end_b, centre::geometry, radius_wanted, radius, arc::geometry, method FROM new_corner
+    ON CONFLICT (corner_id) DO UPDATE SET centre = excluded.centre, radius_wanted = excluded.radius_wanted, radius = excluded.radius, arc = excluded.arc, method = excluded.method
+    WHERE (t.centre::bytea, t.radius_wanted, t.radius, t.arc::bytea, t.method) IS DISTINCT FROM (excluded.centre::bytea, excluded.radius_wanted, excluded.radius, excluded.arc::bytea, excluded.method)
+    RETURNING xmax = 0 AS fresh),
+gone_corner AS (
+    DELETE FROM %1$I.corner k USING node_id_of n WHERE k.node_id = n.node_id
+        AND k.edge_a IN (SELECT edge_id FROM edge_id_of) AND k.edge_b IN (SELECT edge_id FROM edge_id_of)
+        AND NOT EXISTS (SELECT FROM new_corner c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
+new_intersection AS MATERIALIZED (
+    SELECT n.node_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
+    FROM result r JOIN node_id_of n ON n.row_index = r.node_a WHERE r.relation = 'intersection'),
+set_intersection AS (
+    INSERT INTO %1$I.intersection AS t SELECT node_id, level, surface::geometry, method, contested_area FROM new_intersection
+    ON CONFLICT (node_id) DO UPDATE SET level = excluded.level, surface = excluded.surface, method = excluded.method, contested_area = excluded.contested_area
+    WHERE (t.level, t.surface::bytea, t.method, t.contested_area) IS DISTINCT FROM (excluded.level, excluded.surface::bytea, excluded.method, excluded.contested_area) RETURNING xmax = 0 AS fresh),
+gone_intersection AS (
+    DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id
+        AND NOT EXISTS (SELECT FROM new_intersection c WHERE c.node_id = i.node_id) RETURNING i.node_id),
+new_report AS MATERIALIZED (
+    SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
+    FROM result WHERE relation = 'report' AND ($1 IS NULL OR of_axis = ANY ($1))),
+gone_report AS (
+    DELETE FROM %1$I.report o WHERE ($1 IS NULL OR o.axis_a = ANY ($1))
+        AND NOT EXISTS (SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom::bytea) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom::bytea)) RETURNING 1),
+set_report AS (
+    INSERT INTO %1$I.report SELECT n.* FROM new_report n
+    WHERE NOT EXISTS (SELECT FROM %1$I.report o WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom::bytea) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom::bytea)) RETURNING 1),
+counted(relation, place, total, inserted, updated, deleted, hard) AS (
+    SELECT 'node', 1, (SELECT count(*) FROM node_id_of), (SELECT count(*) FROM set_node WHERE fresh), (SELECT count(*) FROM set_node WHERE NOT fresh), (SELECT count(*) FROM gone_node), 0
+    UNION ALL SELECT 'edge', 2, (SELECT count(*) FROM edge_id_of), (SELECT count(*) FROM set_edge WHERE fresh), (SELECT count(*) FROM set_edge WHERE NOT fresh), (SELECT count(*) FROM gone_edge), 0
+    UNION ALL SELECT 'section_limit', 3, (SELECT count(*) FROM new_limit), (SELECT count(*) FROM set_limit WHERE fresh), (SELECT count(*) FROM set_limit WHERE NOT fresh), (SELECT 2 * count(*) FROM gone_edge), (SELECT count(*) FROM new_limit WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'section', 4, (SELECT count(*) FROM new_section), (SELECT count(*) FROM set_section WHERE fresh), (SELECT count(*) FROM set_section WHERE NOT fresh), (SELECT count(*) FROM gone_edge), (SELECT count(*) FROM new_section WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'corner', 5, (SELECT count(*) FROM new_corner), (SELECT count(*) FROM set_corner WHERE fresh), (SELECT count(*) FROM set_corner WHERE NOT fresh), (SELECT count(*) FROM gone_corner), (SELECT count(*) FROM new_corner WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'intersection', 6, (SELECT count(*) FROM new_intersection), (SELECT count(*) FROM set_intersection WHERE fresh), (SELECT count(*) FROM set_intersection WHERE NOT fresh), (SELECT count(*) FROM gone_intersection), (SELECT count(*) FROM new_intersection WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'report', 7, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
+SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
+$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes) USING written, gathered;
+END $$;
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000).';

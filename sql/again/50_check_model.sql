@@ -1,0 +1,33 @@
+CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
+    RETURNS TABLE(severity text, rule text, relation text, id bigint, measure float8, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+WITH used AS MATERIALIZED (SELECT axis_id, geom, input_hash, setting_hash FROM %1$I.axis_used),
+surface AS MATERIALIZED (
+    SELECT 'section' AS relation, edge_id AS id, level, surface FROM %1$I.section WHERE NOT ST_IsEmpty(surface)
+    UNION ALL SELECT 'intersection', node_id, level, surface FROM %1$I.intersection WHERE NOT ST_IsEmpty(surface)),
+degree AS (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
+SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM surface WHERE NOT ST_IsValid(surface)
+UNION ALL SELECT 'error', 'overlap on one level, m2', a.relation, a.id, x.area, x.shared
+    FROM surface a JOIN surface b ON a.level = b.level AND (a.relation, a.id) < (b.relation, b.id) AND a.surface && b.surface AND ST_Relate(a.surface, b.surface, '2********')
+    CROSS JOIN LATERAL (SELECT s AS shared, ST_Area(s) AS area FROM ST_CollectionExtract(ST_Intersection(a.surface, b.surface), 3) s) x WHERE x.area > 0.001
+UNION ALL SELECT 'error', 'node of degree three and more without an intersection', 'node', n.node_id, d.degree, n.geom
+    FROM %1$I.node n JOIN degree d USING (node_id) LEFT JOIN %1$I.intersection i USING (node_id) WHERE d.degree >= 3 AND (i.node_id IS NULL OR ST_IsEmpty(i.surface) AND i.contested_area = 0)
+UNION ALL SELECT 'error', 'node without an edge', 'node', n.node_id, 0, n.geom FROM %1$I.node n WHERE NOT EXISTS (SELECT FROM degree d WHERE d.node_id = n.node_id)
+UNION ALL SELECT 'error', 'edge without its two limits', 'edge', e.edge_id, count(l.edge_id), e.geom FROM %1$I.edge e LEFT JOIN %1$I.section_limit l USING (edge_id) GROUP BY e.edge_id HAVING count(l.edge_id) <> 2
+UNION ALL SELECT 'error', 'edge without a section', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.section s WHERE s.edge_id = e.edge_id)
+UNION ALL SELECT 'error', 'limits out of order', 'edge', a.edge_id, a.abscissa - b.abscissa, a.geom
+    FROM %1$I.section_limit a JOIN %1$I.section_limit b USING (edge_id) WHERE a.which = 'start' AND b.which = 'end' AND a.abscissa > b.abscissa + 1e-6
+UNION ALL SELECT 'warning', 'stale: the axis changed since', 'axis', u.axis_id, 0, u.geom FROM used u WHERE EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)
+UNION ALL SELECT 'warning', 'stale: settings changed since, edges', 'setting', NULL, count(*), NULL FROM %1$I.edge e JOIN used u USING (axis_id) WHERE e.setting_hash <> u.setting_hash HAVING count(*) > 0
+UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom), u.geom FROM used u WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)
+    AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')
+UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
+UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
+UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
+UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';
