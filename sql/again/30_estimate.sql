@@ -1,100 +1,50 @@
--- What a source lacks is estimated when read, never written back to axis.  The coefficients are
--- settings of the model and come in as arguments, so that no result depends on anything else.
+-- What the source lacks, by named functions; their coefficients are settings of the model.
 
-CREATE OR REPLACE FUNCTION streetgen.estimated_width(
-  lane_count integer, class_width float8, speed float8 DEFAULT NULL, lane_width float8 DEFAULT 3,
-  lane_width_fast float8 DEFAULT 3.5, fast_speed float8 DEFAULT 70, width_margin float8 DEFAULT 1,
-  default_width float8 DEFAULT 7) RETURNS float8
-LANGUAGE sql IMMUTABLE PARALLEL SAFE
-RETURN CASE WHEN lane_count IS NOT NULL
-              THEN least(200, lane_count * CASE WHEN speed >= fast_speed THEN lane_width_fast ELSE lane_width END + width_margin)
-            ELSE coalesce(class_width, default_width) END;
-COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8, float8, float8, float8, float8)
-  IS 'width kerb to kerb, metres: lanes times their width and a margin; without lanes the width of the class, else the default';
+CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END $$;
+COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS 'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count believes all.';
 
-CREATE OR REPLACE FUNCTION streetgen.estimated_speed(
-  speed_of_importance float8, width float8, speed_per_width float8 DEFAULT 7) RETURNS float8
-LANGUAGE sql IMMUTABLE PARALLEL SAFE
-RETURN coalesce(speed_of_importance, least(90, greatest(10, speed_per_width * width)));
-COMMENT ON FUNCTION streetgen.estimated_speed(float8, float8, float8)
-  IS 'speed, km/h: that of the importance, else from the width, between 10 and 90';
+CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8, width_default float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT least(coalesce(lane_count * lane_width, class_width, width_default), 200) $$;
+COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
 
-CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(
-  width float8, speed float8, lane_width float8 DEFAULT 3, lane_width_fast float8 DEFAULT 3.5,
-  fast_speed float8 DEFAULT 70, width_margin float8 DEFAULT 1) RETURNS integer
-LANGUAGE sql IMMUTABLE PARALLEL SAFE
-RETURN greatest(1, least(60, round((width - width_margin)
-         / CASE WHEN speed >= fast_speed THEN lane_width_fast ELSE lane_width END)))::integer;
-COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8, float8, float8, float8)
-  IS 'number of lanes that a width holds at a speed, at least one';
+CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT (table_of ->> (SELECT max(key::integer) FROM jsonb_object_keys(table_of) key WHERE key::integer <= importance)::text)::float8 $$;
+COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance.';
 
--- The entry with the greatest importance number that is not above the axis' own.
-CREATE OR REPLACE FUNCTION streetgen._of_importance(by_importance jsonb, importance integer) RETURNS jsonb
-LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, pg_temp
-AS $$
-  SELECT e.value FROM jsonb_each(by_importance) e
-  WHERE e.key::integer <= importance ORDER BY e.key::integer DESC LIMIT 1
-$$;
-COMMENT ON FUNCTION streetgen._of_importance(jsonb, integer)
-  IS 'entry of a table by importance; a gap takes the entry before it; JSON null where that is the entry, NULL where there is none';
+CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width))) $$;
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance, else from the width (metres), 20 to 110.';
 
-CREATE OR REPLACE FUNCTION streetgen.wanted_radius(
-  own_radius float8, radius_of_importance jsonb, speed float8, width float8, mode text DEFAULT 'paper') RETURNS float8
-LANGUAGE sql IMMUTABLE PARALLEL SAFE
-RETURN CASE WHEN own_radius IS NOT NULL THEN own_radius
-            WHEN radius_of_importance = 'null'::jsonb THEN 0
-            WHEN radius_of_importance IS NOT NULL THEN radius_of_importance::float8
-            ELSE streetgen.turning_radius(speed, width, mode) END;
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, jsonb, float8, float8, text)
-  IS 'wanted radius of an axis'' corners, metres, 0 for none: its own, else that of its importance (JSON null: none), else turning_radius';
+CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer)) $$;
+COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
 
-CREATE OR REPLACE FUNCTION streetgen._used_axes(model name, axes bigint[] DEFAULT NULL)
-RETURNS TABLE (axis_id bigint, geom geometry, width float8, width_end float8, lane_count integer, direction text,
-               speed float8, importance integer, level integer, radius float8, estimated text[],
-               input_hash bigint, setting_hash bigint)
-LANGUAGE plpgsql STABLE PARALLEL RESTRICTED ROWS 20000 SET search_path = streetgen, public, pg_catalog, pg_temp
-AS $$
-#variable_conflict use_column
-DECLARE
-  s jsonb := streetgen._settings(model);
-  hashed bigint := hashtextextended(s::text, 0);
-BEGIN
-  RETURN QUERY EXECUTE replace(replace($q$
-    WITH by_importance AS MATERIALIZED (
-      SELECT i AS importance, streetgen._of_importance(($2->>'radius_by_importance')::jsonb, i) AS radius,
-             nullif(streetgen._of_importance(($2->>'speed_by_importance')::jsonb, i), 'null')::float8 AS speed
-      FROM generate_series(1, 99) i),
-    known AS (
-      SELECT a.*, coalesce(a.importance, c.importance) AS importance_used, c.width AS class_width,
-             coalesce(a.speed, c.speed, i.speed) AS known_speed, i.radius AS radius_of_importance
-      FROM @.axis a
-      LEFT JOIN @.axis_class c ON c.class = a.kind
-      LEFT JOIN by_importance i ON i.importance = coalesce(a.importance, c.importance)
-      <filter>),
-    wide AS (
-      SELECT k.*, coalesce(k.width, streetgen.estimated_width(k.lane_count, k.class_width, k.known_speed,
-               ($2->>'lane_width')::float8, ($2->>'lane_width_fast')::float8, ($2->>'fast_speed')::float8,
-               ($2->>'width_margin')::float8, ($2->>'default_width')::float8)) AS width_used
-      FROM known k),
-    fast AS (
-      SELECT w.*, streetgen.estimated_speed(w.known_speed, w.width_used, ($2->>'speed_per_width')::float8) AS speed_used
-      FROM wide w),
-    used AS (
-      SELECT f.axis_id, f.geom, f.width_used AS width, coalesce(f.width_end, f.width_used) AS width_end,
-             coalesce(f.lane_count, streetgen.estimated_lane_count(f.width_used, f.speed_used,
-               ($2->>'lane_width')::float8, ($2->>'lane_width_fast')::float8, ($2->>'fast_speed')::float8,
-               ($2->>'width_margin')::float8)) AS lane_count,
-             f.direction, f.speed_used AS speed, f.importance_used AS importance, f.level,
-             streetgen.wanted_radius(f.radius, f.radius_of_importance, f.speed_used, f.width_used, $2->>'radius_mode') AS radius,
-             array_remove(ARRAY[CASE WHEN f.width IS NULL THEN 'width' END, CASE WHEN f.lane_count IS NULL THEN 'lane_count' END,
-                                CASE WHEN f.speed IS NULL THEN 'speed' END, CASE WHEN f.importance IS NULL THEN 'importance' END,
-                                CASE WHEN f.radius IS NULL THEN 'radius' END], NULL) AS estimated
-      FROM fast f)
-    SELECT u.*, hashtextextended(concat_ws('|', encode(u.geom::bytea, 'hex'), u.width, u.width_end, u.lane_count, u.direction,
-                                           u.speed, u.importance, u.level, u.radius, u.estimated), 0), $3
-    FROM used u$q$, '<filter>', CASE WHEN axes IS NULL THEN '' ELSE 'WHERE a.axis_id = ANY ($1)' END), '@', quote_ident(model))
-    USING axes, s, hashed;
-END
-$$;
-COMMENT ON FUNCTION streetgen._used_axes(name, bigint[])
-  IS 'the axes of a model, or those asked for, with every value estimated where it is NULL, and hashes of what they come from';
+CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(radius,
+        CASE WHEN importance IS NOT NULL AND radius_by_importance <> '' THEN coalesce(streetgen._by_importance(importance, radius_by_importance::jsonb), 0) END,
+        streetgen.turning_radius(least(speed, 400), width, mode)) $$;
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (a null entry: 0, no arc), else turning_radius.';
+
+CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
+    RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ VALUES
+    ('motorway', true, 10.5::float8, 110::float8, 1), ('motorway_link', true, 6, 70, 2), ('trunk', true, 10.5, 90, 1), ('trunk_link', true, 6, 60, 2),
+    ('primary', true, 9, 50, 2), ('primary_link', true, 5, 50, 3), ('secondary', true, 8, 50, 3), ('secondary_link', true, 5, 50, 3),
+    ('tertiary', true, 7, 50, 4), ('tertiary_link', true, 5, 50, 4), ('residential', true, 6, 30, 5), ('living_street', true, 5, 20, 5),
+    ('unclassified', true, 6, 50, 5), ('service', true, 4, 20, 6), ('road', true, 6, 50, 5),
+    ('runway', true, 40, 100, 1), ('taxiway', true, 20, 30, 2),
+    ('highway', true, 10.5, 90, 1), ('major', true, 8, 50, 3), ('minor', true, 6, 30, 5),
+    ('Type autoroutier', true, 10.5, 110, 1), ('Autoroute', true, 10.5, 130, 1), ('Quasi-autoroute', true, 10.5, 110, 1), ('Bretelle', true, 5, 50, 3),
+    ('Route à 2 chaussées', true, 7, 70, 2), ('Route à 1 chaussée', true, 6, 50, NULL), ('Rond-point', true, 7, 30, NULL), ('Route empierrée', true, 4, 30, 6), ('Chemin', false, 3, 20, 6),
+    ('track', false, 3, 20, 6), ('pedestrian', false, 5, 5, 6), ('footway', false, 2, 5, 6), ('path', false, 2, 5, 6), ('cycleway', false, 2, 20, 6),
+    ('steps', false, 2, 5, 6), ('Sentier', false, 2, 5, 6), ('Escalier', false, 2, 5, 6), ('Piste cyclable', false, 2, 20, 6), ('Bac ou liaison maritime', false, NULL, NULL, NULL)
+    $$;
+COMMENT ON FUNCTION streetgen._default_axis_class() IS 'The classes of OSM, BD TOPO and Lille''s lines that a new model knows.';

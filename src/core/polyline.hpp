@@ -14,9 +14,9 @@ inline double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y
 inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 double norm(const Point& a);
 double distance(const Point& a, const Point& b);
-Point planar(const Point& a);          // without z
-Point unit(const Point& a);            // zero stays zero
-Point left_normal(const Point& a);     // a quarter turn counter-clockwise
+Point planar(const Point& a);       // without z
+Point unit(const Point& a);         // zero stays zero
+Point left_normal(const Point& a);  // a quarter turn counter-clockwise
 
 double length(const Line& line);
 Line reversed(Line line);
