@@ -159,7 +159,7 @@ BEGIN
             geom geometry(LineString%2$s, %3$s) NOT NULL CONSTRAINT geom_is_a_finite_line CHECK (
                 NOT ST_IsEmpty(geom) AND ST_XMin(geom) BETWEEN -1e12 AND 1e12 AND ST_XMax(geom) BETWEEN -1e12 AND 1e12
                 AND ST_YMin(geom) BETWEEN -1e12 AND 1e12 AND ST_YMax(geom) BETWEEN -1e12 AND 1e12
-                AND geom::text !~* '(0000F87F|0000F8FF|0000F07F|0000F0FF)' AND (ST_XMin(geom) < ST_XMax(geom) OR ST_YMin(geom) < ST_YMax(geom))),
+                AND ST_IsValid(geom) AND (ST_XMin(geom) < ST_XMax(geom) OR ST_YMin(geom) < ST_YMax(geom))),
             width float8 CHECK (width BETWEEN 0.001 AND 200), width_end float8 CHECK (width_end BETWEEN 0.001 AND 200),
             lane_count integer CHECK (lane_count BETWEEN 1 AND 30),
             direction text NOT NULL DEFAULT 'both' CHECK (direction IN ('both', 'direct', 'reverse')),
