@@ -11,7 +11,7 @@ surface AS MATERIALIZED (
 degree AS (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
 SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM surface WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'error', 'overlap on one level, m2', a.relation, a.id, x.area, x.shared
-    FROM surface a JOIN surface b ON a.level = b.level AND (a.relation, a.id) < (b.relation, b.id) AND a.surface && b.surface AND ST_Relate(a.surface, b.surface, '2********')
+    FROM surface a JOIN surface b ON a.level = b.level AND (a.relation, a.id) < (b.relation, b.id) AND a.surface && b.surface
     CROSS JOIN LATERAL (SELECT s AS shared, ST_Area(s) AS area FROM ST_CollectionExtract(ST_Intersection(a.surface, b.surface), 3) s) x WHERE x.area > 0.001
 UNION ALL SELECT 'error', 'node of degree three and more without an intersection', 'node', n.node_id, d.degree, n.geom
     FROM %1$I.node n JOIN degree d USING (node_id) LEFT JOIN %1$I.intersection i USING (node_id) WHERE d.degree >= 3 AND (i.node_id IS NULL OR ST_IsEmpty(i.surface) AND i.contested_area = 0)

@@ -109,6 +109,10 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
   return own(GEOSUnaryUnion_r(handle_, collection.get()));
 }
 
+Geos::Geometry Geos::unite_coverage(const std::vector<Polygon>& cells) {
+  return own(GEOSCoverageUnion_r(handle_, surface(cells).get()));
+}
+
 Geos::Geometry Geos::voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope) {
   const Geometry all = points(sites);
   return own(GEOSVoronoiDiagram_r(handle_, all.get(), envelope, 0, 0));

@@ -102,17 +102,17 @@ Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& seco
   std::vector<Point> places;
   for (const Site& site : sites) places.push_back(site.point);
   const Geos::Geometry cells = geos.voronoi(places, shared);
-  std::vector<MultiPolygon> of_first;
+  MultiPolygon of_first;
   for (const Polygon& cell : geos.polygons(cells.get())) {
     const Box cell_box = box_of({cell});
     for (const Site& site : sites)
       if (cell_box.holds(site.point, 0) && inside(site.point, cell)) {
-        if (site.first) of_first.push_back({cell});
+        if (site.first) of_first.push_back(cell);
         break;
       }
   }
   if (of_first.empty()) return geos.surface({});
-  const Geos::Geometry ground = geos.unite(of_first);
+  const Geos::Geometry ground = geos.unite_coverage(of_first);
   return geos.intersection(shared, ground.get());
 }
 
@@ -175,7 +175,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     const double whole = area(*claims[i].surface);
-    const Geos::Geometry given = geos.unite(grounds);
+    const Geos::Geometry given =
+        grounds.size() == 1 ? geos.surface(grounds.front()) : geos.unite(grounds);
     MultiPolygon rest = geos.polygons(geos.difference(geometry(i), given.get()).get());
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= negligible; }),
