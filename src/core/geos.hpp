@@ -35,7 +35,7 @@ class Geos {
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
-  // Of polygons that share whole edges and no ground.
+  // Of polygons that share whole edges (much faster) or nearly so, and no ground.
   Geometry unite_coverage(const std::vector<Polygon>& cells);
   // Voronoi cells of the sites, one polygon each, no order promised.
   Geometry voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope);
