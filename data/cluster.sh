@@ -1,0 +1,108 @@
+# Sourced by data/streetgen and tests/run: packages, build, a private PostgreSQL cluster.
+# Everything lives under build/; no other cluster of the machine is touched or sees this one.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${STREETGEN_BUILD:-$root/build}
+home=${STREETGEN_HOME:-$build/cluster}
+stage=$build/stage
+
+say() { printf '%s\n' "$*" >&2; }
+fail() { say "streetgen: $*"; exit 1; }
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+
+# postgres refuses root: a system user runs it then.
+server_user() { if [ "$(id -u)" = 0 ]; then echo streetgen; else id -un; fi; }
+as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@"; fi; }
+
+install_packages() {
+  local missing=() package
+  for package in g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
+      postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libcgal-dev libeigen3-dev \
+      libgtest-dev osm2pgsql gdal-bin librsvg2-bin; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} = 0 ] && return
+  say "installing ${missing[*]}"
+  if ! [ -e /etc/postgresql-common/createcluster.conf ]; then
+    as_root mkdir -p /etc/postgresql-common
+    echo 'create_main_cluster = false' | as_root tee /etc/postgresql-common/createcluster.conf >/dev/null
+  fi
+  as_root apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+build_extension() {
+  mkdir -p "$build"
+  cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake --build "$build/release" -j"$(nproc)" >"$build/build.log" 2>&1 || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
+  DESTDIR=$stage cmake --install "$build/release" >/dev/null
+}
+
+pg_bin() { dirname "$(command -v /usr/lib/postgresql/15/bin/postgres || pg_config --bindir)"/postgres; }
+
+# A free port of the loopback interface.
+free_port() {
+  local port
+  for port in $(shuf -i 54000-58000 -n 50); do
+    (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null || { echo "$port"; return; }
+  done
+}
+
+# The cluster's own folder, in a place that its user may read.
+settle_home() {
+  if [ "$(id -u)" = 0 ]; then
+    id streetgen >/dev/null 2>&1 || useradd --system --home-dir /nonexistent --shell /usr/sbin/nologin streetgen
+    # A checkout under a closed folder cannot be read by that user: then the files go to /var/lib.
+    mkdir -p "$build"
+    if ! runuser -u streetgen -- test -x "$build"; then
+      home=${STREETGEN_HOME:-/var/lib/streetgen-$(printf %s "$root" | cksum | cut -d' ' -f1)}
+      stage=$home/stage
+    fi
+  fi
+}
+
+running() { [ -s "$home/data/postmaster.pid" ] && as_server "$(pg_bin)/pg_ctl" -D "$home/data" status >/dev/null 2>&1; }
+
+start_cluster() {
+  mkdir -p "$home/run"
+  [ "$(id -u)" = 0 ] && chown streetgen "$home" "$home/run"
+  chmod -R a+rX "$stage"
+  if ! [ -s "$home/data/PG_VERSION" ]; then
+    as_server "$(pg_bin)/initdb" -D "$home/data" -U streetgen -A trust -E UTF8 --locale=C.UTF-8 >"$build/initdb.log" 2>&1 ||
+      { cat "$build/initdb.log" >&2; fail "initdb failed"; }
+    as_server tee -a "$home/data/postgresql.conf" >/dev/null <<EOF
+listen_addresses = '127.0.0.1'
+port = $(free_port)
+unix_socket_directories = '$home/run'
+extension_destdir = '$stage'
+dynamic_library_path = '$stage$(pg_config --pkglibdir):\$libdir'
+shared_buffers = 256MB
+work_mem = 64MB
+maintenance_work_mem = 256MB
+max_wal_size = 2GB
+logging_collector = off
+EOF
+  fi
+  running || as_server "$(pg_bin)/pg_ctl" -D "$home/data" -l "$home/log" -w start >/dev/null ||
+    { tail -20 "$home/log" >&2; fail "the server did not start"; }
+  PGHOST=$home/run
+  PGPORT=$(sed -n 4p "$home/data/postmaster.pid")
+  PGUSER=streetgen
+  export PGHOST PGPORT PGUSER
+}
+
+stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -m fast -w stop >/dev/null; fi; }
+
+# A database with the extension as built now; models in it stay where it can be kept.
+fresh_database() {
+  psql -qX -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1" 2>/dev/null
+  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION streetgen CASCADE'
+}
+
+set_up() {
+  install_packages
+  settle_home
+  build_extension
+  start_cluster
+}

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# layers_test.sh ROOT MODULE: the layer rules of docs/architecture.md, a line "t|f what" each.
+root=$1 module=$2
+rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
+rule 'the core names no database' '! grep -rnE "postgres\.h|fmgr\.h|ereport|palloc|SPI_|libpq" "$root/include" "$root/src/core" >&2'
+rule 'the border names no geometry library and no SPI' '! grep -rnE "geos_c\.h|<CGAL/|<Eigen/|<boost/|SPI_" "$root/src/pg" >&2'
+rule 'public headers use std alone' '! grep -rnE "#include [<\"](geos|CGAL|Eigen|boost|postgres)" "$root/include" >&2'
+rule 'the module exports its SQL functions alone' '! nm -D --defined-only "$module" | awk "{print \$3}" | grep -vE "^(Pg_magic_func|pg_finfo_streetgen_.*|streetgen_.*)$" >&2'
+for header in "$root"/include/streetgen/*.hpp; do
+  rule "$(basename "$header") compiles alone" 'g++ -std=c++17 -fsyntax-only -x c++ -I"$root/include" "$header"'
+done
