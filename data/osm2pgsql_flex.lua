@@ -1,0 +1,27 @@
+-- Every highway and aeroway line of an OSM file, with the tags that import_osm reads.
+-- STREETGEN_PREFIX names the table (PREFIX_line), STREETGEN_SRID its projection.
+local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
+local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
+
+local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'width', 'oneway', 'junction',
+               'layer', 'bridge', 'tunnel', 'maxspeed', 'area' }
+
+local columns = { { column = 'class', type = 'text', not_null = true } }
+for _, tag in ipairs(tags) do
+    columns[#columns + 1] = { column = tag:gsub(':', '_'), type = 'text' }
+end
+columns[#columns + 1] = { column = 'geom', type = 'linestring', projection = srid }
+
+local line = osm2pgsql.define_way_table(prefix .. '_line', columns)
+
+function osm2pgsql.process_way(object)
+    local class = object.tags.highway or object.tags.aeroway
+    if not class or object.tags.area == 'yes' then
+        return
+    end
+    local row = { class = class, geom = { create = 'line' } }
+    for _, tag in ipairs(tags) do
+        row[(tag:gsub(':', '_'))] = object.tags[tag]
+    end
+    line:add_row(row)
+end

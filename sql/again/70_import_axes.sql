@@ -1,0 +1,173 @@
+-- From any line table to axes: the mapping, the cleaning, the upsert that follows the source.
+
+CREATE OR REPLACE FUNCTION streetgen._clean_axes(model name, axes bigint[]) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    cleaned bigint;
+BEGIN
+    -- A vertex that another axis has within the tolerance stays: a node may be there.
+    EXECUTE format($sql$
+WITH setting AS (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
+point AS MATERIALIZED (
+    SELECT axis_id, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
+    FROM %1$I.axis a, ST_DumpPoints(a.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
+shared AS (
+    SELECT DISTINCT p.axis_id, p.i FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy, LATERAL (
+        SELECT FROM point q WHERE q.x = p.x + dx AND q.y = p.y + dy AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t) LIMIT 1) hit
+    WHERE p.axis_id = ANY ($1)),
+kept AS (
+    SELECT p.axis_id, array_agg(s.i IS NOT NULL ORDER BY p.i) AS keep
+    FROM point p LEFT JOIN shared s USING (axis_id, i) WHERE p.axis_id = ANY ($1) GROUP BY p.axis_id),
+cleaned AS (
+    SELECT a.axis_id, streetgen.clean(a.geom, k.keep, (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8) AS geom
+    FROM %1$I.axis a JOIN kept k USING (axis_id), setting WHERE ST_NPoints(a.geom) > 2)
+UPDATE %1$I.axis a SET geom = c.geom FROM cleaned c WHERE a.axis_id = c.axis_id AND a.geom::bytea <> c.geom::bytea
+$sql$, model) USING axes;
+    GET DIAGNOSTICS cleaned = ROW_COUNT;
+    RETURN cleaned;
+END $$;
+COMMENT ON FUNCTION streetgen._clean_axes(name, bigint[]) IS 'Cleans axes by the filters of streetgen.clean, keeping every vertex that another axis shares; returns how many changed.';
+
+CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target_srid integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
+    flat boolean := (SELECT dimension = 2 FROM streetgen.model m WHERE m.name = model);
+    bad record;
+    changed bigint[];
+    number bigint;
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
+    ALTER TABLE _import ADD COLUMN part integer;
+    SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'the geometry of source row % is NULL', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
+    END IF;
+    SELECT i.source_ref, GeometryType(i.geom) AS type INTO bad FROM _import i
+        WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') OR ST_IsEmpty(i.geom) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source row % is an empty line or a %, expected a line', coalesce(bad.source_ref, '?'), bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
+    END IF;
+    SELECT i.source_ref INTO bad FROM _import i, ST_DumpPoints(i.geom) d
+        WHERE NOT (ST_X(d.geom) BETWEEN -1e12 AND 1e12 AND ST_Y(d.geom) BETWEEN -1e12 AND 1e12) OR NOT (coalesce(ST_Z(d.geom), 0) BETWEEN -1e12 AND 1e12) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source row % has a vertex that is not finite', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
+    END IF;
+    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) = 0 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source row % has no SRID', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
+    END IF;
+    SELECT i.source_ref, v.name AS name, v.value AS value INTO bad FROM _import i,
+        LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200)) v(name, value, low, high)
+        WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h; NULL is unknown.';
+    END IF;
+
+    RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL THEN 'not taken: unknown class' ELSE 'not taken: class' END,
+        i.class, count(*), NULL::text[] FROM _import i LEFT JOIN _import_class c ON c.class = i.class GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
+    DELETE FROM _import i USING _import j LEFT JOIN _import_class c ON c.class = j.class WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
+
+    RETURN QUERY SELECT 'width of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM _import i WHERE i.width = 0 HAVING count(*) > 0;
+    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = CASE WHEN lane_count BETWEEN 1 AND 30 THEN lane_count END,
+        importance = CASE WHEN importance BETWEEN 1 AND 99 THEN importance END;
+
+    -- One row a part, in the model's reference, of the model's dimension.
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
+        SELECT i.*, d.geom AS line, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(ST_Transform(i.geom, target_srid)) d;
+    UPDATE _import_part SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
+        source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
+    RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
+    DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
+    SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref HAVING count(*) > 1 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source_ref % stands in more than one source row', bad.source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
+    END IF;
+
+    EXECUTE format($sql$DELETE FROM %1$I.axis a WHERE a.source = $1 AND EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL)
+        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref)$sql$, model) USING source;
+    GET DIAGNOSTICS number = ROW_COUNT;
+    RETURN QUERY SELECT 'vanished from the source, deleted', NULL::text, number, NULL::text[] WHERE number > 0;
+    EXECUTE format($sql$
+WITH upsert AS (
+    INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, source, source_ref, source_geom)
+    SELECT line, width, width_end, lane_count, coalesce(direction, 'both'), speed, importance, name, coalesce(level, 0), class, radius, $1, source_ref, line FROM _import_part ORDER BY source_ref
+    ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction,
+        speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, source_geom = excluded.source_geom
+    WHERE (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius)
+        IS DISTINCT FROM (excluded.source_geom::bytea, excluded.width, excluded.width_end, excluded.lane_count, excluded.direction, excluded.speed, excluded.importance, excluded.name, excluded.level, excluded.kind, excluded.radius)
+    RETURNING axis_id)
+SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
+    RETURN QUERY SELECT 'new or changed', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[];
+    EXECUTE format('ANALYZE %I.axis', model);
+    number := streetgen._clean_axes(model, coalesce(changed, '{}'));
+    RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
+    RETURN QUERY EXECUTE format($sql$
+        SELECT 'width not believed', NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref) FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id)
+        WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated) HAVING count(*) > 0$sql$, model);
+    RETURN QUERY EXECUTE format($sql$
+        SELECT 'duplicate of another axis', NULL::text, count(*), array_agg(ref ORDER BY ref) FROM (
+            SELECT coalesce(a.source_ref, a.axis_id::text) AS ref FROM %1$I.axis a WHERE EXISTS (
+                SELECT FROM %1$I.axis b WHERE b.geom ~= a.geom AND b.axis_id < a.axis_id AND b.level = a.level AND ST_Equals(a.geom, b.geom))) d HAVING count(*) > 0$sql$, model);
+    DROP TABLE _import, _import_part, _import_class;
+    RETURN QUERY SELECT 'generate is due', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[] WHERE changed IS NOT NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._import(name, text, text) IS 'Upserts the rows of a prepared query into axis, by source and source_ref; reports what it did. Bad rows: 22023, and the model as it was.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    EXECUTE format('CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM %I.axis_class', model);
+END $$;
+COMMENT ON FUNCTION streetgen._take_classes(name) IS 'Copies the classes of the model for the import of this transaction.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target record;
+    entry jsonb;
+    column_name text;
+    expressions text[] := '{}';
+BEGIN
+    PERFORM streetgen._take_classes(model);
+    IF jsonb_typeof(mapping) <> 'object' THEN
+        RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023', HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
+    END IF;
+    SELECT key INTO column_name FROM jsonb_object_keys(mapping) key
+        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'source_ref') LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name USING ERRCODE = '22023',
+            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius or source_ref';
+    END IF;
+    FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
+            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('source_ref', 'text')) t(name, type)
+    LOOP
+        entry := mapping -> target.name;
+        IF target.name = 'geom' AND entry IS NULL THEN entry := '"geom"'; END IF;
+        IF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
+            expressions := expressions || format('NULL::%s AS %I', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+            CONTINUE;
+        ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' THEN
+            expressions := expressions || format('%L::%s AS %I', entry ->> 'value', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+            CONTINUE;
+        ELSIF jsonb_typeof(entry) <> 'string' THEN
+            RAISE EXCEPTION 'the mapping of "%" is %, expected a column name or {"value": …}', target.name, entry USING ERRCODE = '22023', HINT = 'SQL is never evaluated.';
+        END IF;
+        column_name := entry #>> '{}';
+        IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = column_name AND attnum > 0 AND NOT attisdropped) THEN
+            RAISE EXCEPTION 'table % has no column "%"', source, column_name USING ERRCODE = '42703',
+                HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped) || '.';
+        END IF;
+        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
+            column_name, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+    END LOOP;
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', array_to_string(expressions, ', '), source));
+END $$;
+COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class and what was not believed. A missing column: 42703; bad rows: 22023; then the model stays as it was.';

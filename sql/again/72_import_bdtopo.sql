@@ -1,0 +1,33 @@
+CREATE OR REPLACE FUNCTION streetgen.import_bdtopo(model name, source regclass)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Model column, then the source's names for it, V3 before V2.
+    known constant jsonb := '{"id": ["cleabs", "id", "ogc_fid", "gid", "fid"], "width": ["largeur_de_chaussee", "largeur"], "lane_count": ["nombre_de_voies", "nb_voies"],
+        "sens": ["sens_de_circulation", "sens"], "speed": ["vitesse_moyenne_vl"], "importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"],
+        "class": ["nature"], "name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_rue_g", "nom_voie_g"], "fictif": ["fictif"]}';
+    present text[] := (SELECT array_agg(attname::text) FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped);
+    shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source AND t.typname = 'geometry' AND NOT attisdropped ORDER BY attnum LIMIT 1);
+    found jsonb;
+BEGIN
+    PERFORM streetgen._take_classes(model);
+    SELECT jsonb_object_agg(key, (SELECT quote_ident(n) || '::text' FROM jsonb_array_elements_text(value) WITH ORDINALITY AS c(n, i) WHERE n = ANY (present) ORDER BY i LIMIT 1)) INTO found FROM jsonb_each(known);
+    IF shape IS NULL OR found ->> 'class' IS NULL OR coalesce(found ->> 'width', found ->> 'lane_count') IS NULL THEN
+        RAISE EXCEPTION 'table % is no BD TOPO road table', source USING ERRCODE = '22023',
+            HINT = 'Its columns nature and largeur or largeur_de_chaussee are missing; streetgen.import_axes takes any line table with a mapping.';
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
+SELECT %1$I AS geom, CASE WHEN s.width ~ '^-?[\d.]+$' THEN s.width::float8 WHEN s.width ~* 'nan|inf' THEN s.width::float8 END AS width, NULL::float8 AS width_end,
+       CASE WHEN s.lane_count ~ '^\d{1,2}' THEN substring(s.lane_count FROM '^\d{1,2}')::integer END AS lane_count,
+       CASE WHEN s.sens ILIKE '%%inverse%%' THEN 'reverse' WHEN s.sens ILIKE '%%direct%%' AND s.sens NOT ILIKE '%%double%%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,
+       CASE WHEN s.speed ~ '^\d+' THEN substring(s.speed FROM '^\d+')::float8 END AS speed,
+       CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d+')::integer END AS importance,
+       s.name, CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d+')::integer)) ELSE 0 END AS level,
+       s.class, NULL::float8 AS radius, s.id AS source_ref
+FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, %6$s AS speed, %7$s AS importance, %8$s AS level, %9$s AS class, nullif(%10$s, '') AS name, %11$s AS fictif FROM %12$s) s
+WHERE coalesce(s.fictif, 'Non') NOT IN ('Oui', 'true', 't')$sql$, shape, coalesce(found ->> 'id', 'NULL::text'), coalesce(found ->> 'width', 'NULL::text'), coalesce(found ->> 'lane_count', 'NULL::text'),
+        coalesce(found ->> 'sens', 'NULL::text'), coalesce(found ->> 'speed', 'NULL::text'), coalesce(found ->> 'importance', 'NULL::text'), coalesce(found ->> 'level', 'NULL::text'),
+        found ->> 'class', coalesce(found ->> 'name', 'NULL::text'), coalesce(found ->> 'fictif', 'NULL::text'), source));
+END $$;
+COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS 'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, position against the ground, nature, street name. Fictitious axes are left out.';
