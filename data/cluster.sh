@@ -39,7 +39,7 @@ build_extension() {
   DESTDIR=$stage cmake --install "$build/release" >/dev/null
 }
 
-pg_bin() { dirname "$(command -v /usr/lib/postgresql/15/bin/postgres || pg_config --bindir)"/postgres; }
+pg_bin() { pg_config --bindir; }
 
 # A free port of the loopback interface.
 free_port() {

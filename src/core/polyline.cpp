@@ -93,7 +93,8 @@ void append_arc(Ring& ring, const Point& centre, const Point& from, const Point&
   if (counter_clockwise && sweep < 0) sweep += 2 * M_PI;
   if (!counter_clockwise && sweep > 0) sweep -= 2 * M_PI;
   const double radius_from = distance(centre, from), radius_to = distance(centre, to);
-  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / M_PI_2 * quarter - 1e-9)));
+  const int chords =
+      std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / M_PI_2 * quarter - 1e-9)));
   for (int i = 1; i < chords; ++i) {
     const double t = static_cast<double>(i) / chords;
     const double radius = radius_from + (radius_to - radius_from) * t;

@@ -40,10 +40,17 @@ void append_corner(Ring& ring, const CornerArc& corner) {
   ring.push_back(corner.arc.end);
 }
 
+// Along the round outside of a bend at the node, where `to` lies counter-clockwise of `from`.
+void append_bend(Ring& ring, const Point& node, const Point& from, const Point& to) {
+  const Point in = from - node, out = to - node;
+  if (cross(in, out) > 1e-9 || dot(in, out) < 0)
+    append_arc(ring, node, from, to, true, join_quarter);
+}
+
 // Where the circle touches the round end of an arm behind the node: along that end.
 void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
   ring.push_back(from);
-  if (distance(from, to) > 1e-6) append_arc(ring, node, from, to, true, join_quarter);
+  append_bend(ring, node, from, to);
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
@@ -51,7 +58,7 @@ void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   if (!gap.meets) {
     outline.follow(a, a.limit, 0, +1, false, true);
     const Point from = kerb_at_node(a, +1), to = kerb_at_node(b, -1);
-    if (distance(from, to) > 0) append_arc(outline.ring, node, from, to, true, join_quarter);
+    append_bend(outline.ring, node, from, to);
     outline.follow(b, 0, b.limit, -1, true, false);
     return;
   }

@@ -115,6 +115,15 @@ TEST(IntersectionSurface, IsValidAndNotEmptyForRandomStraightAxes) {
   }
 }
 
+// A side street on a street straight on, up to rounding: the far kerb is the straight line.
+TEST(IntersectionSurface, OfATLeavesTheFarKerbStraight) {
+  for (const double off : {0., 1e-9, -1e-9, 1e-6, -1e-6}) {
+    const MultiPolygon surface = intersection_surface(
+        {ray(0, 80), ray(M_PI + off, 80), ray(M_PI_2, 80)}, {12, 12, 5}, {5, 5, 5});
+    for (const Point& p : surface[0][0]) EXPECT_GT(p.y, -6.01) << off;
+  }
+}
+
 TEST(IntersectionRing, KeepsTheArcsTrue) {
   std::vector<Line> axes;
   for (int quarter = 0; quarter < 4; ++quarter) axes.push_back(ray(quarter * M_PI_2, 60));
