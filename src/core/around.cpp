@@ -20,15 +20,15 @@ double heading(const Arm& arm, double abscissa) {
   return std::atan2(d.y, d.x);
 }
 
-double turn_between(double from, double to) {
-  const double turn = std::fmod(to - from + 4 * M_PI, 2 * M_PI);
-  return turn;
-}
+}  // namespace
 
 double angle_between(const Arm& a, const Arm& b) {
-  return turn_between(heading(a, std::min(1.0, length(a.line))),
-                      heading(b, std::min(1.0, length(b.line))));
+  const double from = heading(a, std::min(1.0, length(a.line)));
+  const double to = heading(b, std::min(1.0, length(b.line)));
+  return std::fmod(to - from + 4 * M_PI, 2 * M_PI);
 }
+
+namespace {
 
 // The kerb lines alone, where there is no arc: they cross, or one arm's flat end sticks out.
 void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
@@ -99,6 +99,8 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
     solved.method = Method::radius_minimal;
     if (found && !near(*found) && angle >= nearly_straight) found.reset();
   }
+  // Borders that are one line touch the circle in one point: no arc is needed.
+  if (found && distance(found->arc.start, found->arc.end) < 1e-6) found.reset();
   if (!found) {
     solved.method = Method::no_arc;
     solve_without_arc(a, b, angle, wish.max_arc_distance, solved);

@@ -11,6 +11,9 @@ namespace streetgen {
 // Indices of the arms, counter-clockwise about the node; ties by what follows, then by index.
 std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms);
 
+// Counter-clockwise from a to b about the node, radians, 0 to 2 pi; seen 1 m away from it.
+double angle_between(const Arm& a, const Arm& b);
+
 struct CornerWish {
   double radius = 0;
   double max_arc_distance = 60;

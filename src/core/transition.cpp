@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "around.hpp"
 #include "polyline.hpp"
 
 namespace streetgen {
 
 namespace {
-constexpr double same_width = 0.005;  // half widths, metres
-constexpr double step_length = 0.5;   // metres on which the other kerb steps
+constexpr double same_width = 0.005;      // half widths, metres
+constexpr double widest_bend = M_PI / 3;  // beyond it two axes meet in a corner
+constexpr double step_length = 0.5;       // metres on which the other kerb steps
 }  // namespace
 
 bool changes_width(const Arm& a, const Arm& b) {
-  return std::abs(a.half_start - b.half_start) > same_width;
+  return std::abs(a.half_start - b.half_start) > same_width &&
+         std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
 
 MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, const std::string& kind) {

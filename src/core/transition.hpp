@@ -7,6 +7,7 @@
 
 namespace streetgen {
 
+// Two axes of different width that go on from one another, within a bend of 60 degrees.
 bool changes_width(const Arm& a, const Arm& b);
 
 // From a's limit through the node to b's.  kind: symmetric (both kerbs change linearly), or
