@@ -15,6 +15,8 @@ constexpr double widest_corner = 200 * M_PI / 180;
 // From here on the borders are nearly one line: an arc that does not fit is left out.
 constexpr double nearly_straight = 160 * M_PI / 180;
 
+constexpr double shortest_arc = 5e-3;  // metres
+
 double heading(const Arm& arm, double abscissa) {
   const Point d = place_at(arm.line, abscissa).point - arm.line.front();
   return std::atan2(d.y, d.x);
@@ -100,7 +102,7 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
     if (found && !near(*found) && angle >= nearly_straight) found.reset();
   }
   // Borders that are one line touch the circle in one point: no arc is needed.
-  if (found && distance(found->arc.start, found->arc.end) < 1e-6) found.reset();
+  if (found && distance(found->arc.start, found->arc.end) < shortest_arc) found.reset();
   if (!found) {
     solved.method = Method::no_arc;
     solve_without_arc(a, b, angle, wish.max_arc_distance, solved);

@@ -33,10 +33,12 @@ Point kerb_at_node(const Arm& arm, int side) {
 
 void append_corner(Ring& ring, const CornerArc& corner) {
   ring.push_back(corner.arc.start);
-  if (corner.radius > 0)
-    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end,
-               cross(corner.arc.middle - corner.arc.start, corner.arc.end - corner.arc.middle) > 0,
-               corner_quarter);
+  if (corner.radius > 0) {
+    // Clockwise about its centre, but for the slight outside of a nearly straight pair.
+    const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
+    const bool outside = cross(from, to) > 0 && dot(from, to) > 0;
+    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside, corner_quarter);
+  }
   ring.push_back(corner.arc.end);
 }
 

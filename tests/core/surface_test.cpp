@@ -124,6 +124,19 @@ TEST(IntersectionSurface, OfATLeavesTheFarKerbStraight) {
   }
 }
 
+// Whatever the bend, the intersection stays within its arms, their bends and their corners.
+TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
+  for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
+    Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);
+    for (Line* axis : {&a, &b})
+      for (Point& p : *axis) p = p + Point{650580, 6859994, 0};
+    const MultiPolygon surface = intersection_surface({a, b}, {14, 14}, {6.25, 6.25});
+    for (const Polygon& part : surface)
+      for (const Point& p : part[0])
+        EXPECT_LT(std::min(distance_to_line(p, a), distance_to_line(p, b)), 7.2) << bend;
+  }
+}
+
 TEST(IntersectionRing, KeepsTheArcsTrue) {
   std::vector<Line> axes;
   for (int quarter = 0; quarter < 4; ++quarter) axes.push_back(ray(quarter * M_PI_2, 60));
