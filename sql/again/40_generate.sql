@@ -84,6 +84,7 @@ DECLARE
     written bigint[];
     gathered bigint[];
     far float8;
+    place text;
 BEGIN
     PERFORM streetgen._check_owner(model);
     -- How far an axis can change others: along the network, and by its roadway.
@@ -110,6 +111,9 @@ BEGIN
             WITH near AS (SELECT DISTINCT b.axis_id, b.geom FROM %1$I.axis w JOIN %1$I.axis b ON ST_DWithin(w.geom, b.geom, $2) WHERE w.axis_id = ANY ($1))
             SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') FROM near n JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10) $sql$, model) INTO gathered USING written, far;
     END IF;
+    -- A subquery by key and no join, which would spoil the estimates of all that follows.
+    place := CASE (SELECT m.dimension FROM streetgen.model m WHERE m.name = model)
+        WHEN 3 THEN format('(SELECT streetgen._with_height(geom_1, a.geom) FROM %I.axis a WHERE a.axis_id = ?)', model) ELSE 'geom_1' END;
     RETURN QUERY EXECUTE format($sql$
 WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
 used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE $2 IS NULL OR axis_id = ANY ($2)),
@@ -124,9 +128,9 @@ result AS MATERIALIZED (
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8) s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
-    FROM result JOIN used ON used.axis_id = of_axis WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
+    FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
 new_node AS MATERIALIZED (
-    SELECT row_index, %4$s AS geom, anchor_axis, anchor_abscissa FROM result JOIN used ON used.axis_id = anchor_axis[1]
+    SELECT row_index, %5$s AS geom, anchor_axis, anchor_abscissa FROM result
     WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
 -- Identity: an axis end is known by its side, a shared vertex by its abscissa.
 old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE $2 IS NULL OR axis_id = ANY ($1) OR axis_id = ANY ($2)),
@@ -175,8 +179,8 @@ set_edge AS (
                           excluded.lane_count, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
     RETURNING xmax = 0 AS fresh),
 new_limit AS MATERIALIZED (
-    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, %4$s AS geom_1, r.geom_2, r.method
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a JOIN used ON used.axis_id = e.axis_id
+    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, %6$s AS geom_1, r.geom_2, r.method
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a
     LEFT JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = CASE WHEN r.start_a THEN 'start' ELSE 'end' END WHERE r.relation = 'section_limit'),
 set_limit AS (
     INSERT INTO %1$I.section_limit AS t (section_limit_id, edge_id, which, wanted_abscissa, abscissa, geom, border_line, method)
@@ -237,6 +241,6 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
     UNION ALL SELECT 'report', 7, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
 SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
-    CASE (SELECT m.dimension FROM streetgen.model m WHERE m.name = model) WHEN 3 THEN 'streetgen._with_height(geom_1, used.geom)' ELSE 'geom_1' END) USING written, gathered;
+    replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
 END $$;
 COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000).';
