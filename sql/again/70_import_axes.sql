@@ -67,6 +67,15 @@ BEGIN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h; NULL is unknown.';
     END IF;
 
+    SELECT i.source_ref, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'direction of source row % is "%"', coalesce(bad.source_ref, '?'), bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
+    END IF;
+    SELECT i.source_ref, i.level INTO bad FROM _import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'level of source row % is %, out of range', coalesce(bad.source_ref, '?'), bad.level USING ERRCODE = '22023', HINT = 'Levels go from -50 to 50; NULL is 0.';
+    END IF;
+
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL THEN 'not taken: unknown class' ELSE 'not taken: class' END,
         i.class, count(*), NULL::text[] FROM _import i LEFT JOIN _import_class c ON c.class = i.class GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
     DELETE FROM _import i USING _import j LEFT JOIN _import_class c ON c.class = j.class WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
@@ -134,6 +143,11 @@ DECLARE
     target record;
     entry jsonb;
     column_name text;
+    -- What both float8 and, rounded, integer take without an error; NaN and infinity are named later by their row.
+    number_pattern constant text := '^\s*([-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?|nan|[-+]?inf(inity)?)\s*$';
+    whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.\d*)?\s*$';
+    pattern text;
+    bad record;
     expressions text[] := '{}';
 BEGIN
     PERFORM streetgen._take_classes(model);
@@ -154,8 +168,14 @@ BEGIN
         IF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
             expressions := expressions || format('NULL::%s AS %I', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
             CONTINUE;
-        ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' THEN
-            expressions := expressions || format('%L::%s AS %I', entry ->> 'value', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+        END IF;
+        pattern := CASE target.type WHEN 'float8' THEN number_pattern WHEN 'integer' THEN whole_pattern END;
+        IF jsonb_typeof(entry) = 'object' AND entry ? 'value' AND target.name <> 'geom' THEN
+            IF entry ->> 'value' !~* pattern THEN
+                RAISE EXCEPTION 'the mapping gives "%" the value %, expected a number', target.name, entry -> 'value' USING ERRCODE = '22023',
+                    HINT = CASE target.type WHEN 'integer' THEN 'A whole number' ELSE 'A number' END || ', or null for unknown.';
+            END IF;
+            expressions := expressions || format(CASE target.type WHEN 'integer' THEN '%L::float8::%s AS %I' ELSE '%L::%s AS %I' END, entry ->> 'value', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
             CONTINUE;
         ELSIF jsonb_typeof(entry) <> 'string' THEN
             RAISE EXCEPTION 'the mapping of "%" is %, expected a column name or {"value": …}', target.name, entry USING ERRCODE = '22023', HINT = 'SQL is never evaluated.';
@@ -165,7 +185,21 @@ BEGIN
             RAISE EXCEPTION 'table % has no column "%"', source, column_name USING ERRCODE = '42703',
                 HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped) || '.';
         END IF;
-        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
+        IF target.type = 'geometry' AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = column_name AND atttypid = 'geometry'::regtype) THEN
+            RAISE EXCEPTION 'column "%" of % is no geometry', column_name, source USING ERRCODE = '22023', HINT = 'Map "geom" to the column that holds the lines.';
+        END IF;
+        IF pattern IS NOT NULL THEN
+            EXECUTE format('SELECT %s AS source_ref, %I::text AS value FROM %s WHERE %2$I::text !~* $1 LIMIT 1',
+                CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' AND EXISTS (SELECT FROM pg_attribute
+                         WHERE attrelid = source AND attname = mapping ->> 'source_ref' AND attnum > 0 AND NOT attisdropped)
+                     THEN format('%I::text', mapping ->> 'source_ref') ELSE '''?''::text' END, column_name, source) INTO bad USING pattern;
+            IF bad.value IS NOT NULL THEN
+                RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', bad.source_ref, bad.value, column_name,
+                    CASE target.type WHEN 'integer' THEN 'whole number' ELSE 'number' END, target.name USING ERRCODE = '22023',
+                    HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
+            END IF;
+        END IF;
+        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' WHEN 'integer' THEN '%1$I::text::float8::integer AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
             column_name, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
     END LOOP;
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', array_to_string(expressions, ', '), source));
