@@ -13,9 +13,10 @@ point AS MATERIALIZED (
     SELECT axis_id, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
     FROM %1$I.axis a, ST_DumpPoints(a.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
 shared AS (
-    SELECT DISTINCT p.axis_id, p.i FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy, LATERAL (
-        SELECT FROM point q WHERE q.x = p.x + dx AND q.y = p.y + dy AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t) LIMIT 1) hit
-    WHERE p.axis_id = ANY ($1)),
+    -- A join by cell, which can be hashed: a lateral look at each neighbour is quadratic.
+    SELECT DISTINCT p.axis_id, p.i
+    FROM (SELECT p.*, p.x + dx AS near_x, p.y + dy AS near_y FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy WHERE p.axis_id = ANY ($1)) p
+    JOIN point q ON q.x = p.near_x AND q.y = p.near_y AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t)),
 kept AS (
     SELECT p.axis_id, array_agg(s.i IS NOT NULL ORDER BY p.i) AS keep
     FROM point p LEFT JOIN shared s USING (axis_id, i) WHERE p.axis_id = ANY ($1) GROUP BY p.axis_id),
