@@ -83,6 +83,23 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_srid(integer) IS 'Raises 22023 for spatial references that are unknown, geographic, not in metres or more than 1 % off in scale.';
 
+CREATE OR REPLACE FUNCTION streetgen._warn_scale(place geometry) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    centre geometry := ST_Transform(place, 4326);
+    -- Metres of ground for one metre of map.
+    east float8 := ST_Distance(centre::geography, ST_Transform(ST_Translate(place, 100, 0), 4326)::geography) / 100;
+    north float8 := ST_Distance(centre::geography, ST_Transform(ST_Translate(place, 0, 100), 4326)::geography) / 100;
+BEGIN
+    IF NOT (east BETWEEN 0.99 AND 1.01 AND north BETWEEN 0.99 AND 1.01) THEN
+        RAISE WARNING 'the scale of SRID % is more than 1 %% off at %', ST_SRID(place), ST_AsText(place, 0) USING ERRCODE = '22023',
+            DETAIL = format('100 m of map are %s m and %s m of ground.', round((100 * east)::numeric, 1), round((100 * north)::numeric, 1)),
+            HINT = format('Use the UTM zone of this place: EPSG:%s.', CASE WHEN ST_Y(centre) < 0 THEN 32700 ELSE 32600 END + least(60, floor((ST_X(centre) + 180) / 6)::integer + 1));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._warn_scale(geometry) IS 'Warns, naming the UTM zone, where the projection of a point is more than 1 % off in scale.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -87,6 +87,7 @@ DECLARE
     place text;
 BEGIN
     PERFORM streetgen._check_owner(model);
+    EXECUTE format('SELECT streetgen._warn_scale(ST_Force2D(ST_StartPoint(geom))) FROM (SELECT geom FROM %I.axis ORDER BY axis_id LIMIT 1) a', model);
     -- How far an axis can change others: along the network, and by its roadway.
     EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
     IF axes IS NULL THEN

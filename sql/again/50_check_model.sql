@@ -19,6 +19,12 @@ overlap AS MATERIALIZED (
         UNION ALL SELECT 'intersection', a.node_id, a.surface, b.surface
         FROM %1$I.intersection a JOIN %1$I.intersection b ON a.surface && b.surface AND a.level - b.level = 0 AND a.node_id < b.node_id) pair
     WHERE ST_IsValid(a) AND ST_IsValid(b)),
+-- What of an edge lies on neither its section nor its nodes' intersections, where nothing was contested or ends dead.
+bare AS MATERIALIZED (
+    SELECT e.edge_id, ST_Difference(ST_Difference(ST_Difference(ST_Force2D(e.geom), s.surface), a.surface), b.surface) AS bare
+    FROM %1$I.edge e JOIN %1$I.section s USING (edge_id)
+    JOIN %1$I.intersection a ON a.node_id = e.from_node JOIN %1$I.intersection b ON b.node_id = e.to_node
+    WHERE s.contested_area + a.contested_area + b.contested_area = 0 AND ST_IsValid(s.surface) AND ST_IsValid(a.surface) AND ST_IsValid(b.surface)),
 degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
 SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM surface WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap WHERE ST_Area(shared) > 0.001
@@ -27,6 +33,7 @@ UNION ALL SELECT 'error', 'node of degree three and more without an intersection
 UNION ALL SELECT 'error', 'node without an edge', 'node', n.node_id, 0, n.geom FROM %1$I.node n WHERE NOT EXISTS (SELECT FROM degree d WHERE d.node_id = n.node_id)
 UNION ALL SELECT 'error', 'edge without its two limits', 'edge', e.edge_id, count(l.edge_id), e.geom FROM %1$I.edge e LEFT JOIN %1$I.section_limit l USING (edge_id) GROUP BY e.edge_id HAVING count(l.edge_id) <> 2
 UNION ALL SELECT 'error', 'edge without a section', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.section s WHERE s.edge_id = e.edge_id)
+UNION ALL SELECT 'warning', 'edge outside its surfaces, m', 'edge', edge_id, ST_Length(bare), bare FROM bare WHERE ST_Length(bare) > 0.01
 UNION ALL SELECT 'error', 'limits out of order', 'edge', a.edge_id, a.abscissa - b.abscissa, a.geom
     FROM %1$I.section_limit a JOIN %1$I.section_limit b USING (edge_id) WHERE a.which = 'start' AND b.which = 'end' AND a.abscissa > b.abscissa + 1e-6
 UNION ALL SELECT 'warning', 'stale: the axis changed since', 'axis', u.axis_id, 0, u.geom FROM used u WHERE EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)
