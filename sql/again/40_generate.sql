@@ -83,7 +83,7 @@ BEGIN
         EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
         EXECUTE format($sql$
             WITH asked AS (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
-            SELECT array_agg(DISTINCT id) FROM (
+            SELECT coalesce(array_agg(DISTINCT id), '{}') FROM (
                 SELECT axis_id AS id FROM %1$I.edge e WHERE EXISTS (SELECT FROM asked a WHERE ST_DWithin(e.geom, a.geom, $2))
                 UNION ALL SELECT unnest($1)) w $sql$, model) INTO written USING claimed, far;
         EXECUTE format($sql$

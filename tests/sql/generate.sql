@@ -50,10 +50,12 @@ SELECT 'check_model tells that an axis changed', count(*) = 1 FROM streetgen.che
 SELECT 'an edit updates few rows', sum(updated) BETWEEN 1 AND 40 FROM streetgen.generate('whole', '{1}');
 SELECT 'an edit by its axis equals a run over all', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('whole');
 UPDATE whole.axis SET width = (SELECT width FROM single.axis s WHERE s.axis_id = 1) WHERE axis_id = 1;
-SELECT 'taking the edit back brings the model back', (SELECT bool_or(updated > 0) FROM streetgen.generate('whole', '{1}')) AND pg_temp.picture('whole') = (SELECT picture FROM before);
+SELECT 'taking the edit back updates', bool_or(updated > 0) FROM streetgen.generate('whole', '{1}');
+SELECT 'and brings the model back', pg_temp.picture('whole') = (SELECT picture FROM before);
 DELETE FROM whole.axis WHERE axis_id = 5;
 SELECT 'deleting an axis takes its edges at once', NOT EXISTS (SELECT FROM whole.edge WHERE axis_id = 5);
-SELECT 'generate clears what a deleted axis left', (SELECT count(*) >= 0 FROM streetgen.generate('whole')) AND (SELECT count(*) = 0 FROM streetgen.check_model('whole') WHERE severity = 'error');
+SELECT 'generate goes on after a deleted axis', bool_or(updated > 0) FROM streetgen.generate('whole');
+SELECT 'and the model is sound', count(*) = 0 FROM streetgen.check_model('whole') WHERE severity = 'error';
 
 -- A violation in mid-run leaves every table as it was.
 CREATE TEMPORARY TABLE sound AS SELECT pg_temp.picture('single') AS picture;
@@ -75,5 +77,6 @@ SELECT 'a bridge passes over: no node', NOT EXISTS (SELECT FROM levels.node WHER
 SELECT 'levels meet at a shared end', EXISTS (SELECT FROM levels.node WHERE ST_DWithin(geom, 'SRID=2154;POINT(50 50)', 0.01));
 SELECT 'a crossing without a vertex is a notice', count(*) = 1 FROM streetgen.check_model('levels') WHERE severity = 'notice' AND rule = 'crossing';
 SELECT streetgen.set('levels', 'crossing', 'split') \g /dev/null
-SELECT 'with split it becomes a node', (SELECT count(*) > 0 FROM streetgen.generate('levels')) AND EXISTS (SELECT FROM levels.intersection i JOIN levels.node n USING (node_id) WHERE ST_DWithin(n.geom, 'SRID=2154;POINT(20 0)', 0.01));
+SELECT count(*) FROM streetgen.generate('levels') \g /dev/null
+SELECT 'with split it becomes a node', EXISTS (SELECT FROM levels.intersection i JOIN levels.node n USING (node_id) WHERE ST_DWithin(n.geom, 'SRID=2154;POINT(20 0)', 0.01));
 SELECT 'svg draws', streetgen.svg('levels') LIKE '<svg%</svg>' || E'\n';
