@@ -1,6 +1,17 @@
 -- claim, then one set-based statement.
 
-CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean) RETURNS bigint[]
+-- Height for a line or point computed in the plane: that of the nearest place of its axis.
+CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RETURNS bytea
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN count(*) = 1 THEN (array_agg(point))[1] ELSE ST_MakeLine(point ORDER BY path) END::bytea
+    FROM (SELECT d.path, ST_SetSRID(ST_MakePoint(ST_X(d.geom), ST_Y(d.geom),
+                   ST_Z(ST_LineInterpolatePoint(axis, ST_LineLocatePoint(ST_Force2D(axis), d.geom)))), ST_SRID(axis)) AS point
+          FROM ST_DumpPoints(place::geometry) d) p
+    $$;
+COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, far float8) RETURNS bigint[]
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -18,10 +29,12 @@ BEGIN
     IF axes IS NULL THEN
         IF wait THEN
             PERFORM pg_advisory_xact_lock(model_key, 0);
-        ELSIF NOT pg_try_advisory_xact_lock(model_key, 0) THEN
-            RETURN '{}';
+            RETURN NULL;
+        ELSIF pg_try_advisory_xact_lock(model_key, 0) THEN
+            RETURN NULL;
         END IF;
-        RETURN NULL;
+        -- Another session edits: go on axis by axis with the places that are free.
+        EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO axes;
     END IF;
     IF wait THEN
         PERFORM pg_advisory_xact_lock_shared(model_key, 0);
@@ -30,13 +43,12 @@ BEGIN
     END IF;
     FOR cell IN EXECUTE format($sql$
         SELECT DISTINCT 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) AS cell
-        FROM (SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'cell_size') AS size,
-                     (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') AS reach) s,
+        FROM (SELECT value::float8 AS size, $2 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
              (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
               UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) g,
              generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
              generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
-        ORDER BY 1 $sql$, model) USING axes
+        ORDER BY 1 $sql$, model) USING axes, far
     LOOP
         IF wait THEN
             PERFORM pg_advisory_xact_lock(model_key, cell);
@@ -49,53 +61,65 @@ BEGIN
     END IF;
     EXECUTE format($sql$
         SELECT coalesce(array_agg(id), '{}') FROM unnest($1) id WHERE NOT EXISTS (
-            SELECT FROM (SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'cell_size') AS size,
-                                (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') AS reach) s,
+            SELECT FROM (SELECT value::float8 AS size, $3 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
                  (SELECT geom FROM %1$I.axis WHERE axis_id = id UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = id) g,
                  generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
                  generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
             WHERE 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) = ANY ($2)) $sql$, model)
-        INTO granted USING axes, missed;
+        INTO granted USING axes, missed, far;
     RETURN granted;
 END $$;
-COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
+COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
 
 CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT NULL, wait boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 7 SET search_path = pg_catalog, public SET jit = off
+    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
+    SET enable_nestloop = off SET work_mem = '64MB'
     AS $$
 DECLARE
     claimed bigint[];
+    asked_axes bigint;
     skipped_axes bigint;
     written bigint[];
     gathered bigint[];
     far float8;
+    place text;
 BEGIN
     PERFORM streetgen._check_owner(model);
-    claimed := streetgen._claim(model, axes, wait);
+    -- How far an axis can change others: along the network, and by its roadway.
+    EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
     IF axes IS NULL THEN
-        EXECUTE format('SELECT CASE WHEN $1 IS NULL THEN 0 ELSE (SELECT count(*) FROM %I.axis) END', model) INTO skipped_axes USING claimed;
+        EXECUTE format('SELECT count(*) FROM %I.axis', model) INTO asked_axes;
+        claimed := streetgen._claim(model, NULL, wait, far);
     ELSE
-        skipped_axes := cardinality(axes) - cardinality(claimed);
+        asked_axes := (SELECT count(DISTINCT id) FROM unnest(axes) id);
+        -- An id that is neither an axis nor has left rows behind is skipped.
+        EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
+            WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge WHERE axis_id = id)$sql$, model) INTO claimed USING axes;
+        claimed := streetgen._claim(model, claimed, wait, far);
     END IF;
+    skipped_axes := CASE WHEN claimed IS NULL THEN 0 ELSE greatest(asked_axes - cardinality(claimed), 0) END;
     IF claimed IS NOT NULL THEN
         -- What the asked axes can change, and what that depends on.
-        EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
         EXECUTE format($sql$
             WITH asked AS (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
             SELECT coalesce(array_agg(DISTINCT id), '{}') FROM (
-                SELECT axis_id AS id FROM %1$I.edge e WHERE EXISTS (SELECT FROM asked a WHERE ST_DWithin(e.geom, a.geom, $2))
+                SELECT e.axis_id AS id FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)
                 UNION ALL SELECT unnest($1)) w $sql$, model) INTO written USING claimed, far;
         EXECUTE format($sql$
             WITH near AS (SELECT DISTINCT b.axis_id, b.geom FROM %1$I.axis w JOIN %1$I.axis b ON ST_DWithin(w.geom, b.geom, $2) WHERE w.axis_id = ANY ($1))
             SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') FROM near n JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10) $sql$, model) INTO gathered USING written, far;
     END IF;
+    -- A subquery by key and no join, which would spoil the estimates of all that follows.
+    place := CASE (SELECT m.dimension FROM streetgen.model m WHERE m.name = model)
+        WHEN 3 THEN format('(SELECT streetgen._with_height(geom_1, a.geom) FROM %I.axis a WHERE a.axis_id = ?)', model) ELSE 'geom_1' END;
     RETURN QUERY EXECUTE format($sql$
 WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
 used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE $2 IS NULL OR axis_id = ANY ($2)),
 result AS MATERIALIZED (
     SELECT s.* FROM setting, (
-        SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(geom::bytea ORDER BY axis_id) AS geom,
+        SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
                array_agg(level ORDER BY axis_id) AS level FROM used) u,
@@ -103,10 +127,10 @@ result AS MATERIALIZED (
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8) s),
 new_edge AS MATERIALIZED (
-    SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, geom_1 AS geom
+    SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
 new_node AS MATERIALIZED (
-    SELECT row_index, geom_1 AS geom, anchor_axis, anchor_abscissa FROM result
+    SELECT row_index, %5$s AS geom, anchor_axis, anchor_abscissa FROM result
     WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
 -- Identity: an axis end is known by its side, a shared vertex by its abscissa.
 old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE $2 IS NULL OR axis_id = ANY ($1) OR axis_id = ANY ($2)),
@@ -141,7 +165,8 @@ gone_node AS (
     DELETE FROM %1$I.node d USING (SELECT from_node AS node_id FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1)
                                    UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL) o
     WHERE d.node_id = o.node_id AND NOT EXISTS (SELECT FROM node_id_of n WHERE n.node_id = d.node_id)
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id IN (e.from_node, e.to_node) AND NOT ($1 IS NULL OR e.axis_id = ANY ($1))) RETURNING d.node_id),
+        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.from_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1)))
+        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.to_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1))) RETURNING d.node_id),
 set_edge AS (
     INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, speed, importance, estimated, input_hash, setting_hash)
     SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
@@ -154,7 +179,7 @@ set_edge AS (
                           excluded.lane_count, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
     RETURNING xmax = 0 AS fresh),
 new_limit AS MATERIALIZED (
-    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, r.geom_1, r.geom_2, r.method
+    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, %6$s AS geom_1, r.geom_2, r.method
     FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a
     LEFT JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = CASE WHEN r.start_a THEN 'start' ELSE 'end' END WHERE r.relation = 'section_limit'),
 set_limit AS (
@@ -215,6 +240,7 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
     UNION ALL SELECT 'intersection', 6, (SELECT count(*) FROM new_intersection), (SELECT count(*) FROM set_intersection WHERE fresh), (SELECT count(*) FROM set_intersection WHERE NOT fresh), (SELECT count(*) FROM gone_intersection), (SELECT count(*) FROM new_intersection WHERE method <> 'hypothesis')
     UNION ALL SELECT 'report', 7, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
 SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes) USING written, gathered;
+$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
+    replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
 END $$;
 COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000).';

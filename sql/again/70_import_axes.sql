@@ -13,9 +13,10 @@ point AS MATERIALIZED (
     SELECT axis_id, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
     FROM %1$I.axis a, ST_DumpPoints(a.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
 shared AS (
-    SELECT DISTINCT p.axis_id, p.i FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy, LATERAL (
-        SELECT FROM point q WHERE q.x = p.x + dx AND q.y = p.y + dy AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t) LIMIT 1) hit
-    WHERE p.axis_id = ANY ($1)),
+    -- A join by cell, which can be hashed: a lateral look at each neighbour is quadratic.
+    SELECT DISTINCT p.axis_id, p.i
+    FROM (SELECT p.*, p.x + dx AS near_x, p.y + dy AS near_y FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy WHERE p.axis_id = ANY ($1)) p
+    JOIN point q ON q.x = p.near_x AND q.y = p.near_y AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t)),
 kept AS (
     SELECT p.axis_id, array_agg(s.i IS NOT NULL ORDER BY p.i) AS keep
     FROM point p LEFT JOIN shared s USING (axis_id, i) WHERE p.axis_id = ANY ($1) GROUP BY p.axis_id),
@@ -65,6 +66,15 @@ BEGIN
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h; NULL is unknown.';
+    END IF;
+
+    SELECT i.source_ref, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'direction of source row % is "%"', coalesce(bad.source_ref, '?'), bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
+    END IF;
+    SELECT i.source_ref, i.level INTO bad FROM _import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'level of source row % is %, out of range', coalesce(bad.source_ref, '?'), bad.level USING ERRCODE = '22023', HINT = 'Levels go from -50 to 50; NULL is 0.';
     END IF;
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL THEN 'not taken: unknown class' ELSE 'not taken: class' END,
@@ -134,6 +144,11 @@ DECLARE
     target record;
     entry jsonb;
     column_name text;
+    -- What both float8 and, rounded, integer take without an error; NaN and infinity are named later by their row.
+    number_pattern constant text := '^\s*([-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?|nan|[-+]?inf(inity)?)\s*$';
+    whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.\d*)?\s*$';
+    pattern text;
+    bad record;
     expressions text[] := '{}';
 BEGIN
     PERFORM streetgen._take_classes(model);
@@ -154,8 +169,14 @@ BEGIN
         IF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
             expressions := expressions || format('NULL::%s AS %I', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
             CONTINUE;
-        ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' THEN
-            expressions := expressions || format('%L::%s AS %I', entry ->> 'value', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+        END IF;
+        pattern := CASE target.type WHEN 'float8' THEN number_pattern WHEN 'integer' THEN whole_pattern END;
+        IF jsonb_typeof(entry) = 'object' AND entry ? 'value' AND target.name <> 'geom' THEN
+            IF entry ->> 'value' !~* pattern THEN
+                RAISE EXCEPTION 'the mapping gives "%" the value %, expected a number', target.name, entry -> 'value' USING ERRCODE = '22023',
+                    HINT = CASE target.type WHEN 'integer' THEN 'A whole number' ELSE 'A number' END || ', or null for unknown.';
+            END IF;
+            expressions := expressions || format(CASE target.type WHEN 'integer' THEN '%L::float8::%s AS %I' ELSE '%L::%s AS %I' END, entry ->> 'value', target.type, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
             CONTINUE;
         ELSIF jsonb_typeof(entry) <> 'string' THEN
             RAISE EXCEPTION 'the mapping of "%" is %, expected a column name or {"value": …}', target.name, entry USING ERRCODE = '22023', HINT = 'SQL is never evaluated.';
@@ -165,7 +186,21 @@ BEGIN
             RAISE EXCEPTION 'table % has no column "%"', source, column_name USING ERRCODE = '42703',
                 HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped) || '.';
         END IF;
-        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
+        IF target.type = 'geometry' AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = column_name AND atttypid = 'geometry'::regtype) THEN
+            RAISE EXCEPTION 'column "%" of % is no geometry', column_name, source USING ERRCODE = '22023', HINT = 'Map "geom" to the column that holds the lines.';
+        END IF;
+        IF pattern IS NOT NULL THEN
+            EXECUTE format('SELECT %s AS source_ref, %I::text AS value FROM %s WHERE %2$I::text !~* $1 LIMIT 1',
+                CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' AND EXISTS (SELECT FROM pg_attribute
+                         WHERE attrelid = source AND attname = mapping ->> 'source_ref' AND attnum > 0 AND NOT attisdropped)
+                     THEN format('%I::text', mapping ->> 'source_ref') ELSE '''?''::text' END, column_name, source) INTO bad USING pattern;
+            IF bad.value IS NOT NULL THEN
+                RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', bad.source_ref, bad.value, column_name,
+                    CASE target.type WHEN 'integer' THEN 'whole number' ELSE 'number' END, target.name USING ERRCODE = '22023',
+                    HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
+            END IF;
+        END IF;
+        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' WHEN 'integer' THEN '%1$I::text::float8::integer AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
             column_name, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
     END LOOP;
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', array_to_string(expressions, ', '), source));

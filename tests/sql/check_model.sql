@@ -1,0 +1,42 @@
+-- check_model and summary: silent on a sound model, and a row for each thing that was broken.  (name, holds)
+SET client_min_messages = warning;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('checked', 2154);
+  INSERT INTO checked.axis (geom, width, importance)
+    SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 80 * i, 6860000 + 80 * j), ST_MakePoint(650000 + 80 * (i + di), 6860000 + 80 * (j + dj))), 2154), 5 + (i + j) % 5, 4
+    FROM generate_series(0, 3) i, generate_series(0, 3) j, (VALUES (1, 0), (0, 1)) d(di, dj);
+  PERFORM streetgen.generate('checked');
+END $$;
+SELECT 'a sound model has no error' AS name, NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error') AS holds;
+SELECT 'a sound model is not stale', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%' OR rule = 'not_generated');
+INSERT INTO checked.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6861000,650100 6861000)');
+SELECT 'a new axis is not generated', (SELECT count(*) = 1 FROM streetgen.check_model('checked') WHERE rule = 'not_generated' AND severity = 'notice');
+UPDATE checked.axis SET width = 11 WHERE axis_id = 1;
+SELECT 'a changed axis is stale', (SELECT array_agg(id) = '{1}' FROM streetgen.check_model('checked') WHERE rule LIKE 'stale: the axis changed%');
+DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
+SELECT 'generate makes it fresh', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%' OR rule = 'not_generated');
+DELETE FROM checked.axis WHERE axis_id = 2;
+SELECT 'a deleted axis is stale', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%');
+DO $$ BEGIN PERFORM streetgen.generate('checked'); PERFORM streetgen.set('checked', 'radius_minimal', '0.2'); END $$;
+SELECT 'a changed setting is told', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale: settings%');
+DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
+SELECT 'generate takes the setting', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%');
+UPDATE checked.section SET surface = ST_Multi(ST_Buffer(surface, 3)) WHERE edge_id = (SELECT min(edge_id) FROM checked.section);
+SELECT 'an overlap is an error', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error' AND rule LIKE 'overlap%' AND measure > 1);
+DELETE FROM checked.section WHERE edge_id = (SELECT max(edge_id) FROM checked.section);
+SELECT 'an edge without section is an error', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error' AND rule LIKE 'edge without a section%');
+DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
+SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
+SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
+SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
+-- Two streets of one level that cross without a vertex.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('crossing', 2154);
+  INSERT INTO crossing.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), ('SRID=2154;LINESTRING(650050 6859950,650050 6860050)', 7);
+  PERFORM streetgen.generate('crossing');
+END $$;
+SELECT 'a crossing without a vertex is a notice', (SELECT count(*) = 1 FROM streetgen.check_model('crossing') WHERE severity = 'notice' AND rule = 'crossing');
+SELECT 'over: it makes no node', (SELECT count(*) = 4 FROM crossing.node);
+SELECT 'over: it breaks nothing', NOT EXISTS (SELECT FROM streetgen.check_model('crossing') WHERE severity = 'error');
+DO $$ BEGIN PERFORM streetgen.set('crossing', 'crossing', 'split'); PERFORM streetgen.generate('crossing'); END $$;
+SELECT 'split: it makes a node', (SELECT count(*) = 5 FROM crossing.node) AND (SELECT count(*) = 4 FROM crossing.corner);

@@ -1,0 +1,96 @@
+-- Any line table to axes: mapping, refusals, cleaning, following the source.  Each SELECT is one truth: (name, holds).
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.state(statement text) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE statement;
+  RETURN 'none';
+EXCEPTION WHEN OTHERS THEN
+  RETURN SQLSTATE;
+END $$;
+CREATE FUNCTION pg_temp.said(statement text) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE statement;
+  RETURN '';
+EXCEPTION WHEN OTHERS THEN
+  RETURN SQLERRM;
+END $$;
+CREATE FUNCTION pg_temp.with_mapping(mapping text) RETURNS text LANGUAGE sql AS $$
+  SELECT format('SELECT count(*) FROM streetgen.import_axes(''import_a'', ''import_source'', %L)', mapping)
+$$;
+CREATE FUNCTION pg_temp.with_line(line text) RETURNS text LANGUAGE sql AS $$
+  SELECT format('CREATE TABLE import_bad AS SELECT 77 AS id, %L::geometry AS geom; '
+                'SELECT count(*) FROM streetgen.import_axes(''import_b'', ''import_bad'', ''{"source_ref": "id"}'')', line)
+$$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('import_a', 2154);
+  PERFORM streetgen.create_model('import_b', 2154);
+END $$;
+CREATE TABLE import_source (id integer, kind text, width float8, lanes integer, label text, geom geometry);
+INSERT INTO import_source VALUES
+  (1, 'residential', 7, 2, 'Rue A', 'SRID=2154;LINESTRING(0 0, 20 0, 20.1 0, 50 0, 100 0)'),
+  (2, 'residential', 0, NULL, 'Rue B', 'SRID=2154;LINESTRING(50 0, 50 80)'),
+  (3, 'secondary', 40, 2, NULL, 'SRID=2154;MULTILINESTRING((100 0, 200 0), (300 0, 400 0))'),
+  (4, 'runway', 45, 1, NULL, 'SRID=2154;LINESTRING(0 1000, 2000 1000)'),
+  (5, 'footway', NULL, NULL, NULL, 'SRID=2154;LINESTRING(0 5, 100 5)'),
+  (6, 'residential', NULL, NULL, NULL, ST_Transform('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)'::geometry, 32631)),
+  (7, 'residential', 7, NULL, NULL, 'SRID=2154;LINESTRING(100 0, 50 0, 0 0)');
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_axes('import_a', 'import_source',
+  '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}');
+
+SELECT 'a class that is not taken makes no axis' AS name,
+       (SELECT count(*) = 0 FROM import_a.axis WHERE kind = 'footway') AS holds;
+SELECT 'classes are counted, taken or not',
+       (SELECT count = 4 FROM import_report WHERE what = 'taken' AND class = 'residential')
+   AND (SELECT count = 1 FROM import_report WHERE what LIKE 'not taken%' AND class = 'footway');
+SELECT 'a width of zero is unknown and named',
+       (SELECT width IS NULL FROM import_a.axis WHERE source_ref = '2')
+   AND (SELECT source_refs = '{2}' FROM import_report WHERE what LIKE 'width of zero%');
+SELECT 'a width beyond the lanes is named, part by part, a runway''s is not',
+       (SELECT source_refs = '{3/1,3/2}' FROM import_report WHERE what = 'width not believed');
+SELECT 'parts become axes of their own', (SELECT array_agg(source_ref ORDER BY source_ref) = '{3/1,3/2}' FROM import_a.axis WHERE source_ref LIKE '3%');
+SELECT 'a constant fills its column', (SELECT bool_and(level = 1) FROM import_a.axis);
+SELECT 'another SRID is transformed',
+       (SELECT ST_SRID(geom) = 2154 AND ST_DWithin(ST_StartPoint(geom), 'SRID=2154;POINT(650000 6860000)', 0.01) FROM import_a.axis WHERE source_ref = '6');
+SELECT 'a vertex that another axis shares stays', (SELECT ST_AsText(geom) LIKE '%50 0,%' FROM import_a.axis WHERE source_ref = '1');
+SELECT 'near and collinear points go, the original stays beside',
+       (SELECT ST_NPoints(geom) = 3 AND ST_NPoints(source_geom) = 5 FROM import_a.axis WHERE source_ref = '1');
+SELECT 'the report says that generate is due', EXISTS (SELECT FROM import_report WHERE what = 'generate is due');
+
+CREATE TABLE import_before AS SELECT ctid AS place, * FROM import_a.axis;
+SELECT 'importing the same again changes no row',
+       (SELECT count(*) >= 0 FROM streetgen.import_axes('import_a', 'import_source',
+  '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}'))
+   AND NOT EXISTS (SELECT FROM import_before b LEFT JOIN import_a.axis a ON a.ctid = b.place AND a.axis_id = b.axis_id WHERE a.axis_id IS NULL);
+UPDATE import_source SET label = 'Rue C' WHERE id = 2;
+DELETE FROM import_source WHERE id = 4;
+INSERT INTO import_source VALUES (8, 'residential', 6, 2, NULL, 'SRID=2154;LINESTRING(0 200, 100 200)');
+SELECT 'importing again follows the source', (SELECT count(*) > 0 FROM streetgen.import_axes('import_a', 'import_source',
+  '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}'));
+SELECT 'a new row is an axis', EXISTS (SELECT FROM import_a.axis WHERE source_ref = '8');
+SELECT 'a vanished row is none', NOT EXISTS (SELECT FROM import_a.axis WHERE source_ref = '4');
+SELECT 'a changed row keeps its id',
+       (SELECT a.name = 'Rue C' AND a.axis_id = b.axis_id FROM import_a.axis a JOIN import_before b USING (source_ref) WHERE a.source_ref = '2');
+
+SELECT 'a missing column is 42703', pg_temp.state(pg_temp.with_mapping('{"width": "breadth"}')) = '42703';
+SELECT 'SQL is no column', pg_temp.state(pg_temp.with_mapping('{"width": "1); DROP TABLE import_source; --"}')) = '42703';
+SELECT 'a key that is no column of axis is 22023', pg_temp.state(pg_temp.with_mapping('{"axis_id": "id"}')) = '22023';
+SELECT 'a mapping that is no object is 22023', pg_temp.state(pg_temp.with_mapping('["width"]')) = '22023';
+SELECT 'a text that is no number is 22023 and names the row',
+       pg_temp.state(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) = '22023'
+   AND pg_temp.said(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) ~ '\m1\M';
+SELECT 'a constant of the wrong type is 22023', pg_temp.state(pg_temp.with_mapping('{"width": {"value": "wide"}}')) = '22023';
+SELECT 'a geometry column that is none is 22023', pg_temp.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
+SELECT 'an unknown direction is 22023', pg_temp.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
+SELECT 'a model that does not exist is 3F000',
+       pg_temp.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
+SELECT 'bad geometry is 22023 and names its row: ' || line, pg_temp.state(pg_temp.with_line(line)) = '22023' AND pg_temp.said(pg_temp.with_line(line)) LIKE '%77%'
+  FROM unnest(ARRAY[NULL, 'SRID=2154;LINESTRING EMPTY', 'SRID=2154;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
+                    'SRID=2154;LINESTRING(0 0, NaN 1)',
+                    'SRID=2154;LINESTRING(0 0, 1e13 1)', 'SRID=2154;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
+SELECT 'a refused import leaves no axis', (SELECT count(*) = 0 FROM import_b.axis);
+SELECT 'the source is as it was', (SELECT count(*) = 7 FROM import_source);
+DROP TABLE import_source, import_report, import_before;
+DO $$ BEGIN
+  PERFORM streetgen.drop_model('import_a');
+  PERFORM streetgen.drop_model('import_b');
+END $$;
