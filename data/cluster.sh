@@ -69,7 +69,7 @@ start_cluster() {
   [ "$(id -u)" = 0 ] && chown streetgen "$home" "$home/run"
   chmod -R a+rX "$stage"
   if ! [ -s "$home/data/PG_VERSION" ]; then
-    as_server "$(pg_bin)/initdb" -D "$home/data" -U streetgen -A trust -E UTF8 --locale=C.UTF-8 >"$build/initdb.log" 2>&1 ||
+    as_server "$(pg_bin)/initdb" -D "$home/data" -U gis -A trust -E UTF8 --locale=C.UTF-8 >"$build/initdb.log" 2>&1 ||
       { cat "$build/initdb.log" >&2; fail "initdb failed"; }
     as_server tee -a "$home/data/postgresql.conf" >/dev/null <<EOF
 listen_addresses = '127.0.0.1'
@@ -88,7 +88,7 @@ EOF
     { tail -20 "$home/log" >&2; fail "the server did not start"; }
   PGHOST=$home/run
   PGPORT=$(sed -n 4p "$home/data/postmaster.pid")
-  PGUSER=streetgen
+  PGUSER=gis
   export PGHOST PGPORT PGUSER
 }
 

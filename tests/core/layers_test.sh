@@ -7,5 +7,5 @@ rule 'the border names no geometry library and no SPI' '! grep -rnE "geos_c\.h|<
 rule 'public headers use std alone' '! grep -rnE "#include [<\"](geos|CGAL|Eigen|boost|postgres)" "$root/include" >&2'
 rule 'the module exports its SQL functions alone' '! nm -D --defined-only "$module" | awk "{print \$3}" | grep -vE "^(Pg_magic_func|pg_finfo_streetgen_.*|streetgen_.*)$" >&2'
 for header in "$root"/include/streetgen/*.hpp; do
-  rule "$(basename "$header") compiles alone" 'g++ -std=c++17 -fsyntax-only -x c++ -I"$root/include" "$header"'
+  rule "$(basename "$header") compiles alone" 'g++ -std=c++17 -fsyntax-only -x c++ -I"$root/include" -include "$header" /dev/null'
 done
