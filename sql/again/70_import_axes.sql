@@ -30,6 +30,28 @@ $sql$, model) USING axes;
 END $$;
 COMMENT ON FUNCTION streetgen._clean_axes(name, bigint[]) IS 'Cleans axes by the filters of streetgen.clean, keeping every vertex that another axis shares; returns how many changed.';
 
+CREATE OR REPLACE FUNCTION streetgen._mend_heights() RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+WITH point AS MATERIALIZED (
+    SELECT i.ctid AS id, CASE cardinality(d.path) WHEN 2 THEN d.path[1] ELSE 1 END AS part, d.path[cardinality(d.path)] AS nth, d.geom,
+           -- NaN is greater than every number, so that it fails here too.
+           CASE WHEN ST_Z(d.geom) > -500 AND ST_Z(d.geom) < 9000 THEN ST_Z(d.geom) WHEN ST_Z(d.geom) IS NULL THEN 0 END AS z
+    FROM _import i, ST_DumpPoints(i.geom) d),
+broken AS (SELECT * FROM point WHERE id IN (SELECT id FROM point WHERE z IS NULL)),
+counted AS (
+    SELECT *, count(z) OVER (PARTITION BY id ORDER BY part, nth) AS before, count(z) OVER (PARTITION BY id ORDER BY part DESC, nth DESC) AS after FROM broken),
+filled AS (
+    SELECT *, max(z) OVER (PARTITION BY id, before) AS z_before, max(z) OVER (PARTITION BY id, after) AS z_after FROM counted),
+line AS (
+    SELECT id, part, ST_MakeLine(ST_SetSRID(ST_MakePoint(ST_X(geom), ST_Y(geom), coalesce((z_before + z_after) / 2, z_before, z_after, 0)), ST_SRID(geom)) ORDER BY nth) AS geom
+    FROM filled GROUP BY id, part),
+mended AS (
+    UPDATE _import i SET geom = l.geom FROM (SELECT id, ST_Collect(geom ORDER BY part) AS geom FROM line GROUP BY id) l WHERE i.ctid = l.id RETURNING i.source_ref)
+SELECT 'height without data, taken from the same line or 0', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref) FROM mended HAVING count(*) > 0
+$$;
+COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
+
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -42,7 +64,8 @@ DECLARE
     number bigint;
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
-    ALTER TABLE _import ADD COLUMN part integer;
+    -- Without the source's type modifier: heights come and go below.
+    ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
     SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the geometry of source row % is NULL', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
@@ -51,6 +74,11 @@ BEGIN
         WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') OR ST_IsEmpty(i.geom) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % is an empty line or a %, expected a line', coalesce(bad.source_ref, '?'), bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
+    END IF;
+    IF flat THEN
+        UPDATE _import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
+    ELSE
+        RETURN QUERY SELECT * FROM streetgen._mend_heights();
     END IF;
     SELECT i.source_ref INTO bad FROM _import i, ST_DumpPoints(i.geom) d
         WHERE NOT (ST_X(d.geom) BETWEEN -1e12 AND 1e12 AND ST_Y(d.geom) BETWEEN -1e12 AND 1e12) OR NOT (coalesce(ST_Z(d.geom), 0) BETWEEN -1e12 AND 1e12) LIMIT 1;
