@@ -1,0 +1,52 @@
+-- BD TOPO roads of version 2 and 3 to axes.  Each SELECT is one truth: (name, holds).
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.state(statement text) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE statement;
+  RETURN 'none';
+EXCEPTION WHEN OTHERS THEN
+  RETURN SQLSTATE;
+END $$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('import_v2', 2154);
+  PERFORM streetgen.create_model('import_v3', 2154, 3);
+END $$;
+CREATE TABLE import_bdtopo2 (id text, nature text, nom_rue_g text, importance text, fictif text, largeur float8, nb_voies smallint, pos_sol smallint, sens text, geom geometry(MultiLineStringZM, 2154));
+INSERT INTO import_bdtopo2 VALUES
+  ('A', 'Route à 1 chaussée', 'R DE LA GARE', '4', 'Non', 6, 2, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 0 -2e38 0, 100 0 5 0))'),
+  ('B', 'Bretelle', NULL, '3', 'Non', 0, 1, 1, 'Inverse', 'SRID=2154;MULTILINESTRING ZM((0 100 5 0, 100 100 5 0))'),
+  ('C', 'Autoroute', NULL, 'NC', 'Non', 20, 2, -1, 'Direct', 'SRID=2154;MULTILINESTRING ZM((0 200 5 0, 100 200 5 0))'),
+  ('D', 'Route à 1 chaussée', NULL, '5', 'Oui', 4, 1, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 300 5 0, 100 300 5 0))'),
+  ('E', 'Sentier', NULL, '5', 'Non', 2, 1, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 400 5 0, 100 400 5 0))');
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v2', 'import_bdtopo2');
+SELECT 'version 2: taken are roads that are not fictitious' AS name, (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v2.axis) AS holds;
+SELECT 'version 2: directions', (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'both,reverse,direct' FROM import_v2.axis);
+SELECT 'version 2: levels', (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,1,-1' FROM import_v2.axis);
+SELECT 'version 2: importance, where it is a number', (SELECT array_agg(importance ORDER BY source_ref) = '{4,3,NULL}' FROM import_v2.axis);
+SELECT 'version 2: width, lanes and name', (SELECT width = 6 AND lane_count = 2 AND name = 'R DE LA GARE' FROM import_v2.axis WHERE source_ref = 'A');
+SELECT 'version 2: a width of zero and one beyond the lanes are named',
+       (SELECT source_refs = '{B}' FROM import_report WHERE what LIKE 'width of zero%') AND (SELECT source_refs = '{C}' FROM import_report WHERE what = 'width not believed');
+
+CREATE TABLE import_bdtopo3 (cleabs text, nature text, nom_voie_ban_gauche text, importance text, fictif boolean, largeur_de_chaussee numeric(5,1), nombre_de_voies integer,
+  position_par_rapport_au_sol text, sens_de_circulation text, vitesse_moyenne_vl integer, geometrie geometry(LineStringZ, 2154));
+INSERT INTO import_bdtopo3 VALUES
+  ('A', 'Route à 1 chaussée', 'Rue Haute', '4', false, 5.5, 2, '0', 'Double sens', 30, 'SRID=2154;LINESTRING Z(0 0 10, 50 20 -1000, 100 0 20)'),
+  ('B', 'Rond-point', NULL, '5', false, NULL, NULL, '-1', 'Sens direct', 0, 'SRID=2154;LINESTRING Z(0 100 -1000, 100 100 -1000)'),
+  ('C', 'Bretelle', NULL, '3', false, 4, 1, 'Gué ou radier', 'Sens inverse', 70, 'SRID=2154;LINESTRING Z(0 200 5, 100 200 NaN)'),
+  ('D', 'Bretelle', NULL, '3', true, 4, 1, '0', 'Sens inverse', 70, 'SRID=2154;LINESTRING Z(0 300 5, 100 300 5)');
+DROP TABLE import_report;
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3');
+SELECT 'version 3: taken are roads that are not fictitious', (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v3.axis);
+SELECT 'version 3: directions', (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'both,direct,reverse' FROM import_v3.axis);
+SELECT 'version 3: levels', (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,-1,0' FROM import_v3.axis);
+SELECT 'version 3: a speed of zero is unknown', (SELECT array_agg(speed ORDER BY source_ref) = '{30,NULL,70}' FROM import_v3.axis);
+SELECT 'version 3: heights without data come from the same line, or are 0',
+       (SELECT array_agg(ST_Z(ST_EndPoint(geom)) ORDER BY source_ref) = '{20,0,5}' FROM import_v3.axis)
+   AND (SELECT ST_Z(ST_PointN(source_geom, 2)) = 15 FROM import_v3.axis WHERE source_ref = 'A');
+SELECT 'version 3: lines with such heights are named', (SELECT source_refs = '{A,B,C}' FROM import_report WHERE what LIKE 'height without data%');
+SELECT 'a table that is no BD TOPO is 22023', pg_temp.state($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) = '22023';
+DROP TABLE import_bdtopo2, import_bdtopo3, import_report;
+DO $$ BEGIN
+  PERFORM streetgen.drop_model('import_v2');
+  PERFORM streetgen.drop_model('import_v3');
+END $$;
