@@ -150,6 +150,13 @@ SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
         SELECT 'duplicate of another axis', NULL::text, count(*), array_agg(ref ORDER BY ref) FROM (
             SELECT coalesce(a.source_ref, a.axis_id::text) AS ref FROM %1$I.axis a WHERE EXISTS (
                 SELECT FROM %1$I.axis b WHERE b.geom ~= a.geom AND b.axis_id < a.axis_id AND b.level = a.level AND ST_Equals(a.geom, b.geom))) d HAVING count(*) > 0$sql$, model);
+    RETURN QUERY EXECUTE format($sql$
+        WITH segment AS (
+            SELECT a.axis_id, a.level, coalesce(a.source_ref, a.axis_id::text) AS ref, least(d.geom::bytea, ST_Reverse(d.geom)::bytea) AS line
+            FROM %1$I.axis a, ST_DumpSegments(ST_Force2D(a.geom)) d)
+        SELECT 'shares a segment with another axis', NULL::text, count(*), array_agg(ref ORDER BY ref) FROM (
+            SELECT DISTINCT s.axis_id, s.ref FROM segment s
+            JOIN (SELECT line, level FROM segment GROUP BY line, level HAVING count(DISTINCT axis_id) > 1) twice USING (line, level)) o HAVING count(*) > 0$sql$, model);
     DROP TABLE _import, _import_part, _import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[] WHERE changed IS NOT NULL;
 END $$;
