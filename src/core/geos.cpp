@@ -111,8 +111,9 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
 
 Geos::Geometry Geos::unite_coverage(const std::vector<Polygon>& cells) {
   const Geometry all = surface(cells);
-  GEOSGeometry* united = GEOSCoverageUnion_r(handle_, all.get());
-  return own(united != nullptr ? united : GEOSUnaryUnion_r(handle_, all.get()));
+  Geometry united(GEOSCoverageUnion_r(handle_, all.get()), Free{handle_});
+  if (united != nullptr && valid(united.get())) return united;
+  return own(GEOSUnaryUnion_r(handle_, all.get()));
 }
 
 Geos::Geometry Geos::voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope) {

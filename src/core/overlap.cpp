@@ -50,9 +50,14 @@ bool reaches_into(const MultiPolygon& a, const MultiPolygon& b, const Box& share
   constexpr double step = 1e-4;
   return any_segment(a, shared, [&](const Point& p, const Point& q, const Box&) {
     poll_cancel();
-    const Point middle = (p + q) * 0.5 + left_normal(unit(q - p)) * step;
-    return (shared.holds(p, 0) && deep_inside(p, b)) ||
-           (distance(p, q) > 4 * step && shared.holds(middle, 0) && deep_inside(middle, b));
+    if (shared.holds(p, 0) && deep_inside(p, b)) return true;
+    if (distance(p, q) <= 20 * step) return false;
+    const Point inwards = left_normal(unit(q - p)) * step;
+    for (const double t : {0.1, 0.5, 0.9}) {
+      const Point place = p + (q - p) * t + inwards;
+      if (shared.holds(place, 0) && deep_inside(place, b)) return true;
+    }
+    return false;
   });
 }
 

@@ -144,6 +144,25 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
   return pairs;
 }
 
+// The surface less the grounds.  GEOS may, rarely, leave out a part of a union: what is left of a
+// ground is then taken on its own, if that takes just what is left.
+MultiPolygon without(Geos& geos, const GEOSGeometry* surface,
+                     const std::vector<MultiPolygon>& grounds) {
+  const Geos::Geometry given =
+      grounds.size() == 1 ? geos.surface(grounds.front()) : geos.unite(grounds);
+  MultiPolygon rest = geos.polygons(geos.difference(surface, given.get()).get());
+  if (grounds.size() == 1) return rest;
+  for (const MultiPolygon& ground : grounds) {
+    if (!overlap(rest, ground)) continue;
+    const Geos::Geometry whole = geos.surface(rest), taken = geos.surface(ground);
+    const double left = geos.area(geos.intersection(whole.get(), taken.get()).get());
+    if (left <= negligible) continue;
+    MultiPolygon less = geos.polygons(geos.difference(whole.get(), taken.get()).get());
+    if (std::abs(area(rest) - area(less) - left) < 1e-3 * left + negligible) rest = std::move(less);
+  }
+  return rest;
+}
+
 }  // namespace
 
 void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
@@ -175,9 +194,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     const double whole = area(*claims[i].surface);
-    const Geos::Geometry given =
-        grounds.size() == 1 ? geos.surface(grounds.front()) : geos.unite(grounds);
-    MultiPolygon rest = geos.polygons(geos.difference(geometry(i), given.get()).get());
+    MultiPolygon rest = without(geos, geometry(i), grounds);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= negligible; }),
                rest.end());
