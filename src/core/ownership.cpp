@@ -15,7 +15,8 @@ namespace streetgen {
 namespace {
 
 constexpr double sample_spacing = 1.0;  // metres along the axes
-constexpr double negligible = 1e-6;     // square metres
+constexpr double negligible = 5e-4;     // square metres: no ground worth a dispute
+constexpr double crumb = 1e-6;          // square metres: no part worth keeping
 
 bool before(const Claim& a, const Claim& b) {
   return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
@@ -196,7 +197,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
     const double whole = area(*claims[i].surface);
     MultiPolygon rest = without(geos, geometry(i), grounds);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
-                              [](const Polygon& part) { return area({part}) <= negligible; }),
+                              [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
     *claims[i].surface = std::move(rest);
     claims[i].contested_area = std::max(0.0, whole - area(*claims[i].surface));
