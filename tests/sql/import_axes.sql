@@ -85,7 +85,7 @@ SELECT 'a geometry column that is none is 22023', pg_temp.state(pg_temp.with_map
 SELECT 'an unknown direction is 22023', pg_temp.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
 SELECT 'a model that does not exist is 3F000',
        pg_temp.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
-SELECT 'bad geometry is 22023 and names its row: ' || line, pg_temp.state(pg_temp.with_line(line)) = '22023' AND pg_temp.said(pg_temp.with_line(line)) LIKE '%77%'
+SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), pg_temp.state(pg_temp.with_line(line)) = '22023' AND pg_temp.said(pg_temp.with_line(line)) LIKE '%77%'
   FROM unnest(ARRAY[NULL, 'SRID=2154;LINESTRING EMPTY', 'SRID=2154;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
                     'SRID=2154;LINESTRING(0 0, NaN 1)',
                     'SRID=2154;LINESTRING(0 0, 1e13 1)', 'SRID=2154;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
