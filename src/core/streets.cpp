@@ -49,6 +49,7 @@ class Pipeline {
     solve_corners();
     settle_limits();
     build_surfaces();
+    fill_holes();
     settle_owners();
     return std::move(out_);
   }
@@ -209,6 +210,18 @@ class Pipeline {
       }
       out_.intersections.push_back(std::move(intersection));
     }
+  }
+
+  // Slivers between an intersection's pieces are roadway.
+  void fill_holes() {
+    const auto fill = [&](MultiPolygon& surface) {
+      for (Polygon& polygon : surface)
+        for (std::size_t i = polygon.size() - 1; i > 0; --i)
+          if (std::abs(signed_area(polygon[i])) < settings_.max_hole_area)
+            polygon.erase(polygon.begin() + i);
+    };
+    for (Section& section : out_.sections) fill(section.surface);
+    for (Intersection& intersection : out_.intersections) fill(intersection.surface);
   }
 
   // The level with most of the node's edges; ties: the lowest.
