@@ -1,0 +1,133 @@
+-- Corners, kerbs and limits of one model against the laws that they must keep: each failure is a row of `finding`.
+-- Reads the temporary table `surface` of quality.sql.
+CREATE TEMPORARY TABLE finding (measure text, relation text, id bigint, value float8, geom geometry);
+
+-- Edge ends, counter-clockwise about their node, each oriented away from it.
+CREATE TEMPORARY TABLE arm AS
+SELECT e.edge_id, e.axis_id, which, node_id, line, ST_Length(line) AS length, width / 2 AS half, abs(e.width - e.width_end) < 1e-9 AS constant, radius, azimuth,
+       row_number() OVER around AS turn, count(*) OVER (PARTITION BY node_id) AS degree
+FROM (SELECT edge_id, axis_id, 'start' AS which, from_node AS node_id, ST_Force2D(geom) AS line, width, width_end FROM :"model".edge
+      UNION ALL SELECT edge_id, axis_id, 'end', to_node, ST_Reverse(ST_Force2D(geom)), width, width_end FROM :"model".edge) e
+JOIN (SELECT axis_id, radius FROM :"model".axis_used) u USING (axis_id)
+CROSS JOIN LATERAL (SELECT ST_Azimuth(ST_StartPoint(line), ST_LineInterpolatePoint(line, least(1, 1 / ST_Length(line)))) AS azimuth) d
+WINDOW around AS (PARTITION BY node_id ORDER BY azimuth DESC, edge_id, which);
+ANALYZE arm;
+
+CREATE TEMPORARY TABLE pair AS
+SELECT a.node_id, a.degree, a.edge_id AS edge_a, a.which AS end_a, b.edge_id AS edge_b, b.which AS end_b, a.line AS line_a, b.line AS line_b,
+       a.length AS length_a, b.length AS length_b, a.azimuth AS azimuth_a, b.azimuth AS azimuth_b, a.half AS half_a, b.half AS half_b,
+       least(a.radius, b.radius) AS r, a.constant AND b.constant AS constant,
+       a.azimuth - b.azimuth + CASE WHEN a.azimuth < b.azimuth THEN 2 * pi() ELSE 0 END AS phi
+FROM arm a JOIN arm b ON b.node_id = a.node_id AND b.turn = a.turn % a.degree + 1 WHERE a.degree >= 2;
+
+-- Straight, long enough and near enough for the wanted radius: the law of two lines holds.
+CREATE TEMPORARY TABLE lawful AS
+SELECT p.*, centre FROM pair p
+CROSS JOIN LATERAL (SELECT CASE WHEN phi BETWEEN radians(20) AND radians(160) THEN sin(phi) END AS sine) s
+CROSS JOIN LATERAL (SELECT (half_b + r + (half_a + r) * cos(phi)) / sine AS o_a, (half_a + r + (half_b + r) * cos(phi)) / sine AS o_b) o
+CROSS JOIN LATERAL (SELECT ST_Translate(ST_StartPoint(line_a), o_a * sin(azimuth_a) - (half_a + r) * cos(azimuth_a), o_a * cos(azimuth_a) + (half_a + r) * sin(azimuth_a)) AS centre) c
+WHERE constant AND r > 0 AND sine IS NOT NULL AND o_a BETWEEN 0 AND length_a AND o_b BETWEEN 0 AND length_b
+  AND NOT (degree = 2 AND abs(half_a - half_b) > 0.005 AND abs(phi - pi()) < pi() / 3) -- a transition has no corner
+  AND ST_Distance(centre, ST_StartPoint(line_a)) < (SELECT value::float8 FROM :"model".setting WHERE name = 'max_arc_distance')
+  AND ST_Distance(ST_LineInterpolatePoint(line_a, o_a / length_a), ST_Translate(ST_StartPoint(line_a), o_a * sin(azimuth_a), o_a * cos(azimuth_a))) < 1e-4
+  AND ST_Distance(ST_LineInterpolatePoint(line_b, o_b / length_b), ST_Translate(ST_StartPoint(line_b), o_b * sin(azimuth_b), o_b * cos(azimuth_b))) < 1e-4
+  AND ST_Distance(centre, line_a) > half_a + r - 1e-4 AND ST_Distance(centre, line_b) > half_b + r - 1e-4;
+
+INSERT INTO finding
+SELECT 'arc', 'node', node_id, degrees(phi), ST_StartPoint(line_a)
+FROM lawful l LEFT JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
+WHERE NOT coalesce(abs(radius - r) <= 1e-3 AND ST_Distance(k.centre, l.centre) <= 1e-3 * greatest(1, 1 / tan(phi / 2))
+    AND abs(ST_Distance(k.centre, line_a) - half_a - r) <= 1e-3 AND abs(ST_Distance(k.centre, line_b) - half_b - r) <= 1e-3
+    AND abs(ST_Distance(ST_StartPoint(arc), line_a) - half_a) <= 1e-3 AND abs(ST_Distance(ST_EndPoint(arc), line_b) - half_b) <= 1e-3
+    AND abs(ST_Distance(ST_PointN(arc, 2), k.centre) - r) <= 1e-3 AND abs(ST_Distance(ST_StartPoint(arc), k.centre) - r) <= 1e-3 AND abs(ST_Distance(ST_EndPoint(arc), k.centre) - r) <= 1e-3
+    AND abs(cos(ST_Azimuth(ST_StartPoint(arc), k.centre) - azimuth_a)) <= sin(radians(0.1))
+    AND abs(cos(ST_Azimuth(ST_EndPoint(arc), k.centre) - azimuth_b)) <= sin(radians(0.1)), false);
+
+-- No arc below 160 degrees, and why.
+INSERT INTO finding
+SELECT 'no arc: ' || CASE WHEN r <= 0 THEN 'none wanted' WHEN largest IS NULL THEN 'borders do not meet' WHEN largest <= 0.001 THEN 'under 1 mm fits' ELSE 'borders meet in one point' END,
+       'node', node_id, degrees(phi), ST_StartPoint(line_a)
+FROM pair p JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
+CROSS JOIN LATERAL (SELECT streetgen.max_corner_radius(line_a, line_b, 2 * half_a, 2 * half_b) AS largest) m
+WHERE method = 'no_arc' AND phi < radians(160);
+
+-- Flat buffers of the axes (cut where a transition begins), and the corners' fillets.
+CREATE TEMPORARY TABLE change AS SELECT node_id FROM pair WHERE degree = 2 GROUP BY node_id HAVING bool_or(abs(half_a - half_b) > 0.005);
+CREATE TEMPORARY TABLE axis_buffer AS
+SELECT axis_id, ST_Buffer(ST_MakeLine(line ORDER BY start_abscissa), min(half), 'endcap=flat join=round quad_segs=16') AS buffer
+FROM (SELECT axis_id, start_abscissa, width / 2 AS half, ST_LineSubstring(line,
+             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = from_node) THEN first / length ELSE 0 END,
+             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = to_node) THEN last / length ELSE 1 END) AS line
+      FROM (SELECT e.*, ST_Force2D(e.geom) AS line, ST_Length(ST_Force2D(e.geom)) AS length, a.abscissa AS first, b.abscissa AS last
+            FROM :"model".edge e JOIN :"model".section_limit a ON a.edge_id = e.edge_id AND a.which = 'start' JOIN :"model".section_limit b ON b.edge_id = e.edge_id AND b.which = 'end'
+            WHERE abs(width - width_end) < 1e-9) e) e
+GROUP BY axis_id;
+CREATE INDEX ON axis_buffer USING gist (buffer);
+CREATE TEMPORARY TABLE fillet AS
+SELECT k.node_id, ST_BuildArea(ST_Node(ST_MakeLine(ARRAY[ring, ST_StartPoint(ring)]))) AS ground
+FROM :"model".corner k JOIN pair p USING (node_id, edge_a, end_a, edge_b, end_b)
+CROSS JOIN LATERAL (SELECT ST_CurveToLine(arc, 16) AS kerb) c
+CROSS JOIN LATERAL (SELECT ST_MakeLine(ARRAY[kerb,
+    ST_Reverse(ST_LineSubstring(line_b, 0, ST_LineLocatePoint(line_b, ST_EndPoint(kerb)))), ST_LineSubstring(line_a, 0, ST_LineLocatePoint(line_a, ST_StartPoint(kerb)))]) AS ring) r
+WHERE arc IS NOT NULL
+UNION ALL
+SELECT node_id, ST_Buffer(ST_StartPoint(line_a), least(half_a, half_b), 64) FROM pair WHERE degree = 2 AND node_id NOT IN (SELECT node_id FROM change);
+CREATE INDEX ON fillet USING gist (ground);
+ANALYZE axis_buffer; ANALYZE fillet;
+
+CREATE TEMPORARY TABLE uncovered AS
+SELECT axis_id, ST_Area(buffer) AS area, coalesce(ST_Area(missing), 0) AS missing_area, missing
+FROM axis_buffer CROSS JOIN LATERAL (SELECT ST_Difference(buffer, (SELECT ST_Union(surface) FROM surface s WHERE s.surface && buffer), 1e-6) AS missing) m;
+INSERT INTO finding SELECT 'buffer outside roadway', 'axis', axis_id, missing_area, missing FROM uncovered WHERE missing_area > 0.0005 * area;
+
+CREATE TEMPORARY TABLE excess AS
+SELECT kind, id, ST_Area(surface) AS area, coalesce(ST_Area(beyond), 0) AS excess_area, beyond
+FROM surface s CROSS JOIN LATERAL (SELECT ST_Difference(surface, (SELECT ST_Union(ground) FROM (
+    SELECT buffer AS ground FROM axis_buffer WHERE buffer && surface UNION ALL SELECT ground FROM fillet WHERE ground && surface) g), 1e-6) AS beyond) d
+WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = id))
+  AND NOT (kind = 'section' AND EXISTS (SELECT FROM :"model".edge e WHERE e.edge_id = s.id AND abs(width - width_end) >= 1e-9));
+INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);
+
+-- Each limit's border line lies on the boundary of both neighbours, where nothing was given away.
+CREATE TEMPORARY TABLE border AS
+SELECT l.section_limit_id, l.edge_id, l.border_line, ARRAY(
+    SELECT s.surface FROM surface s WHERE (s.kind, s.id) IN (('section', l.edge_id), ('intersection', CASE which WHEN 'start' THEN from_node ELSE to_node END))
+       OR l.method = 'crossed_limits' AND (s.kind, s.id) IN (('intersection', from_node), ('intersection', to_node))) AS neighbours
+FROM :"model".section_limit l JOIN :"model".edge e USING (edge_id)
+WHERE NOT EXISTS (SELECT FROM :"model".section s WHERE s.edge_id = e.edge_id AND contested_area > 0)
+  AND NOT EXISTS (SELECT FROM :"model".intersection i WHERE i.node_id IN (e.from_node, e.to_node) AND contested_area > 0);
+INSERT INTO finding
+SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off), border_line FROM (
+    SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
+GROUP BY section_limit_id, border_line HAVING max(off) > 1e-3;
+
+INSERT INTO finding
+SELECT 'hole', 'level', level, ST_Area(hole), hole FROM (
+    SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
+    FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM surface GROUP BY level) u) r
+WHERE ring > 0 AND ST_Area(hole) < 0.5;
+
+-- T junctions on a straight street: how far the kerb opposite to the side street leaves its line.
+CREATE TEMPORARY TABLE tee AS
+SELECT p.node_id, surface, line, half, ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, 30 * nx, 30 * ny), ST_Translate(o, 30 * nx, 30 * ny), o])) AS strip,
+       ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, half * nx, half * ny), ST_Translate(o, half * nx, half * ny), o])) AS band
+FROM pair p JOIN :"model".intersection i ON i.node_id = p.node_id AND i.contested_area = 0
+CROSS JOIN LATERAL (VALUES (line_a, length_a, azimuth_a, half_a, edge_a, end_a, 1), (line_b, length_b, azimuth_b, half_b, edge_b, end_b, -1)) s(line, length, azimuth, half, edge_id, which, side)
+JOIN :"model".section_limit l ON l.edge_id = s.edge_id AND l.which = s.which
+CROSS JOIN LATERAL (SELECT CASE l.which WHEN 'start' THEN l.abscissa ELSE length - l.abscissa END - 0.5 AS reach, -side * cos(azimuth) AS nx, side * sin(azimuth) AS ny, ST_StartPoint(line) AS o) r
+CROSS JOIN LATERAL (SELECT ST_Translate(o, reach * sin(azimuth), reach * cos(azimuth)) AS t, least(length, reach + half) AS far) e
+WHERE l.method <> 'crossed_limits' AND degree = 3 AND abs(phi - pi()) < radians(0.5) AND constant AND abs(half_a - half_b) < 1e-6 AND reach > 0
+  AND ST_Distance(ST_LineInterpolatePoint(line, far / length), ST_Translate(o, far * sin(azimuth), far * cos(azimuth))) < 1e-3;
+CREATE TEMPORARY TABLE departure AS
+SELECT node_id, max(off) AS departure, ST_Union(part) AS geom FROM (
+    SELECT node_id, abs(ST_Distance(d.geom, line) - half) AS off, part
+    FROM tee CROSS JOIN LATERAL (VALUES (ST_Difference(ST_Intersection(surface, strip), band)), (ST_Difference(band, surface))) q(part) CROSS JOIN LATERAL ST_DumpPoints(part) d
+    WHERE NOT ST_IsEmpty(ST_Buffer(part, -0.001))
+    UNION ALL SELECT node_id, 0, NULL FROM tee) o GROUP BY node_id;
+INSERT INTO finding SELECT 'opposite kerb of a T departs', 'node', node_id, 100 * departure, geom FROM departure WHERE departure > 0.01;
+
+-- Inside a loop: what is neither flat buffer nor fillet.
+CREATE TEMPORARY TABLE filled AS
+    SELECT e.edge_id, ST_Union(ST_Intersection(x.beyond, ST_BuildArea(ST_Node(ST_Force2D(e.geom))))) AS filled
+    FROM :"model".edge e JOIN excess x ON x.beyond && e.geom WHERE from_node = to_node GROUP BY e.edge_id;
+INSERT INTO finding SELECT 'inside of a loop filled', 'edge', edge_id, ST_Area(filled), filled FROM filled WHERE ST_Area(filled) > 0.01;
