@@ -42,13 +42,6 @@ Geos::Geometry Geos::surface(const MultiPolygon& surface) {
   return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, parts.data(), parts.size()));
 }
 
-Geos::Geometry Geos::points(const std::vector<Point>& points) {
-  std::vector<GEOSGeometry*> parts;
-  for (const Point& p : points)
-    parts.push_back(own(GEOSGeom_createPointFromXY_r(handle_, p.x, p.y)).release());
-  return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOINT, parts.data(), parts.size()));
-}
-
 void Geos::append(const GEOSGeometry* geometry, MultiPolygon& out) {
   const int type = GEOSGeomTypeId_r(handle_, geometry);
   if (type == GEOS_POLYGON) {
@@ -81,12 +74,6 @@ MultiPolygon Geos::polygons(const GEOSGeometry* geometry) {
 
 bool Geos::valid(const GEOSGeometry* geometry) { return GEOSisValid_r(handle_, geometry) == 1; }
 
-double Geos::area(const GEOSGeometry* geometry) {
-  double area = 0;
-  GEOSArea_r(handle_, geometry, &area);
-  return area;
-}
-
 Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
   return own(GEOSIntersection_r(handle_, a, b));
 }
@@ -107,18 +94,6 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
   const Geometry collection =
       own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
   return own(GEOSUnaryUnion_r(handle_, collection.get()));
-}
-
-Geos::Geometry Geos::unite_coverage(const std::vector<Polygon>& cells) {
-  const Geometry all = surface(cells);
-  Geometry united(GEOSCoverageUnion_r(handle_, all.get()), Free{handle_});
-  if (united != nullptr && valid(united.get())) return united;
-  return own(GEOSUnaryUnion_r(handle_, all.get()));
-}
-
-Geos::Geometry Geos::voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope) {
-  const Geometry all = points(sites);
-  return own(GEOSVoronoiDiagram_r(handle_, all.get(), envelope, 0, 0));
 }
 
 }  // namespace streetgen

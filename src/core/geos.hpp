@@ -26,19 +26,13 @@ class Geos {
 
   Geometry polygon(const Polygon& polygon);
   Geometry surface(const MultiPolygon& surface);
-  Geometry points(const std::vector<Point>& points);
   // The polygons of any geometry, exterior counter-clockwise, holes clockwise; the rest is dropped.
   MultiPolygon polygons(const GEOSGeometry* geometry);
 
   bool valid(const GEOSGeometry* geometry);
-  double area(const GEOSGeometry* geometry);
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
-  // Of polygons that share whole edges (much faster) or nearly so, and no ground.
-  Geometry unite_coverage(const std::vector<Polygon>& cells);
-  // Voronoi cells of the sites, one polygon each, no order promised.
-  Geometry voronoi(const std::vector<Point>& sites, const GEOSGeometry* envelope);
   GEOSContextHandle_t handle() const { return handle_; }
 
  private:

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "nearest.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -50,11 +51,6 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
-struct Site {
-  Point point;
-  bool first = true;  // belongs to the first claim of the pair
-};
-
 void sample(const Claim& claim, const Box& within, double margin, bool first,
             std::vector<Site>& sites) {
   for (const Line& line : claim.skeleton) {
@@ -83,37 +79,16 @@ Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& seco
                                const GEOSGeometry* shared, const Box& box) {
   std::vector<Site> sites;
   const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
-  sample(first, box, margin, true, sites);
-  sample(second, box, margin, false, sites);
   // Of sites in one place the claim that comes before keeps it.
   const bool first_wins = before(first, second);
-  std::sort(sites.begin(), sites.end(), [&](const Site& a, const Site& b) {
-    return std::tuple(a.point.x, a.point.y, a.first != first_wins) <
-           std::tuple(b.point.x, b.point.y, b.first != first_wins);
-  });
-  sites.erase(
-      std::unique(sites.begin(), sites.end(),
-                  [](const Site& a, const Site& b) { return distance(a.point, b.point) < 1e-6; }),
-      sites.end());
+  sample(first_wins ? first : second, box, margin, first_wins, sites);
+  sample(first_wins ? second : first, box, margin, !first_wins, sites);
   const auto count =
       std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
   if (count == 0) return geos.surface({});
   if (count == static_cast<std::ptrdiff_t>(sites.size()))
     return Geos::Geometry(GEOSGeom_clone_r(geos.handle(), shared), Geos::Free{geos.handle()});
-  std::vector<Point> places;
-  for (const Site& site : sites) places.push_back(site.point);
-  const Geos::Geometry cells = geos.voronoi(places, shared);
-  MultiPolygon of_first;
-  for (const Polygon& cell : geos.polygons(cells.get())) {
-    const Box cell_box = box_of({cell});
-    for (const Site& site : sites)
-      if (cell_box.holds(site.point, 0) && inside(site.point, cell)) {
-        if (site.first) of_first.push_back(cell);
-        break;
-      }
-  }
-  if (of_first.empty()) return geos.surface({});
-  const Geos::Geometry ground = geos.unite_coverage(of_first);
+  const Geos::Geometry ground = geos.surface(nearest_to_first(sites, 2 * margin));
   return geos.intersection(shared, ground.get());
 }
 
@@ -145,23 +120,12 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
   return pairs;
 }
 
-// The surface less the grounds.  GEOS may, rarely, leave out a part of a union: what is left of a
-// ground is then taken on its own, if that takes just what is left.
-MultiPolygon without(Geos& geos, const GEOSGeometry* surface,
-                     const std::vector<MultiPolygon>& grounds) {
-  const Geos::Geometry given =
-      grounds.size() == 1 ? geos.surface(grounds.front()) : geos.unite(grounds);
-  MultiPolygon rest = geos.polygons(geos.difference(surface, given.get()).get());
-  if (grounds.size() == 1) return rest;
+MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPolygon>& grounds) {
   for (const MultiPolygon& ground : grounds) {
-    if (!overlap(rest, ground)) continue;
-    const Geos::Geometry whole = geos.surface(rest), taken = geos.surface(ground);
-    const double left = geos.area(geos.intersection(whole.get(), taken.get()).get());
-    if (left <= negligible) continue;
-    MultiPolygon less = geos.polygons(geos.difference(whole.get(), taken.get()).get());
-    if (std::abs(area(rest) - area(less) - left) < 1e-3 * left + negligible) rest = std::move(less);
+    const Geos::Geometry rest = geos.surface(surface), taken = geos.surface(ground);
+    surface = geos.polygons(geos.difference(rest.get(), taken.get()).get());
   }
-  return rest;
+  return surface;
 }
 
 }  // namespace
@@ -195,7 +159,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     const double whole = area(*claims[i].surface);
-    MultiPolygon rest = without(geos, geometry(i), grounds);
+    MultiPolygon rest = without(geos, *claims[i].surface, grounds);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
