@@ -51,9 +51,9 @@ struct Edge {
 };
 
 enum class NetworkIssue {
-  wide_cluster,   // points within tolerance chain wider than three tolerances: not joined
-  crossing,       // two axes of one level cross without a vertex (split or passed over)
-  collapsed_axis, // an axis shorter than the tolerance: it has no edge
+  wide_cluster,    // points within tolerance chain wider than three tolerances: not joined
+  crossing,        // two axes of one level cross without a vertex (split or passed over)
+  collapsed_axis,  // an axis shorter than the tolerance: it has no edge
 };
 
 struct NetworkReport {

@@ -24,15 +24,17 @@ struct StreetAxis {
 
 // The model's settings that the geometry needs, each with the name of its setting.
 struct StreetSettings {
-  double tolerance = 0.5;          // metres
+  double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
-  double max_arc_distance = 60;    // metres from the node to an arc's centre
-  double radius_minimal = 0.15;    // metres, the kerb stone's radius
-  double transition_length = 10;   // metres, where two axes of different width meet
+  double max_arc_distance = 60;   // metres from the node to an arc's centre
+  double radius_minimal = 0.15;   // metres, the kerb stone's radius
+  double reach = 60;              // metres along the network: how far a corner follows its axes
+  bool follow_first = false;      // an axis too short is followed before its radius is reduced
+  double transition_length = 10;  // metres, where two axes of different width meet
   std::string transition_kind = "symmetric";  // symmetric, left, right
   std::string radius_rule = "min";            // min, max, mean of the two axes' radii
   bool round_dead_ends = false;
-  double max_hole_area = 0.5;      // square metres
+  double max_hole_area = 0.5;  // square metres
 };
 
 // How a row came about; the words are those of the `method` columns.
@@ -40,6 +42,7 @@ enum class Method {
   hypothesis,       // as wanted
   radius_reduced,   // the wanted radius does not fit the axes: the largest that does
   radius_minimal,   // the arc's centre lay beyond max_arc_distance
+  followed,         // an axis is too short: the arc touches the next one in its direction
   no_arc,           // no candidate (one axis within the other, nearly straight)
   crossed_limits,   // the limits of the edge would cross: both at their meeting
   transition,       // a change of width
@@ -56,9 +59,9 @@ struct Corner {
   int edge_b = 0;
   bool at_start_b = true;
   double radius_wanted = 0;
-  double radius = 0;               // 0 without an arc
+  double radius = 0;  // 0 without an arc
   std::optional<Point> centre;
-  std::optional<Arc> arc;          // from the border of a to the border of b
+  std::optional<Arc> arc;  // from the border of a to the border of b
   Method method = Method::hypothesis;
 };
 
@@ -90,9 +93,9 @@ struct Intersection {
 struct Streets {
   Network network;
   std::vector<Corner> corners;
-  std::vector<SectionLimit> limits;        // two per edge: 2 * edge, 2 * edge + 1
-  std::vector<Section> sections;           // one per edge
-  std::vector<Intersection> intersections; // one per node of degree two and more
+  std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
+  std::vector<Section> sections;            // one per edge
+  std::vector<Intersection> intersections;  // one per node of degree two and more
 };
 
 // Deterministic and independent of the order of `axes`.

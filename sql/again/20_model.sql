@@ -14,6 +14,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000, NULL),
     ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
     ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL, ARRAY['min', 'max', 'mean']),
+    ('short_axis', 'reduce', NULL, 'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow (the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance, the last entry for all beyond it; null: no arc; empty: turning_radius', NULL, NULL, NULL),
     ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
     ('transition_length', '10', 'm', 'length of a change of width', 0, 200, NULL),

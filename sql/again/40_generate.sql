@@ -126,7 +126,8 @@ result AS MATERIALIZED (
                array_agg(level ORDER BY axis_id) AS level FROM used) u,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
-        (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8) s),
+        (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
+        (v ->> 'reach')::float8, v ->> 'short_axis' = 'follow') s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),

@@ -114,6 +114,23 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
   return solved;
 }
 
+std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
+                                          const Arm& longer_b, const CornerWish& wish) {
+  if (angle_between(a, b) >= nearly_straight) return std::nullopt;
+  SolvedCorner solved = solve_corner(longer_a, longer_b, wish);
+  const CornerArc& corner = solved.gap.corner;
+  if (corner.radius <= 0) return std::nullopt;
+  if (corner.abscissa_a <= length(a.line) && corner.abscissa_b <= length(b.line))
+    return std::nullopt;
+  const auto crossing =
+      corner_arc(longer_a.line, longer_b.line, 2 * a.half_start, 2 * b.half_start, 0);
+  if (!crossing) return std::nullopt;
+  solved.gap.beyond = cusp(longer_a, longer_b, *crossing, corner);
+  solved.gap.meets = false;
+  solved.method = Method::followed;
+  return solved;
+}
+
 void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner) {
   a.limit = std::max(a.limit, std::min(corner.limit_a, length(a.line)));
   b.limit = std::max(b.limit, std::min(corner.limit_b, length(b.line)));

@@ -1,6 +1,7 @@
 // Around one node: the order of its arms, their corners, and how far each arm reaches.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ring.hpp"
@@ -30,6 +31,11 @@ struct SolvedCorner {
 // Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short,
 // the largest radius that fits; the centre too far, the minimal radius.
 SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish);
+
+// The same on `longer_a` and `longer_b`, the arms with the axes that go on from their ends:
+// an arc beyond the arms' own lengths, if there is one.  Failure 3 of the paper.
+std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
+                                          const Arm& longer_b, const CornerWish& wish);
 
 void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner);
 

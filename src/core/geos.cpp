@@ -7,6 +7,10 @@
 
 namespace streetgen {
 
+namespace {
+constexpr double coarse_grid = 1e-6;  // metres, where an overlay of doubles fails
+}
+
 Geos::Geos() : handle_(GEOS_init_r()) {
   if (handle_ == nullptr) throw std::bad_alloc();
 }
@@ -74,12 +78,21 @@ MultiPolygon Geos::polygons(const GEOSGeometry* geometry) {
 
 bool Geos::valid(const GEOSGeometry* geometry) { return GEOSisValid_r(handle_, geometry) == 1; }
 
+Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
+                             const GEOSGeometry* b) {
+  if (GEOSGeometry* result = exact(handle_, a, b)) return own(result);
+  poll_cancel();
+  const Geometry valid_a = own(GEOSMakeValid_r(handle_, a)),
+                 valid_b = own(GEOSMakeValid_r(handle_, b));
+  return own(snapped(handle_, valid_a.get(), valid_b.get(), coarse_grid));
+}
+
 Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return own(GEOSIntersection_r(handle_, a, b));
+  return overlay(GEOSIntersection_r, GEOSIntersectionPrec_r, a, b);
 }
 
 Geos::Geometry Geos::difference(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return own(GEOSDifference_r(handle_, a, b));
+  return overlay(GEOSDifference_r, GEOSDifferencePrec_r, a, b);
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {

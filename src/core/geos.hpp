@@ -33,9 +33,12 @@ class Geos {
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
-  GEOSContextHandle_t handle() const { return handle_; }
 
  private:
+  using Overlay = decltype(&GEOSDifference_r);
+  using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
+  Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
+                   const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);

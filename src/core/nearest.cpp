@@ -83,13 +83,13 @@ MultiPolygon nearest_to_first(const std::vector<Site>& sites, double far) {
   for (const Site& site : sites) place(site.point, site.first);
   // Four far sites of the other owner bound every cell.
   const Point middle{(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2, 0};
-  for (const Point& away : {Point{reach, 0, 0}, Point{-reach, 0, 0}, Point{0, reach, 0},
-                            Point{0, -reach, 0}})
+  for (const Point& away :
+       {Point{reach, 0, 0}, Point{-reach, 0, 0}, Point{0, reach, 0}, Point{0, -reach, 0}})
     place(middle + away, false);
   Diagram diagram;
   boost::polygon::construct_voronoi(places.begin(), places.end(), &diagram);
-  std::vector<Ring> rings = boundary(
-      diagram, [&](const Diagram::cell_type& cell) { return first[cell.source_index()]; });
+  std::vector<Ring> rings =
+      boundary(diagram, [&](const Diagram::cell_type& cell) { return first[cell.source_index()]; });
   for (Ring& ring : rings) {
     for (Point& p : ring) p = origin + p * grid;
     ring = closed(std::move(ring));

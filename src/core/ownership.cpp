@@ -32,13 +32,21 @@ bool segments_cross(const Point& a, const Point& b, const Point& c, const Point&
 
 // Inside both, not at an end that they share.
 bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
-  for (const Line& la : a.skeleton)
+  const auto lines = [](const Claim& claim) {
+    std::vector<Line> lines;
+    for (const Stretch& stretch : claim.skeleton)
+      if (stretch.from < stretch.to)
+        lines.push_back(substring(*stretch.line, stretch.from, stretch.to));
+    return lines;
+  };
+  const std::vector<Line> lines_b = lines(b);
+  for (const Line& la : lines(a))
     for (std::size_t i = 1; i < la.size(); ++i) {
       Box segment;
       segment.add(la[i - 1]);
       segment.add(la[i]);
       if (!segment.meets(within, 0)) continue;
-      for (const Line& lb : b.skeleton)
+      for (const Line& lb : lines_b)
         for (std::size_t j = 1; j < lb.size(); ++j) {
           if (!segments_cross(la[i - 1], la[i], lb[j - 1], lb[j])) continue;
           const Point u = la[i] - la[i - 1], v = lb[j] - lb[j - 1];
@@ -51,16 +59,24 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
+// Every metre of the edge, whatever part of it the stretch is: an edit at one end of an edge
+// moves no border at the other.
+std::vector<double> sample_places(const Stretch& stretch, double total) {
+  std::vector<double> places;
+  for (double k = std::ceil(stretch.from / sample_spacing); k * sample_spacing <= stretch.to; ++k)
+    places.push_back(k * sample_spacing);
+  if (stretch.to >= total) places.push_back(total);
+  if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
+  return places;
+}
+
 void sample(const Claim& claim, const Box& within, double margin, bool first,
             std::vector<Site>& sites) {
-  for (const Line& line : claim.skeleton) {
-    if (line.size() < 2) continue;
-    const double total = length(line);
-    const int steps = std::max(1, static_cast<int>(std::ceil(total / sample_spacing)));
+  for (const Stretch& stretch : claim.skeleton) {
+    const Line& line = *stretch.line;
     double walked = 0;
     std::size_t segment = 1;
-    for (int k = 0; k <= steps; ++k) {
-      const double at = total * k / steps;
+    for (const double at : sample_places(stretch, length(line))) {
       while (segment + 1 < line.size() &&
              walked + distance(line[segment - 1], line[segment]) < at) {
         walked += distance(line[segment - 1], line[segment]);
@@ -75,8 +91,8 @@ void sample(const Claim& claim, const Box& within, double margin, bool first,
 }
 
 // The part of `shared` that lies nearer to the first claim's axes than to the second's.
-Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& second,
-                               const GEOSGeometry* shared, const Box& box) {
+MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second,
+                             const GEOSGeometry* shared, const Box& box) {
   std::vector<Site> sites;
   const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
   // Of sites in one place the claim that comes before keeps it.
@@ -85,11 +101,10 @@ Geos::Geometry nearer_to_first(Geos& geos, const Claim& first, const Claim& seco
   sample(first_wins ? second : first, box, margin, !first_wins, sites);
   const auto count =
       std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
-  if (count == 0) return geos.surface({});
-  if (count == static_cast<std::ptrdiff_t>(sites.size()))
-    return Geos::Geometry(GEOSGeom_clone_r(geos.handle(), shared), Geos::Free{geos.handle()});
+  if (count == 0) return {};
+  if (count == static_cast<std::ptrdiff_t>(sites.size())) return geos.polygons(shared);
   const Geos::Geometry ground = geos.surface(nearest_to_first(sites, 2 * margin));
-  return geos.intersection(shared, ground.get());
+  return geos.polygons(geos.intersection(shared, ground.get()).get());
 }
 
 std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {
@@ -150,8 +165,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
       continue;
     }
     const Geos::Geometry clean = geos.surface(ground);
-    const Geos::Geometry of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
-    const MultiPolygon ground_of_i = geos.polygons(of_i.get());
+    const MultiPolygon ground_of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
+    const Geos::Geometry of_i = geos.surface(ground_of_i);
     const MultiPolygon ground_of_j = geos.polygons(geos.difference(clean.get(), of_i.get()).get());
     if (!ground_of_i.empty()) lost[j].push_back(ground_of_i);
     if (!ground_of_j.empty()) lost[i].push_back(ground_of_j);

@@ -9,16 +9,22 @@
 
 namespace streetgen {
 
+// Part of an edge's line.
+struct Stretch {
+  const Line* line = nullptr;
+  double from = 0, to = 0;  // metres along it
+};
+
 // A surface that may claim ground.
 struct Claim {
   MultiPolygon* surface = nullptr;
   int level = 0;
-  std::vector<Line> skeleton;  // the pieces of axis that the surface was built on
-  int importance = 99;         // of its most important axis, 1 the highest
-  double width = 0;            // of its widest axis, metres
-  std::int64_t axis_id = 0;    // the smallest of its axes, to break ties
-  std::int64_t place = 0;      // distinct within one axis_id, to break ties
-  double contested_area = 0;   // out: square metres left to others
+  std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
+  int importance = 99;            // of its most important axis, 1 the highest
+  double width = 0;               // of its widest axis, metres
+  std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
+  std::int64_t place = 0;         // distinct within one axis_id, to break ties
+  double contested_area = 0;      // out: square metres left to others
 };
 
 // Where two surfaces of one level overlap, each point goes to the one whose axis is nearer;

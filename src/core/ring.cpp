@@ -168,6 +168,17 @@ Ring closed(Ring ring) {
   return out;
 }
 
+Polygon cusp(const Arm& a, const Arm& b, const CornerArc& crossing, const CornerArc& corner) {
+  Outline outline;
+  outline.ring.push_back(crossing.centre);
+  outline.follow(a, crossing.abscissa_a, corner.abscissa_a, +1, false, false);
+  append_corner(outline.ring, corner);
+  outline.follow(b, corner.abscissa_b, crossing.abscissa_b, -1, false, false);
+  outline.ring = closed(std::move(outline.ring));
+  if (outline.ring.empty() || !outline.whole) return {};
+  return {outline.ring};
+}
+
 Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
                     const Line& end_border) {
   Outline outline;
@@ -190,8 +201,14 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
   }
   outline.ring = closed(std::move(outline.ring));
-  if (simple(geos, outline)) return {{{outline.ring}}, false};
   std::vector<MultiPolygon> parts;
+  for (const Gap& gap : gaps)
+    if (!gap.beyond.empty()) parts.push_back({gap.beyond});
+  if (simple(geos, outline)) {
+    if (parts.empty()) return {{{outline.ring}}, false};
+    parts.push_back({{outline.ring}});
+    return {geos.polygons(geos.unite(parts).get()), false};
+  }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
     if (a.limit > 0) parts.push_back(arm_pieces(a, 0, a.limit));

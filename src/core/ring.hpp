@@ -22,11 +22,15 @@ struct Arm {
 struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
+  Polygon beyond;  // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
 double half_at(const Arm& arm, double abscissa);
 // Left and right kerb at `abscissa`, across the local direction.
 Line border_across(const Arm& arm, double abscissa);
+
+// Between the kerbs that leave `crossing` (left of a, right of b) and the arc of `corner`.
+Polygon cusp(const Arm& a, const Arm& b, const CornerArc& crossing, const CornerArc& corner);
 
 // Without repeated points; empty when fewer than three remain.
 Ring closed(Ring ring);

@@ -20,6 +20,9 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
+// Metres; half widths that differ by less go on as one street.
+constexpr double same_width = 0.005;
+
 struct EdgeEnd {
   int edge = 0;
   bool at_start = true;
@@ -94,6 +97,46 @@ class Pipeline {
     return std::min(ra, rb);
   }
 
+  // The arm with the axes that go on in its direction, up to `reach` from the node: at each
+  // further node the one that turns least, of the same level and width.
+  Arm longer(const EdgeEnd& end) const {
+    constexpr double least_cosine = 0.866;  // 30 degrees
+    Arm arm = arms_[slot(end)];
+    if (arm.half_start != arm.half_end) return arm;
+    EdgeEnd last = end;
+    while (length(arm.line) < settings_.reach) {
+      const Edge& edge = out_.network.edges[last.edge];
+      const Point direction = unit(arm.line.back() - arm.line[arm.line.size() - 2]);
+      double best = least_cosine;
+      const EdgeEnd* next = nullptr;
+      for (const EdgeEnd& other : around_[last.at_start ? edge.to_node : edge.from_node].ends) {
+        const Arm& on = arms_[slot(other)];
+        const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
+        if (other.edge == last.edge || out_.network.edges[other.edge].level != edge.level ||
+            std::abs(on.half_start - arm.half_start) > same_width ||
+            std::abs(on.half_end - arm.half_start) > same_width || cosine <= best)
+          continue;
+        best = cosine;
+        next = &other;
+      }
+      if (next == nullptr) break;
+      const Line& on = arms_[slot(*next)].line;
+      arm.line.insert(arm.line.end(), on.begin() + 1, on.end());
+      last = *next;
+    }
+    return arm;
+  }
+
+  SolvedCorner solve(const EdgeEnd& a, const EdgeEnd& b, double radius) const {
+    const Arm &arm_a = arms_[slot(a)], &arm_b = arms_[slot(b)];
+    const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
+    SolvedCorner solved = solve_corner(arm_a, arm_b, wish);
+    const bool reduced = solved.method == Method::radius_reduced;
+    if (solved.method != Method::no_arc && !(reduced && settings_.follow_first)) return solved;
+    const auto followed = follow_corner(arm_a, arm_b, longer(a), longer(b), wish);
+    return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
+  }
+
   void solve_corners() {
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
       Around& around = around_[n];
@@ -103,13 +146,11 @@ class Pipeline {
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
         const double radius = wanted_radius(a, b);
-        const SolvedCorner solved =
-            solve_corner(arms_[slot(a)], arms_[slot(b)],
-                         {radius, settings_.max_arc_distance, settings_.radius_minimal});
+        const SolvedCorner solved = solve(a, b, radius);
         widen_limits(arms_[slot(a)], arms_[slot(b)], solved);
         around.gaps.push_back(solved.gap);
         Corner corner{n, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};
-        if (solved.gap.meets && solved.gap.corner.radius > 0) {
+        if (solved.gap.corner.radius > 0) {
           corner.radius = solved.gap.corner.radius;
           corner.centre = solved.gap.corner.centre;
           corner.arc = solved.gap.corner.arc;
@@ -250,7 +291,7 @@ class Pipeline {
       claim.surface = &section.surface;
       claim.level = out_.network.edges[section.edge].level;
       if (start.abscissa < end.abscissa)
-        claim.skeleton.push_back(substring(arm.line, start.abscissa, end.abscissa));
+        claim.skeleton.push_back({&arm.line, start.abscissa, end.abscissa});
       claim.axis_id = axis_of(section.edge).axis_id;
       claim.place = 2 * std::llround(1000 * out_.network.edges[section.edge].start_abscissa) + 1;
       add_axis(claim, section.edge);
@@ -264,8 +305,11 @@ class Pipeline {
       claim.axis_id = anchor.axis_id;
       claim.place = 2 * std::llround(1000 * anchor.abscissa);
       for (const EdgeEnd& end : around_[intersection.node].ends) {
-        const Arm& arm = arms_[slot(end)];
-        if (arm.limit > 0) claim.skeleton.push_back(substring(arm.line, 0, arm.limit));
+        const Arm& along = arms_[2 * end.edge];
+        const double limit = arms_[slot(end)].limit, total = length(along.line);
+        if (limit > 0)
+          claim.skeleton.push_back(
+              {&along.line, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
         add_axis(claim, end.edge);
       }
       claims.push_back(std::move(claim));
@@ -300,6 +344,8 @@ const char* method_name(Method method) noexcept {
       return "radius_reduced";
     case Method::radius_minimal:
       return "radius_minimal";
+    case Method::followed:
+      return "followed";
     case Method::no_arc:
       return "no_arc";
     case Method::crossed_limits:

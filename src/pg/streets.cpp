@@ -40,9 +40,9 @@ struct Taken {
   int count;
   Datum *axis_id, *geom, *width, *width_end, *radius, *importance, *level;
   int srid;
-  double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area;
+  double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
   const char *crossing, *transition_kind, *radius_rule;
-  bool round_dead_ends;
+  bool round_dead_ends, follow_first;
 };
 
 double checked(double value, double low, double high, const std::string& what,
@@ -193,6 +193,8 @@ Rows rows_of(const Taken& taken) {
   settings.radius_rule = taken.radius_rule;
   settings.round_dead_ends = taken.round_dead_ends;
   settings.max_hole_area = taken.max_hole_area;
+  settings.reach = taken.reach;
+  settings.follow_first = taken.follow_first;
   const Streets result = streets(axes, settings);
   Rows rows;
   const Form with_z{taken.srid, has_z}, flat{taken.srid, false};
@@ -239,6 +241,8 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->radius_rule = text_to_cstring(PG_GETARG_TEXT_PP(14));
   taken->round_dead_ends = PG_GETARG_BOOL(15);
   taken->max_hole_area = PG_GETARG_FLOAT8(16);
+  taken->reach = PG_GETARG_FLOAT8(17);
+  taken->follow_first = PG_GETARG_BOOL(18);
 }
 
 Datum bytes_datum(const std::string& bytes) {

@@ -44,7 +44,8 @@ TEST(Nearest, PlacesAreOfTheOwnerOfTheNearestSite) {
 TEST(Nearest, ARegularGridOfSitesHasNoGaps) {
   std::vector<Site> sites;
   for (int x = 0; x < 6; ++x)
-    for (int y = 0; y < 6; ++y) sites.push_back({{1.0 * x, 1.0 * y, 0}, x > 0 && y > 0 && x < 5 && y < 5});
+    for (int y = 0; y < 6; ++y)
+      sites.push_back({{1.0 * x, 1.0 * y, 0}, x > 0 && y > 0 && x < 5 && y < 5});
   const MultiPolygon ground = nearest_to_first(sites, 5);
   ASSERT_EQ(ground.size(), 1u);
   EXPECT_EQ(ground[0].size(), 1u);

@@ -57,6 +57,65 @@ TEST(Streets, SurfacesAreValidAndTileWhateverTheTown) {
   }
 }
 
+// East and north from the origin, 10 m wide; a side street cuts the first 3 m off the one east.
+std::vector<StreetAxis> cut_short(double cut, double radius) {
+  return {{1, {{0, 0, 0}, {100, 0, 0}}, 0, 10, 10, radius, 3},
+          {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, radius, 3},
+          {3, {{cut, 0, 0}, {cut, -80, 0}}, 0, 10, 10, radius, 3}};
+}
+
+const Corner* corner_of(const Streets& town, std::int64_t axis_a, std::int64_t axis_b, int node) {
+  for (const Corner& corner : town.corners)
+    if (corner.node == node && town.network.edges[corner.edge_a].axis_id == axis_a &&
+        town.network.edges[corner.edge_b].axis_id == axis_b)
+      return &corner;
+  return nullptr;
+}
+
+bool holds(const MultiPolygon& surface, const Point& p) {
+  return std::any_of(surface.begin(), surface.end(),
+                     [&](const Polygon& polygon) { return inside(p, polygon); });
+}
+
+TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
+  const Streets town = streets(cut_short(3, 5), {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_NE(corner, nullptr);
+  EXPECT_EQ(corner->method, Method::followed);
+  EXPECT_EQ(corner->radius, 5);
+  ASSERT_TRUE(corner->arc.has_value());
+  EXPECT_NEAR(distance(*corner->centre, {10, 10, 0}), 0, 1e-9);
+  EXPECT_NEAR(distance(corner->arc->start, {10, 5, 0}), 0, 1e-9);
+  EXPECT_NEAR(distance(corner->arc->end, {5, 10, 0}), 0, 1e-9);
+  // Between the kerbs and the arc, and just behind the arc.
+  EXPECT_TRUE(holds(town.intersections[0].surface, {6.2, 6.2, 0}));
+  EXPECT_FALSE(holds(town.intersections[0].surface, {6.6, 6.6, 0}));
+}
+
+TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
+  // The largest radius on 8 m, with both half widths 5 m and a right angle, is 3 m.
+  StreetSettings settings;
+  const Streets reduced = streets(cut_short(8, 5), settings);
+  settings.follow_first = true;
+  const Streets followed = streets(cut_short(8, 5), settings);
+  const Corner *a = corner_of(reduced, 1, 2, 0), *b = corner_of(followed, 1, 2, 0);
+  EXPECT_EQ(a->method, Method::radius_reduced);
+  EXPECT_NEAR(a->radius, 3, 1e-6);
+  EXPECT_EQ(b->method, Method::followed);
+  EXPECT_EQ(b->radius, 5);
+  EXPECT_NEAR(distance(*b->centre, {10, 10, 0}), 0, 1e-9);
+}
+
+TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
+  StreetSettings settings;
+  settings.reach = 2;
+  EXPECT_EQ(corner_of(streets(cut_short(3, 5), settings), 1, 2, 0)->method, Method::no_arc);
+  std::vector<StreetAxis> wider = cut_short(3, 5);
+  wider[0].line = {{0, 0, 0}, {3, 0, 0}};
+  wider.push_back({4, {{3, 0, 0}, {100, 0, 0}}, 0, 12, 12, 5, 3});
+  EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
+}
+
 TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   const Streets town = streets(random_town(21, 60), {});
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
