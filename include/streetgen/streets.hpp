@@ -30,7 +30,7 @@ struct StreetSettings {
   double radius_minimal = 0.15;   // metres, the kerb stone's radius
   double reach = 60;              // metres along the network: how far a corner follows its axes
   bool follow_first = false;      // an axis too short is followed before its radius is reduced
-  double transition_length = 10;  // metres, where two axes of different width meet
+  double transition_length = 5;  // metres, where two axes of different width meet
   std::string transition_kind = "symmetric";  // symmetric, left, right
   std::string radius_rule = "min";            // min, max, mean of the two axes' radii
   bool round_dead_ends = false;

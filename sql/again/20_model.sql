@@ -17,7 +17,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('short_axis', 'reduce', NULL, 'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow (the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance, the last entry for all beyond it; null: no arc; empty: turning_radius', NULL, NULL, NULL),
     ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
-    ('transition_length', '10', 'm', 'length of a change of width', 0, 200, NULL),
+    ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
     ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
