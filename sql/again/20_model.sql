@@ -34,14 +34,22 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     $$;
 COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_model(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_model.model) THEN
+        RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
+            HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_owner.model) THEN
-        RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
-            HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
-    END IF;
+    PERFORM streetgen._check_model(model);
     IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
         RAISE EXCEPTION 'only the owner of model "%" may do this', model USING ERRCODE = '42501',
             HINT = 'Ask its owner, or become a member of the role that owns its schema.';

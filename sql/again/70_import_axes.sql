@@ -54,7 +54,7 @@ SELECT 'height without data, taken from the same line or 0', NULL::text, count(*
 $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
 
-CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text)
+CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -143,8 +143,10 @@ WITH upsert AS (
 SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[];
     EXECUTE format('ANALYZE %I.axis', model);
-    number := streetgen._clean_axes(model, coalesce(changed, '{}'));
-    RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
+    IF clean THEN
+        number := streetgen._clean_axes(model, coalesce(changed, '{}'));
+        RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
+    END IF;
     RETURN QUERY EXECUTE format($sql$
         SELECT 'width not believed', NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref) FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id)
         WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated) HAVING count(*) > 0$sql$, model);
@@ -162,7 +164,7 @@ SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
     DROP TABLE _import, _import_part, _import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[] WHERE changed IS NOT NULL;
 END $$;
-COMMENT ON FUNCTION streetgen._import(name, text, text) IS 'Upserts the rows of a prepared query into axis, by source and source_ref; reports what it did. Bad rows: 22023, and the model as it was.';
+COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
