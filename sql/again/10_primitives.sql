@@ -55,7 +55,7 @@ CREATE OR REPLACE FUNCTION streetgen.clean(line geometry, keep boolean[], epsilo
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._clean(line::bytea, keep, epsilon, r_min)::geometry $$;
-COMMENT ON FUNCTION streetgen.clean(geometry, boolean[], float8, float8) IS 'Removes points nearer than epsilon to the last kept one, collinear ones (1 mm), then those where r_min tan(theta / 2) exceeds half of a neighbouring segment; never an end, nor a point whose keep is true (empty: none). Metres. GIS data to functional road models, 3.4.';
+COMMENT ON FUNCTION streetgen.clean(geometry, boolean[], float8, float8) IS 'Removes points nearer than epsilon to the last kept one, collinear ones (within 1 mm of the chord that replaces them), then those where r_min tan(theta / 2) exceeds half of a neighbouring segment; never an end, nor a point whose keep is true (empty: none), nor what would fold a closed line flat. Metres. A keep of another length, an epsilon or r_min beyond 0 to 1000: 22023. GIS data to functional road models, 3.4.';
 
 CREATE OR REPLACE FUNCTION streetgen._intersection_surface(bytea[], float8[], float8[], boolean) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500 AS 'MODULE_PATHNAME', 'streetgen_intersection_surface';

@@ -24,8 +24,6 @@ cleaned AS (
     SELECT a.axis_id, streetgen.clean(a.geom, k.keep, (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8) AS geom
     FROM %1$I.axis a JOIN kept k USING (axis_id), setting WHERE ST_NPoints(a.geom) > 2)
 UPDATE %1$I.axis a SET geom = c.geom FROM cleaned c WHERE a.axis_id = c.axis_id AND a.geom::bytea <> c.geom::bytea
-    -- A small loop whose every bend is tight would shrink to its end.
-    AND NOT (ST_IsClosed(a.geom) AND ST_NPoints(c.geom) < 4)
 $sql$, model) USING axes;
     GET DIAGNOSTICS cleaned = ROW_COUNT;
     RETURN cleaned;
