@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -22,17 +21,21 @@ struct StreetAxis {
   int importance = 99;   // 1 is the highest
 };
 
-// The model's settings that the geometry needs, each with the name of its setting.
+enum class TransitionKind { symmetric, left, right };  // the kerbs that change linearly
+enum class RadiusRule { min, max, mean };              // of the radii of a corner's two axes
+
+// The model's settings that the geometry needs, each with the name of its setting.  Measures are
+// finite and not negative, tolerance is positive.
 struct StreetSettings {
-  double tolerance = 0.5;          // metres
+  double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
-  double max_arc_distance = 60;    // metres from the node to an arc's centre
-  double radius_minimal = 0.15;    // metres, the kerb stone's radius
-  double transition_length = 10;   // metres, where two axes of different width meet
-  std::string transition_kind = "symmetric";  // symmetric, left, right
-  std::string radius_rule = "min";            // min, max, mean of the two axes' radii
+  double max_arc_distance = 60;   // metres from the node to an arc's centre
+  double radius_minimal = 0.15;   // metres, the kerb stone's radius
+  double transition_length = 10;  // metres, where two axes of different width meet
+  TransitionKind transition_kind = TransitionKind::symmetric;
+  RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
-  double max_hole_area = 0.5;      // square metres
+  double max_hole_area = 0.5;  // square metres
 };
 
 // How a row came about; the words are those of the `method` columns.

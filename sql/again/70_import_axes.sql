@@ -63,6 +63,7 @@ DECLARE
     changed bigint[];
     number bigint;
 BEGIN
+    PERFORM streetgen._check_settings(model);
     EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;

@@ -89,8 +89,14 @@ class Pipeline {
   double wanted_radius(const EdgeEnd& a, const EdgeEnd& b) const {
     const double ra = axis_of(a.edge).radius, rb = axis_of(b.edge).radius;
     if (ra <= 0 || rb <= 0) return 0;
-    if (settings_.radius_rule == "max") return std::max(ra, rb);
-    if (settings_.radius_rule == "mean") return (ra + rb) / 2;
+    switch (settings_.radius_rule) {
+      case RadiusRule::max:
+        return std::max(ra, rb);
+      case RadiusRule::mean:
+        return (ra + rb) / 2;
+      case RadiusRule::min:
+        break;
+    }
     return std::min(ra, rb);
   }
 

@@ -78,8 +78,8 @@ TEST(Clean, KeepsARandomWalkWithinAMillimetre) {
     for (int i = 0; i < 300; ++i) {
       heading += i % 50 == 49 ? M_PI : turn(random);
       const double length = step(random);
-      line.push_back({line.back().x + length * std::cos(heading),
-                      line.back().y + length * std::sin(heading)});
+      line.push_back(
+          {line.back().x + length * std::cos(heading), line.back().y + length * std::sin(heading)});
     }
     const Line cleaned = clean(line, {}, 0, 0);
     EXPECT_LT(farthest_from(cleaned, line), millimetre) << round;
