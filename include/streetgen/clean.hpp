@@ -7,10 +7,12 @@
 
 namespace streetgen {
 
-// Removes points closer than `epsilon` to the last kept one, then collinear points (closer
-// than 1e-3 m to the chord), then points where r_min tan(theta / 2) exceeds half of either
-// neighbouring segment (theta: the turn there).  Never the ends, nor a point i with keep[i].
-// keep is empty or as long as the line.  Lengths in metres.
+// Removes points nearer than `epsilon` to the last kept one, then collinear points (all that go
+// lie within 1e-3 m of the chord that replaces them), then points where r_min tan(theta / 2)
+// exceeds half of either neighbouring segment (theta: the turn there).  Never the ends, nor a
+// point i with keep[i], nor the turning point of a line that goes back to where it came from.
+// A filter that would leave a closed line less than three sides is passed over.
+// keep is empty or as long as the line (else Error{invalid_input}).  Lengths in metres.
 Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, double r_min);
 
 }  // namespace streetgen

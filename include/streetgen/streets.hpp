@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -22,17 +21,23 @@ struct StreetAxis {
   int importance = 99;   // 1 is the highest
 };
 
-// The model's settings that the geometry needs, each with the name of its setting.
+enum class TransitionKind { symmetric, left, right };  // the kerbs that change linearly
+enum class RadiusRule { min, max, mean };              // of the radii of a corner's two axes
+// What happens first where an axis is too short for the wanted radius; the other comes second.
+enum class ShortAxis { reduce, follow };
+
+// The model's settings that the geometry needs, each with the name of its setting.  Measures are
+// finite and not negative, tolerance is positive.
 struct StreetSettings {
   double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
-  double max_arc_distance = 60;   // metres from the node to an arc's centre
-  double radius_minimal = 0.15;   // metres, the kerb stone's radius
-  double reach = 60;              // metres along the network: how far a corner follows its axes
-  bool follow_first = false;      // an axis too short is followed before its radius is reduced
+  double max_arc_distance = 60;  // metres from the node to an arc's centre
+  double radius_minimal = 0.15;  // metres, the kerb stone's radius
+  double reach = 60;             // metres along the network: how far a corner follows its axes
+  ShortAxis short_axis = ShortAxis::reduce;
   double transition_length = 5;  // metres, where two axes of different width meet
-  std::string transition_kind = "symmetric";  // symmetric, left, right
-  std::string radius_rule = "min";            // min, max, mean of the two axes' radii
+  TransitionKind transition_kind = TransitionKind::symmetric;
+  RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
 };

@@ -186,6 +186,7 @@ BEGIN
             geom geometry(LineString%2$s, %3$s) NOT NULL CONSTRAINT geom_is_a_finite_line CHECK (
                 NOT ST_IsEmpty(geom) AND ST_XMin(geom) BETWEEN -1e12 AND 1e12 AND ST_XMax(geom) BETWEEN -1e12 AND 1e12
                 AND ST_YMin(geom) BETWEEN -1e12 AND 1e12 AND ST_YMax(geom) BETWEEN -1e12 AND 1e12
+                AND ST_ZMin(geom) BETWEEN -1e12 AND 1e12 AND ST_ZMax(geom) BETWEEN -1e12 AND 1e12 AND ST_3DLength(geom) < 'Infinity'
                 AND ST_IsValid(geom) AND (ST_XMin(geom) < ST_XMax(geom) OR ST_YMin(geom) < ST_YMax(geom))),
             width float8 CHECK (width BETWEEN 0.001 AND 200), width_end float8 CHECK (width_end BETWEEN 0.001 AND 200),
             lane_count integer CHECK (lane_count BETWEEN 1 AND 30),
@@ -292,40 +293,61 @@ CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     AS $$ BEGIN RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model); END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     known record;
+    holds boolean;
+    expected text;
 BEGIN
-    PERFORM streetgen._check_owner(model);
-    EXECUTE format('SELECT * FROM %I.setting WHERE name = $1', model) INTO known USING setting;
-    IF known.name IS NULL THEN
+    SELECT * INTO known FROM streetgen._default_setting() d WHERE d.name = setting;
+    IF NOT FOUND THEN
         RAISE EXCEPTION 'there is no setting "%"', setting USING ERRCODE = '22023', HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
     END IF;
-    IF value IS NULL AND setting <> 'max_width_per_lane' OR known.choice IS NOT NULL AND value <> ALL (known.choice) THEN
-        RAISE EXCEPTION 'setting "%" cannot be %', setting, coalesce(quote_literal(value), 'NULL') USING ERRCODE = '22023',
-            HINT = coalesce('One of ' || array_to_string(known.choice, ', '), known.description);
+    IF value IS NULL THEN
+        IF setting = 'max_width_per_lane' THEN RETURN; END IF;
+        RAISE EXCEPTION 'setting "%" of model "%" is NULL or missing', setting, model USING ERRCODE = '22004',
+            HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
-    IF known.minimum IS NOT NULL AND value IS NOT NULL THEN
-        IF value !~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$' OR NOT (value::float8 BETWEEN known.minimum AND known.maximum) THEN
-            RAISE EXCEPTION 'setting "%" cannot be %', setting, quote_literal(value) USING ERRCODE = '22023',
-                HINT = format('Expected %s to %s %s.', known.minimum, known.maximum, known.unit);
-        END IF;
-    END IF;
-    IF setting IN ('radius_by_importance', 'speed_by_importance') THEN
+    IF known.choice IS NOT NULL THEN
+        holds := value = ANY (known.choice);
+        expected := 'One of ' || array_to_string(known.choice, ', ') || '.';
+    ELSIF known.minimum IS NOT NULL THEN
+        holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$' THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
+        expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit);
+    ELSE
+        expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
         BEGIN
-            IF value <> '' AND EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^\d{1,2}$' OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400)) THEN
-                RAISE EXCEPTION 'not a number';
-            END IF;
-        EXCEPTION WHEN OTHERS THEN
-            RAISE EXCEPTION 'setting "%" cannot be %', setting, quote_literal(value) USING ERRCODE = '22023',
-                HINT = 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
+            holds := value = '' OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^\d{1,2}$' OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400));
+        EXCEPTION WHEN data_exception THEN
+            holds := false;
         END;
     END IF;
-    EXECUTE format('UPDATE %I.setting SET value = $2 WHERE name = $1 AND value IS DISTINCT FROM $2', model) USING setting, value;
+    IF NOT holds THEN
+        RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value) USING ERRCODE = '22023', HINT = expected;
+    END IF;
 END $$;
-COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside); rows computed before are stale until generate.';
+COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS 'Raises 22023 for an unknown setting or a value beyond the range, words or form of _default_setting, 22004 for NULL, saying how to put the default back.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('SELECT streetgen._check_setting(%L, d.name, s.value) FROM streetgen._default_setting() d LEFT JOIN %I.setting s USING (name)', model, model);
+END $$;
+COMMENT ON FUNCTION streetgen._check_settings(name) IS 'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
+
+CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_setting(model, setting, value);
+    EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, d.choice FROM streetgen._default_setting() d WHERE d.name = $1
+        ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model) USING setting, value;
+END $$;
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL), also one that was deleted; rows computed before are stale until generate.';
 
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

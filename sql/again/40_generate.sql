@@ -87,6 +87,7 @@ DECLARE
     place text;
 BEGIN
     PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_settings(model);
     EXECUTE format('SELECT streetgen._warn_scale(ST_Force2D(ST_StartPoint(geom))) FROM (SELECT geom FROM %I.axis ORDER BY axis_id LIMIT 1) a', model);
     -- How far an axis can change others: along the network, and by its roadway.
     EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
@@ -127,7 +128,7 @@ result AS MATERIALIZED (
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
-        (v ->> 'reach')::float8, v ->> 'short_axis' = 'follow') s),
+        (v ->> 'reach')::float8, v ->> 'short_axis') s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
@@ -245,4 +246,4 @@ SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WH
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
     replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000).';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000). A setting that is missing: 22004; out of its range: 22023.';

@@ -24,8 +24,6 @@ cleaned AS (
     SELECT a.axis_id, streetgen.clean(a.geom, k.keep, (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8) AS geom
     FROM %1$I.axis a JOIN kept k USING (axis_id), setting WHERE ST_NPoints(a.geom) > 2)
 UPDATE %1$I.axis a SET geom = c.geom FROM cleaned c WHERE a.axis_id = c.axis_id AND a.geom::bytea <> c.geom::bytea
-    -- A small loop whose every bend is tight would shrink to its end.
-    AND NOT (ST_IsClosed(a.geom) AND ST_NPoints(c.geom) < 4)
 $sql$, model) USING axes;
     GET DIAGNOSTICS cleaned = ROW_COUNT;
     RETURN cleaned;
@@ -54,6 +52,17 @@ SELECT 'height without data, taken from the same line or 0', NULL::text, count(*
 $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
 
+CREATE OR REPLACE FUNCTION streetgen._transformed(source_ref text, geom geometry, srid integer) RETURNS geometry
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN ST_Transform(geom, srid);
+EXCEPTION WHEN internal_error THEN
+    RAISE EXCEPTION 'source row % cannot be transformed from SRID % to %', coalesce(source_ref, '?'), ST_SRID(geom), srid USING ERRCODE = '22023',
+        DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID in the source.';
+END $$;
+COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS 'The geometry of a source row in another reference; 22023 naming the row where the projection is not defined.';
+
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -65,6 +74,7 @@ DECLARE
     changed bigint[];
     number bigint;
 BEGIN
+    PERFORM streetgen._check_settings(model);
     EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
@@ -87,9 +97,10 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) = 0 LIMIT 1;
+    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source row % has no SRID', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
+        RAISE EXCEPTION 'source row % has %', coalesce(bad.source_ref, '?'), CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
+            USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
     SELECT i.source_ref, v.name AS name, v.value AS value INTO bad FROM _import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200)) v(name, value, low, high)
@@ -117,7 +128,7 @@ BEGIN
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, d.geom AS line, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(ST_Transform(i.geom, target_srid)) d;
+        SELECT i.*, d.geom AS line, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.source_ref, i.geom, target_srid)) d;
     UPDATE _import_part SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
         source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;

@@ -1,6 +1,8 @@
 #include "streetgen/clean.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "polyline.hpp"
@@ -13,21 +15,89 @@ namespace {
 
 constexpr double collinear_within = 1e-3;
 
-struct Kept {
+struct Vertex {
   Point point;
   bool fixed;
 };
 
-template <class Drop>
-void filter(std::vector<Kept>& points, Drop drop) {
-  std::vector<Kept> out;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    poll_cancel();
-    const bool inner = i > 0 && i + 1 < points.size();
-    if (!inner || points[i].fixed || !drop(out.back().point, points[i].point, points[i + 1].point))
-      out.push_back(points[i]);
+double angle(const Point& from, const Point& to) {
+  return std::atan2(cross(from, to), dot(from, to));
+}
+
+// The filters: each is told of the points kept, and asked of the ones between.
+class Coincident {
+ public:
+  explicit Coincident(double epsilon) : epsilon_(epsilon) {}
+  void keep(const Point& point) { last_ = point; }
+  bool drops(const Point& at, const Point&) const { return distance(last_, at) < epsilon_; }
+
+ private:
+  double epsilon_;
+  Point last_;
+};
+
+// A chord may replace the points dropped since the last kept one when it lies in the cone of
+// directions that pass them all closely, and is as long as the farthest of them is away.
+class Collinear {
+ public:
+  void keep(const Point& point) {
+    *this = Collinear();
+    last_ = point;
   }
-  points = std::move(out);
+  bool drops(const Point& at, const Point& after) {
+    pass(at - last_);
+    const Point chord = after - last_;
+    const double turn = angle(axis_, chord);
+    return norm(chord) >= reach_ && low_ <= turn && turn <= high_;
+  }
+
+ private:
+  void pass(const Point& away) {
+    const double far = norm(away);
+    reach_ = std::max(reach_, far);
+    if (far <= collinear_within) return;
+    if (norm(axis_) == 0) axis_ = away;
+    const double turn = angle(axis_, away), half = std::asin(collinear_within / far);
+    low_ = std::max(low_, turn - half);
+    high_ = std::min(high_, turn + half);
+  }
+
+  Point last_, axis_;  // turns are counted from axis_
+  double reach_ = 0;
+  double low_ = -std::numeric_limits<double>::infinity();
+  double high_ = std::numeric_limits<double>::infinity();
+};
+
+class TightTurn {
+ public:
+  explicit TightTurn(double r_min) : r_min_(r_min) {}
+  void keep(const Point& point) { last_ = point; }
+  bool drops(const Point& at, const Point& after) const {
+    if (distance(last_, after) == 0) return false;
+    const double offset = r_min_ * std::tan(std::abs(angle(at - last_, after - at)) / 2);
+    return offset > distance(last_, at) / 2 || offset > distance(at, after) / 2;
+  }
+
+ private:
+  double r_min_;
+  Point last_;
+};
+
+bool is_flat_loop(const std::vector<Vertex>& line) {
+  return line.size() < 4 && distance(line.front().point, line.back().point) == 0;
+}
+
+template <class Filter>
+void apply(Filter filter, std::vector<Vertex>& line) {
+  std::vector<Vertex> out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    poll_cancel();
+    const bool inner = i > 0 && i + 1 < line.size();
+    if (inner && !line[i].fixed && filter.drops(line[i].point, line[i + 1].point)) continue;
+    out.push_back(line[i]);
+    filter.keep(line[i].point);
+  }
+  if (!is_flat_loop(out)) line = std::move(out);
 }
 
 }  // namespace
@@ -37,23 +107,14 @@ Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, doub
     throw Error(ErrorKind::invalid_input, "the line has " + std::to_string(line.size()) +
                                               " points but keep has " +
                                               std::to_string(keep.size()) + " elements");
-  std::vector<Kept> points;
+  std::vector<Vertex> vertices;
   for (std::size_t i = 0; i < line.size(); ++i)
-    points.push_back({line[i], !keep.empty() && keep[i]});
-  filter(points, [&](const Point& before, const Point& at, const Point&) {
-    return distance(before, at) < epsilon;
-  });
-  filter(points, [&](const Point& before, const Point& at, const Point& after) {
-    return distance_to_segment(at, before, after) < collinear_within;
-  });
-  filter(points, [&](const Point& before, const Point& at, const Point& after) {
-    const Point in = unit(at - before), out = unit(after - at);
-    const double half_turn = std::atan2(std::abs(cross(in, out)), dot(in, out)) / 2;
-    const double offset = r_min * std::tan(half_turn);
-    return offset > distance(before, at) / 2 || offset > distance(at, after) / 2;
-  });
+    vertices.push_back({line[i], !keep.empty() && keep[i]});
+  apply(Coincident(epsilon), vertices);
+  apply(Collinear(), vertices);
+  apply(TightTurn(r_min), vertices);
   Line out;
-  for (const Kept& kept : points) out.push_back(kept.point);
+  for (const Vertex& vertex : vertices) out.push_back(vertex.point);
   return out;
 }
 

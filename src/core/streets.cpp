@@ -92,8 +92,14 @@ class Pipeline {
   double wanted_radius(const EdgeEnd& a, const EdgeEnd& b) const {
     const double ra = axis_of(a.edge).radius, rb = axis_of(b.edge).radius;
     if (ra <= 0 || rb <= 0) return 0;
-    if (settings_.radius_rule == "max") return std::max(ra, rb);
-    if (settings_.radius_rule == "mean") return (ra + rb) / 2;
+    switch (settings_.radius_rule) {
+      case RadiusRule::max:
+        return std::max(ra, rb);
+      case RadiusRule::mean:
+        return (ra + rb) / 2;
+      case RadiusRule::min:
+        break;
+    }
     return std::min(ra, rb);
   }
 
@@ -132,7 +138,8 @@ class Pipeline {
     const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
     SolvedCorner solved = solve_corner(arm_a, arm_b, wish);
     const bool reduced = solved.method == Method::radius_reduced;
-    if (solved.method != Method::no_arc && !(reduced && settings_.follow_first)) return solved;
+    if (solved.method != Method::no_arc && !(reduced && settings_.short_axis == ShortAxis::follow))
+      return solved;
     const auto followed = follow_corner(arm_a, arm_b, longer(a), longer(b), wish);
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }

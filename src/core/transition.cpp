@@ -19,13 +19,13 @@ bool changes_width(const Arm& a, const Arm& b) {
          std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
 
-MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, const std::string& kind) {
+MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, TransitionKind kind) {
   Line line = substring(a.line, a.limit, 0);
   const Line rest = substring(b.line, 0, b.limit);
   line.insert(line.end(), rest.begin() + 1, rest.end());
   const double total = a.limit + b.limit;
   const double step = std::min({step_length, a.limit, b.limit});
-  const bool steps = kind != "symmetric" && step > 0;
+  const bool steps = kind != TransitionKind::symmetric && step > 0;
   if (steps) {
     Line cut = substring(line, 0, a.limit - step / 2);
     for (const Line& part : {substring(line, a.limit - step / 2, a.limit + step / 2),
@@ -44,8 +44,8 @@ MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, const std:
     const double s = steps ? std::clamp((abscissa - a.limit) / step + 0.5, 0.0, 1.0) : t;
     stepped.push_back(half_a + (half_b - half_a) * s);
   }
-  return build_buffer(geos, line, kind == "right" ? stepped : linear,
-                      kind == "left" ? stepped : linear, false);
+  return build_buffer(geos, line, kind == TransitionKind::right ? stepped : linear,
+                      kind == TransitionKind::left ? stepped : linear, false);
 }
 
 MultiPolygon with_round_end(Geos& geos, const MultiPolygon& surface, const Arm& arm) {

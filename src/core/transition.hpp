@@ -1,18 +1,17 @@
 // Where two axes of different width meet, and where one ends.  Paper, 2.5 (variable buffer).
 #pragma once
 
-#include <string>
-
 #include "ring.hpp"
+#include "streetgen/streets.hpp"
 
 namespace streetgen {
 
 // Two axes of different width that go on from one another, within a bend of 60 degrees.
 bool changes_width(const Arm& a, const Arm& b);
 
-// From a's limit through the node to b's.  kind: symmetric (both kerbs change linearly), or
-// left / right (that kerb does, seen from a to b; the other steps at the node).
-MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, const std::string& kind);
+// From a's limit through the node to b's.  symmetric: both kerbs change linearly;
+// left, right: that kerb does, seen from a to b, the other steps at the node.
+MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, TransitionKind kind);
 
 // With half a disc at the arm's node.
 MultiPolygon with_round_end(Geos& geos, const MultiPolygon& surface, const Arm& arm);

@@ -29,4 +29,11 @@ void report(const Outcome& outcome) {
   ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message)));
 }
 
+Datum bytes_datum(const std::string& bytes) {
+  auto* out = static_cast<bytea*>(palloc(VARHDRSZ + bytes.size()));
+  SET_VARSIZE(out, VARHDRSZ + bytes.size());
+  memcpy(VARDATA(out), bytes.data(), bytes.size());
+  return PointerGetDatum(out);
+}
+
 }  // namespace streetgen::pg

@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -88,5 +89,8 @@ Outcome compute(Work&& work) noexcept {
 
 // Raises what `compute` caught: no C++ frame is left by now.
 void report(const Outcome& outcome);
+
+// A bytea in the current memory context.
+Datum bytes_datum(const std::string& bytes);
 
 }  // namespace streetgen::pg

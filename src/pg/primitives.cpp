@@ -1,8 +1,8 @@
 // The constructions that are usable alone from SQL.  Geometries cross as EWKB.
-#include <cmath>
 #include <string>
 #include <vector>
 
+#include "argument.hpp"
 #include "border.hpp"
 #include "streetgen/clean.hpp"
 #include "streetgen/corner.hpp"
@@ -27,22 +27,8 @@ Bytes take_bytes(FunctionCallInfo fcinfo, int argument) {
   return bytes_of(PointerGetDatum(PG_GETARG_BYTEA_PP(argument)));
 }
 
-double in_range(double value, double low, double high, const char* name) {
-  if (!(value >= low && value <= high))
-    throw Error(ErrorKind::invalid_input, std::string(name) + " is " + std::to_string(value) +
-                                              ", expected " + std::to_string(low) + " to " +
-                                              std::to_string(high));
-  return value;
-}
-
 double width_of(double value, const char* name) { return in_range(value, 1e-3, 200, name); }
 double radius_of(double value, const char* name) { return in_range(value, 0, 1000, name); }
-
-double finite(double value, const char* name) {
-  if (!std::isfinite(value))
-    throw Error(ErrorKind::invalid_input, std::string(name) + " is not finite");
-  return value;
-}
 
 // The result of a primitive: EWKB, or nothing (NULL).
 struct Result {
@@ -59,11 +45,7 @@ Datum geometry_result(FunctionCallInfo fcinfo, Work work) {
   });
   report(outcome);
   if (!slot->value->present) PG_RETURN_NULL();
-  const std::string& wkb = slot->value->wkb;
-  auto* out = static_cast<bytea*>(palloc(VARHDRSZ + wkb.size()));
-  SET_VARSIZE(out, VARHDRSZ + wkb.size());
-  memcpy(VARDATA(out), wkb.data(), wkb.size());
-  PG_RETURN_BYTEA_P(out);
+  return bytes_datum(slot->value->wkb);
 }
 
 struct Pair {
@@ -209,15 +191,11 @@ STREETGEN_FUNCTION(streetgen_variable_buffer) {
   const char* ends = text_to_cstring(PG_GETARG_TEXT_PP(3));
   return geometry_result(fcinfo, [&](Result& result) {
     const ReadLine read = read_line(line, "line");
-    const std::string s = side, e = ends;
-    if (s != "both" && s != "left" && s != "right")
-      throw Error(ErrorKind::invalid_input,
-                  "unknown side \"" + s + "\", expected both, left or right");
-    if (e != "flat" && e != "round")
-      throw Error(ErrorKind::invalid_input, "unknown ends \"" + e + "\", expected flat or round");
-    const Side which = s == "left" ? Side::left : s == "right" ? Side::right : Side::both;
+    const Side which = word_of<Side>(
+        side, "side", {{"both", Side::both}, {"left", Side::left}, {"right", Side::right}});
+    const Ends form = word_of<Ends>(ends, "ends", {{"flat", Ends::flat}, {"round", Ends::round}});
     result = {true, write_polygon(variable_buffer(read.line, checked(radii, radius_of, "radius"),
-                                                  which, e == "round" ? Ends::round : Ends::flat),
+                                                  which, form),
                                   {read.srid, false})};
   });
 }

@@ -1,10 +1,11 @@
 // streetgen._streets: the whole pipeline over a set of axes, one row per result.
 #include "streetgen/streets.hpp"
 
-#include <cmath>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
+#include "argument.hpp"
 #include "border.hpp"
 #include "wkb.hpp"
 
@@ -13,6 +14,7 @@ extern "C" {
 #include <funcapi.h>
 #include <utils/array.h>
 #include <utils/builtins.h>
+#include <utils/lsyscache.h>
 #include <utils/tuplestore.h>
 }
 
@@ -41,42 +43,65 @@ struct Taken {
   Datum *axis_id, *geom, *width, *width_end, *radius, *importance, *level;
   int srid;
   double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
-  const char *crossing, *transition_kind, *radius_rule;
-  bool round_dead_ends, follow_first;
+  const char *crossing, *transition_kind, *radius_rule, *short_axis;
+  bool round_dead_ends;
 };
-
-double checked(double value, double low, double high, const std::string& what,
-               std::int64_t axis_id) {
-  if (!(value >= low && value <= high))
-    throw Error(ErrorKind::invalid_input, what + " of axis " + std::to_string(axis_id) + " is " +
-                                              std::to_string(value) + ", expected " +
-                                              std::to_string(low) + " to " + std::to_string(high));
-  return value;
-}
 
 std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
   std::vector<StreetAxis> axes;
+  std::unordered_set<std::int64_t> seen;
   for (int i = 0; i < taken.count; ++i) {
     StreetAxis axis;
     axis.axis_id = DatumGetInt64(taken.axis_id[i]);
+    const std::string of_axis = " of axis " + std::to_string(axis.axis_id);
+    if (!seen.insert(axis.axis_id).second)
+      throw Error(ErrorKind::invalid_input,
+                  "axis " + std::to_string(axis.axis_id) + " stands more than once in the list");
     const auto* wkb = reinterpret_cast<const struct varlena*>(DatumGetPointer(taken.geom[i]));
-    const ReadLine read = read_line({VARDATA_ANY(wkb), VARSIZE_ANY_EXHDR(wkb)},
-                                    "the geometry of axis " + std::to_string(axis.axis_id));
+    const ReadLine read =
+        read_line({VARDATA_ANY(wkb), VARSIZE_ANY_EXHDR(wkb)}, "the geometry" + of_axis);
     if (read.srid != taken.srid)
-      throw Error(ErrorKind::invalid_input, "the geometry of axis " + std::to_string(axis.axis_id) +
-                                                " has SRID " + std::to_string(read.srid) +
-                                                ", expected " + std::to_string(taken.srid));
+      throw Error(ErrorKind::invalid_input, "the geometry" + of_axis + " has SRID " +
+                                                std::to_string(read.srid) + ", expected " +
+                                                std::to_string(taken.srid));
     *has_z = *has_z || read.has_z;
     axis.line = read.line;
-    axis.width = checked(DatumGetFloat8(taken.width[i]), 1e-3, 200, "width", axis.axis_id);
-    axis.width_end =
-        checked(DatumGetFloat8(taken.width_end[i]), 1e-3, 200, "width_end", axis.axis_id);
-    axis.radius = checked(DatumGetFloat8(taken.radius[i]), 0, 1000, "radius", axis.axis_id);
+    axis.width = in_range(DatumGetFloat8(taken.width[i]), 1e-3, 200, "width" + of_axis);
+    axis.width_end = in_range(DatumGetFloat8(taken.width_end[i]), 1e-3, 200, "width_end" + of_axis);
+    axis.radius = in_range(DatumGetFloat8(taken.radius[i]), 0, 1000, "radius" + of_axis);
     axis.importance = DatumGetInt32(taken.importance[i]);
     axis.level = DatumGetInt32(taken.level[i]);
     axes.push_back(std::move(axis));
   }
   return axes;
+}
+
+// streetgen._default_setting() has the range of each; here stands what the core can bear.
+StreetSettings settings_of(const Taken& taken) {
+  const auto measure = [](double value, const std::string& name, double low = 0) {
+    return in_range(value, low, 1000, "setting " + name);
+  };
+  StreetSettings settings;
+  settings.tolerance = measure(taken.tolerance, "tolerance", 1e-6);
+  settings.crossing = word_of<Crossing>(taken.crossing, "crossing",
+                                        {{"over", Crossing::over}, {"split", Crossing::split}});
+  settings.max_arc_distance = measure(taken.max_arc_distance, "max_arc_distance");
+  settings.radius_minimal = measure(taken.radius_minimal, "radius_minimal");
+  settings.transition_length = measure(taken.transition_length, "transition_length");
+  settings.transition_kind = word_of<TransitionKind>(taken.transition_kind, "transition_kind",
+                                                     {{"symmetric", TransitionKind::symmetric},
+                                                      {"left", TransitionKind::left},
+                                                      {"right", TransitionKind::right}});
+  settings.radius_rule = word_of<RadiusRule>(
+      taken.radius_rule, "radius_rule",
+      {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
+  settings.round_dead_ends = taken.round_dead_ends;
+  settings.max_hole_area = measure(taken.max_hole_area, "max_hole_area");
+  settings.reach = measure(taken.reach, "reach");
+  settings.short_axis =
+      word_of<ShortAxis>(taken.short_axis, "short_axis",
+                         {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
+  return settings;
 }
 
 const char* issue_name(NetworkIssue issue) {
@@ -91,22 +116,25 @@ const char* issue_name(NetworkIssue issue) {
   return "";
 }
 
+Row& add(Rows& rows, const char* relation) {
+  rows.emplace_back();
+  rows.back().relation = relation;
+  return rows.back();
+}
+
 void append_network(const Network& network, Form with_z, Form flat, Rows& rows) {
   for (std::size_t i = 0; i < network.nodes.size(); ++i) {
-    Row row;
-    row.relation = "node";
+    Row& row = add(rows, "node");
     row.row_index = static_cast<int>(i);
     row.geom_1 = write_point(network.nodes[i].point, with_z);
     for (const NodeAnchor& anchor : network.nodes[i].anchors) {
       row.anchor_axis.push_back(anchor.axis_id);
       row.anchor_abscissa.push_back(anchor.abscissa);
     }
-    rows.push_back(std::move(row));
   }
   for (std::size_t i = 0; i < network.edges.size(); ++i) {
     const Edge& edge = network.edges[i];
-    Row row;
-    row.relation = "edge";
+    Row& row = add(rows, "edge");
     row.row_index = static_cast<int>(i);
     row.axis_id = edge.axis_id;
     row.node_a = edge.from_node;
@@ -115,24 +143,20 @@ void append_network(const Network& network, Form with_z, Form flat, Rows& rows) 
     row.measure_1 = edge.start_abscissa;
     row.measure_2 = edge.end_abscissa;
     row.geom_1 = write_line(edge.line, with_z);
-    rows.push_back(std::move(row));
   }
   for (const NetworkReport& report : network.reports) {
-    Row row;
-    row.relation = "report";
+    Row& row = add(rows, "report");
     row.axis_id = report.axis_a;
     row.anchor_axis = {report.axis_b};
     row.measure_1 = report.measure;
     row.geom_1 = write_point(report.point, flat);
     row.method = issue_name(report.issue);
-    rows.push_back(std::move(row));
   }
 }
 
 void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) {
   for (const SectionLimit& limit : streets.limits) {
-    Row row;
-    row.relation = "section_limit";
+    Row& row = add(rows, "section_limit");
     row.edge_a = limit.edge;
     row.start_a = limit.at_start;
     row.measure_1 = limit.wanted_abscissa;
@@ -140,11 +164,9 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
     row.geom_1 = write_point(limit.point, with_z);
     row.geom_2 = write_line(limit.border_line, flat);
     row.method = method_name(limit.method);
-    rows.push_back(std::move(row));
   }
   for (const Corner& corner : streets.corners) {
-    Row row;
-    row.relation = "corner";
+    Row& row = add(rows, "corner");
     row.row_index = static_cast<int>(rows.size());
     row.node_a = corner.node;
     row.edge_a = corner.edge_a;
@@ -156,46 +178,29 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
     if (corner.centre) row.geom_1 = write_point(*corner.centre, flat);
     if (corner.arc) row.geom_2 = write_arc(*corner.arc, flat);
     row.method = method_name(corner.method);
-    rows.push_back(std::move(row));
   }
   for (const Section& section : streets.sections) {
-    Row row;
-    row.relation = "section";
+    Row& row = add(rows, "section");
     row.edge_a = section.edge;
     row.level = streets.network.edges[section.edge].level;
     row.measure_1 = section.contested_area;
     row.geom_1 = write_surface(section.surface, flat);
     row.method = method_name(section.method);
-    rows.push_back(std::move(row));
   }
   for (const Intersection& intersection : streets.intersections) {
-    Row row;
-    row.relation = "intersection";
+    Row& row = add(rows, "intersection");
     row.node_a = intersection.node;
     row.level = intersection.level;
     row.measure_1 = intersection.contested_area;
     row.geom_1 = write_surface(intersection.surface, flat);
     row.method = method_name(intersection.method);
-    rows.push_back(std::move(row));
   }
 }
 
 Rows rows_of(const Taken& taken) {
   bool has_z = false;
   const std::vector<StreetAxis> axes = axes_of(taken, &has_z);
-  StreetSettings settings;
-  settings.tolerance = taken.tolerance;
-  settings.crossing = std::string(taken.crossing) == "split" ? Crossing::split : Crossing::over;
-  settings.max_arc_distance = taken.max_arc_distance;
-  settings.radius_minimal = taken.radius_minimal;
-  settings.transition_length = taken.transition_length;
-  settings.transition_kind = taken.transition_kind;
-  settings.radius_rule = taken.radius_rule;
-  settings.round_dead_ends = taken.round_dead_ends;
-  settings.max_hole_area = taken.max_hole_area;
-  settings.reach = taken.reach;
-  settings.follow_first = taken.follow_first;
-  const Streets result = streets(axes, settings);
+  const Streets result = streets(axes, settings_of(taken));
   Rows rows;
   const Form with_z{taken.srid, has_z}, flat{taken.srid, false};
   append_network(result.network, with_z, flat, rows);
@@ -203,32 +208,37 @@ Rows rows_of(const Taken& taken) {
   return rows;
 }
 
-Datum* elements(FunctionCallInfo fcinfo, int argument, Oid type, int16 size, bool by_value,
-                char align, int expected, int* count) {
-  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
+// One column of the axes: an array argument as long as the others, without NULL.
+Datum* column(FunctionCallInfo fcinfo, int argument, const char* name, Oid type, int* count) {
+  int16 size;
+  bool by_value;
+  char align;
+  get_typlenbyvalalign(type, &size, &by_value, &align);
   Datum* datums;
   bool* nulls;
-  deconstruct_array(array, type, size, by_value, align, &datums, &nulls, count);
-  for (int i = 0; i < *count; ++i)
+  int found;
+  deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), type, size, by_value, align, &datums, &nulls,
+                    &found);
+  for (int i = 0; i < found; ++i)
     if (nulls[i])
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("array number %d has a NULL at position %d", argument + 1, i + 1)));
-  if (expected >= 0 && *count != expected)
+                      errmsg("%s is NULL at position %d of the axes", name, i + 1)));
+  if (argument > 0 && found != *count)
     ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
-                    errmsg("array number %d has %d elements, expected %d", argument + 1, *count,
-                           expected)));
+                    errmsg("%s has %d elements for %d axes", name, found, *count)));
+  *count = found;
   return datums;
 }
 
 void take(FunctionCallInfo fcinfo, Taken* taken) {
-  int n;
-  taken->axis_id = elements(fcinfo, 0, INT8OID, 8, true, 'd', -1, &taken->count);
-  taken->geom = elements(fcinfo, 1, BYTEAOID, -1, false, 'i', taken->count, &n);
-  taken->width = elements(fcinfo, 2, FLOAT8OID, 8, true, 'd', taken->count, &n);
-  taken->width_end = elements(fcinfo, 3, FLOAT8OID, 8, true, 'd', taken->count, &n);
-  taken->radius = elements(fcinfo, 4, FLOAT8OID, 8, true, 'd', taken->count, &n);
-  taken->importance = elements(fcinfo, 5, INT4OID, 4, true, 'i', taken->count, &n);
-  taken->level = elements(fcinfo, 6, INT4OID, 4, true, 'i', taken->count, &n);
+  int* count = &taken->count;
+  taken->axis_id = column(fcinfo, 0, "axis_id", INT8OID, count);
+  taken->geom = column(fcinfo, 1, "geom", BYTEAOID, count);
+  taken->width = column(fcinfo, 2, "width", FLOAT8OID, count);
+  taken->width_end = column(fcinfo, 3, "width_end", FLOAT8OID, count);
+  taken->radius = column(fcinfo, 4, "radius", FLOAT8OID, count);
+  taken->importance = column(fcinfo, 5, "importance", INT4OID, count);
+  taken->level = column(fcinfo, 6, "level", INT4OID, count);
   for (int i = 0; i < taken->count; ++i)
     taken->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(taken->geom[i]));
   taken->srid = PG_GETARG_INT32(7);
@@ -242,14 +252,7 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->round_dead_ends = PG_GETARG_BOOL(15);
   taken->max_hole_area = PG_GETARG_FLOAT8(16);
   taken->reach = PG_GETARG_FLOAT8(17);
-  taken->follow_first = PG_GETARG_BOOL(18);
-}
-
-Datum bytes_datum(const std::string& bytes) {
-  auto* out = static_cast<bytea*>(palloc(VARHDRSZ + bytes.size()));
-  SET_VARSIZE(out, VARHDRSZ + bytes.size());
-  memcpy(VARDATA(out), bytes.data(), bytes.size());
-  return PointerGetDatum(out);
+  taken->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {

@@ -144,7 +144,7 @@ ReadLine read_line(Bytes wkb, const std::string& what) {
     if (head.has_z) p.z = reader.take<double>();
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       reader.refuse("has a vertex that is not finite, number " + std::to_string(i + 1));
-    if (std::abs(p.x) > 1e12 || std::abs(p.y) > 1e12)
+    if (std::abs(p.x) > 1e12 || std::abs(p.y) > 1e12 || std::abs(p.z) > 1e12)
       reader.refuse("has a coordinate beyond 1e12 m at vertex " + std::to_string(i + 1));
     distinct = distinct || (i > 0 && (p.x != read.line[0].x || p.y != read.line[0].y));
     read.line.push_back(p);

@@ -96,7 +96,7 @@ TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   // The largest radius on 8 m, with both half widths 5 m and a right angle, is 3 m.
   StreetSettings settings;
   const Streets reduced = streets(cut_short(8, 5), settings);
-  settings.follow_first = true;
+  settings.short_axis = ShortAxis::follow;
   const Streets followed = streets(cut_short(8, 5), settings);
   const Corner *a = corner_of(reduced, 1, 2, 0), *b = corner_of(followed, 1, 2, 0);
   EXPECT_EQ(a->method, Method::radius_reduced);

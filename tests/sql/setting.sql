@@ -1,0 +1,71 @@
+-- Settings, wherever they come from: proven before they are used.  Each test is a row (name, holds).
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.refusal(statement text, OUT state text, OUT said text, OUT hint text) LANGUAGE plpgsql AS $$
+BEGIN
+    EXECUTE statement;
+    state := 'none';
+EXCEPTION WHEN OTHERS THEN
+    GET STACKED DIAGNOSTICS state = RETURNED_SQLSTATE, said = MESSAGE_TEXT, hint = PG_EXCEPTION_HINT;
+END $$;
+SELECT streetgen.create_model('town', 2154) \g /dev/null
+INSERT INTO town.axis (axis_id, geom, width) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6);
+SELECT streetgen.generate('town') \g /dev/null
+CREATE TABLE before AS SELECT xmin AS written, edge_id FROM town.edge;
+CREATE FUNCTION pg_temp.untouched() RETURNS boolean LANGUAGE sql AS $$ SELECT count(*) = 2 AND (SELECT count(*) = 2 FROM town.edge) FROM before b JOIN town.edge e ON e.xmin = b.written AND e.edge_id = b.edge_id $$;
+
+-- What generate finds in the table, whoever wrote it: the row as it was is put back after each.
+CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
+    ('tolerance', 'NaN'), ('tolerance', '0'), ('tolerance', 'Infinity'), ('tolerance', 'wide'), ('tolerance', '1e400'), ('crossing', 'under'),
+    ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
+    ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": ')) v(name, value)
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name <> 'max_width_per_lane';
+CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
+DO $$
+DECLARE
+    w record;
+    r record;
+BEGIN
+    FOR w IN SELECT * FROM wrong LOOP
+        UPDATE town.setting SET value = w.value WHERE name = w.name;
+        r := pg_temp.refusal('SELECT streetgen.generate(''town'')');
+        INSERT INTO tried VALUES (w.name, w.value, w.state, r.state, r.said, r.hint, pg_temp.untouched());
+        UPDATE town.setting s SET value = d.value FROM streetgen._default_setting() d WHERE d.name = s.name AND s.name = w.name;
+    END LOOP;
+END $$;
+SELECT format('generate refuses %s = %s', name, coalesce(value, 'NULL')), state = wanted AND said LIKE '%"' || name || '"%' AND hint <> '' FROM tried;
+SELECT 'a refused setting changes no row', bool_and(untouched) FROM tried;
+
+DELETE FROM town.setting WHERE name = 'tolerance';
+SELECT 'a setting that was deleted is 22004', (r).state = '22004' AND (r).said LIKE '%"tolerance"%' FROM (SELECT pg_temp.refusal('SELECT streetgen.generate(''town'')') AS r) t;
+SELECT 'nor can axes be cleaned without it', (r).state = '22004' FROM (SELECT pg_temp.refusal($$SELECT streetgen.import_axes('town', 'town.axis', '{}')$$) AS r) t;
+SELECT 'it deletes nothing', pg_temp.untouched();
+SELECT (pg_temp.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
+SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT pg_temp.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
+SELECT 'and generate goes on as before', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town')) AND pg_temp.untouched();
+SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s WHERE name = 'tolerance')::text = (SELECT d FROM streetgen._default_setting() d WHERE name = 'tolerance')::text;
+SELECT 'max_width_per_lane may be NULL', (pg_temp.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
+
+-- The border proves again what the core cannot bear.
+CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
+    SELECT 'SELECT count(*) FROM streetgen._streets(' || string_agg(name || ' => ' || coalesce(given::jsonb ->> name, value), ', ') || ')' FROM (VALUES
+        ('axis_id', '''{7,8}'''), ('geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(0 0,0 50)''::geometry::bytea]'),
+        ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
+        ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
+        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce''')) v(name, value) $$;
+SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
+SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
+    FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
+        ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
+        ('{"transition_length": "''NaN''"}', '22023', 'transition_length is nan'), ('{"max_hole_area": "''NaN''"}', '22023', 'max_hole_area is nan'),
+        ('{"crossing": "''under''"}', '22023', 'unknown crossing "under", expected over or split'),
+        ('{"transition_kind": "''both''"}', '22023', 'unknown transition_kind "both", expected symmetric or left or right'),
+        ('{"reach": "''NaN''"}', '22023', 'reach is nan'), ('{"short_axis": "''wait''"}', '22023', 'unknown short_axis "wait", expected reduce or follow'),
+        ('{"radius_rule": "''''"}', '22023', 'unknown radius_rule "", expected min or max or mean'),
+        ('{"axis_id": "''{7,7}''"}', '22023', 'axis 7 stands more than once'), ('{"axis_id": "''{7,8,9}''"}', '2202E', 'geom has 2 elements for 3 axes'),
+        ('{"width": "''{7,NaN}''"}', '22023', 'width of axis 8 is nan'), ('{"width_end": "''{7,201}''"}', '22023', 'width_end of axis 8 is 201, expected 0.001 to 200'),
+        ('{"radius": "''{Infinity,3}''"}', '22023', 'radius of axis 7 is inf'), ('{"width": "''{7,NULL}''"}', '22004', 'width is NULL at position 2'),
+        ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
+        ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
+        ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
+    LATERAL (SELECT pg_temp.refusal(pg_temp.streets(given)) AS r) t;
