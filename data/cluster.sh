@@ -94,10 +94,14 @@ EOF
 
 stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -m fast -w stop >/dev/null; fi; }
 
-# A database with the extension as built now; models in it stay where it can be kept.
+# Of the SQL as built now: a database made by other SQL does not fit the module.
+built_sql() { cat "$stage$(pg_config --sharedir)"/extension/streetgen--*.sql | cksum | cut -d' ' -f1; }
+
+# A database with the extension as built now.
 fresh_database() {
   psql -qX -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1" 2>/dev/null
-  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION streetgen CASCADE'
+  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION streetgen CASCADE' \
+    -c "COMMENT ON DATABASE $1 IS 'streetgen $(built_sql)'"
 }
 
 set_up() {

@@ -49,6 +49,17 @@ void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
   solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.half_start, along_a));
 }
 
+SolvedCorner without_arc(const Arm& a, const Arm& b, const CornerWish& wish) {
+  SolvedCorner solved;
+  solved.method = wish.radius <= 0 ? Method::hypothesis : Method::no_arc;
+  solve_without_arc(a, b, angle_between(a, b), wish.max_arc_distance, solved);
+  return solved;
+}
+
+bool cuts(const CornerArc& arc, const Arm& arm) {
+  return distance_to_line(arc.centre, arm.line) < arm.half_start + arc.radius - 1e-3;
+}
+
 }  // namespace
 
 std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
@@ -81,11 +92,7 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
   const double angle = angle_between(a, b);
   const double width_a = 2 * a.half_start, width_b = 2 * b.half_start;
   const Point node = planar(a.line.front());
-  if (angle > widest_corner || wish.radius <= 0) {
-    solved.method = wish.radius <= 0 ? Method::hypothesis : Method::no_arc;
-    solve_without_arc(a, b, angle, wish.max_arc_distance, solved);
-    return solved;
-  }
+  if (angle > widest_corner || wish.radius <= 0) return without_arc(a, b, wish);
   const auto near = [&](const CornerArc& c) {
     return distance(c.centre, node) <= wish.max_arc_distance;
   };
@@ -103,21 +110,35 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
   }
   // Borders that are one line touch the circle in one point: no arc is needed.
   if (found && distance(found->arc.start, found->arc.end) < shortest_arc) found.reset();
-  if (!found) {
-    solved.method = Method::no_arc;
-    solve_without_arc(a, b, angle, wish.max_arc_distance, solved);
-    return solved;
-  }
+  if (!found) return without_arc(a, b, wish);
   solved.gap = {true, *found};
   solved.limit_a = found->abscissa_a;
   solved.limit_b = found->abscissa_b;
   return solved;
 }
 
+SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
+                          const CornerWish& wish) {
+  const std::size_t next = (i + 1) % arms.size();
+  const Arm &a = *arms[i], &b = *arms[next];
+  const double angle = angle_between(a, b);
+  SolvedCorner solved = solve_corner(a, b, wish);
+  if (solved.gap.corner.radius > 0 && angle >= nearly_straight)
+    for (std::size_t third = 0; third < arms.size(); ++third)
+      if (third != i && third != next && cuts(solved.gap.corner, *arms[third])) {
+        solved = without_arc(a, b, wish);
+        break;
+      }
+  solved.gap.angle = angle;
+  return solved;
+}
+
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
                                           const Arm& longer_b, const CornerWish& wish) {
-  if (angle_between(a, b) >= nearly_straight) return std::nullopt;
+  const double angle = angle_between(a, b);
+  if (angle >= nearly_straight) return std::nullopt;
   SolvedCorner solved = solve_corner(longer_a, longer_b, wish);
+  solved.gap.angle = angle;
   const CornerArc& corner = solved.gap.corner;
   if (corner.radius <= 0) return std::nullopt;
   if (corner.abscissa_a <= length(a.line) && corner.abscissa_b <= length(b.line))

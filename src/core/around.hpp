@@ -32,6 +32,11 @@ struct SolvedCorner {
 // the largest radius that fits; the centre too far, the minimal radius.
 SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish);
 
+// The corner of arms[i] and the next, arms counter-clockwise: none is rounded on the roadway of
+// a third arm that leaves beside a nearly straight pair, its kerb is the outer one.
+SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
+                          const CornerWish& wish);
+
 // The same on `longer_a` and `longer_b`, the arms with the axes that go on from their ends:
 // an arc beyond the arms' own lengths, if there is one.  Failure 3 of the paper.
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,

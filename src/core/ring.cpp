@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "offset.hpp"
+#include "overlap.hpp"
 #include "polyline.hpp"
 
 namespace streetgen {
@@ -42,25 +43,20 @@ void append_corner(Ring& ring, const CornerArc& corner) {
   ring.push_back(corner.arc.end);
 }
 
-// Along the round outside of a bend at the node, where `to` lies counter-clockwise of `from`.
-void append_bend(Ring& ring, const Point& node, const Point& from, const Point& to) {
-  const Point in = from - node, out = to - node;
-  if (cross(in, out) > 1e-9 || dot(in, out) < 0)
-    append_arc(ring, node, from, to, true, join_quarter);
-}
-
 // Where the circle touches the round end of an arm behind the node: along that end.
 void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
   ring.push_back(from);
-  append_bend(ring, node, from, to);
+  const Point in = from - node, out = to - node;
+  if (cross(in, out) > 1e-9 || dot(in, out) < 0)
+    append_arc(ring, node, from, to, true, join_quarter);
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
   if (!gap.meets) {
     outline.follow(a, a.limit, 0, +1, false, true);
-    const Point from = kerb_at_node(a, +1), to = kerb_at_node(b, -1);
-    append_bend(outline.ring, node, from, to);
+    if (gap.angle > M_PI)
+      append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
     outline.follow(b, 0, b.limit, -1, true, false);
     return;
   }
@@ -138,6 +134,22 @@ MultiPolygon arm_pieces(const Arm& arm, double start, double end) {
   return pieces(part, half, half);
 }
 
+// Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them.
+bool covers(const Ring& ring, const std::vector<Arm>& arms) {
+  constexpr double step = 1.0, inwards = 1e-3;  // metres
+  for (const Arm& arm : arms) {
+    if (arm.limit <= 0) continue;
+    const int steps = static_cast<int>(std::ceil(arm.limit / step));
+    for (int i = 0; i <= steps; ++i) {
+      const double abscissa = std::clamp(arm.limit * i / steps, inwards, arm.limit - inwards);
+      const Line border = border_across(arm, abscissa);
+      const Point across = unit(border[1] - border[0]) * inwards;
+      if (!inside(border[0] + across, {ring}) || !inside(border[1] - across, {ring})) return false;
+    }
+  }
+  return true;
+}
+
 bool simple(Geos& geos, const Outline& outline) {
   const Ring& ring = outline.ring;
   return outline.whole && ring.size() >= 4 && signed_area(ring) > 0 &&
@@ -204,7 +216,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
-  if (simple(geos, outline)) {
+  if (simple(geos, outline) && covers(outline.ring, arms)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
     return {geos.polygons(geos.unite(parts).get()), false};
@@ -215,13 +227,9 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
-    } else {
-      const Point left = kerb_at_node(a, +1), right = kerb_at_node(b, -1);
-      const Point node = planar(a.line.front());
-      if (cross(left - node, right - node) > 0 || dot(left - node, right - node) < 0) {
-        const Polygon join = fan(node, left, right);
-        if (!join.front().empty()) parts.push_back({join});
-      }
+    } else if (gaps[i].angle > M_PI) {
+      const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
+      if (!join.front().empty()) parts.push_back({join});
     }
   }
   if (parts.empty()) return {};

@@ -22,7 +22,8 @@ struct Arm {
 struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
-  Polygon beyond;  // the ground between both kerbs and an arc that lies beyond an arm's end
+  double angle = 0;  // counter-clockwise about the node, radians; over pi outside a bend
+  Polygon beyond;    // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
 double half_at(const Arm& arm, double abscissa);

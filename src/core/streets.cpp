@@ -133,14 +133,17 @@ class Pipeline {
     return arm;
   }
 
-  SolvedCorner solve(const EdgeEnd& a, const EdgeEnd& b, double radius) const {
-    const Arm &arm_a = arms_[slot(a)], &arm_b = arms_[slot(b)];
+  // Between ends[i] and the next.
+  SolvedCorner solve(const Around& around, std::size_t i, double radius) const {
+    std::vector<const Arm*> arms;
+    for (const EdgeEnd& end : around.ends) arms.push_back(&arms_[slot(end)]);
     const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
-    SolvedCorner solved = solve_corner(arm_a, arm_b, wish);
+    SolvedCorner solved = solve_corner(arms, i, wish);
     const bool reduced = solved.method == Method::radius_reduced;
     if (solved.method != Method::no_arc && !(reduced && settings_.short_axis == ShortAxis::follow))
       return solved;
-    const auto followed = follow_corner(arm_a, arm_b, longer(a), longer(b), wish);
+    const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % around.ends.size()];
+    const auto followed = follow_corner(arms_[slot(a)], arms_[slot(b)], longer(a), longer(b), wish);
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }
 
@@ -153,7 +156,7 @@ class Pipeline {
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
         const double radius = wanted_radius(a, b);
-        const SolvedCorner solved = solve(a, b, radius);
+        const SolvedCorner solved = solve(around, i, radius);
         widen_limits(arms_[slot(a)], arms_[slot(b)], solved);
         around.gaps.push_back(solved.gap);
         Corner corner{n, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};

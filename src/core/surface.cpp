@@ -33,9 +33,10 @@ Around around_node(const std::vector<Line>& axes, const std::vector<double>& wid
   const std::vector<std::size_t> order = counter_clockwise(arms);
   for (const std::size_t i : order) around.arms.push_back(std::move(arms[i]));
   const std::size_t n = around.arms.size();
+  std::vector<const Arm*> all;
+  for (const Arm& arm : around.arms) all.push_back(&arm);
   for (std::size_t i = 0; i < n && n > 1; ++i) {
-    const Arm &a = around.arms[i], &b = around.arms[(i + 1) % n];
-    const SolvedCorner solved = solve_corner(a, b, {radii[order[i]], 1e9, 0.15});
+    const SolvedCorner solved = solve_corner(all, i, {radii[order[i]], 1e9, 0.15});
     around.gaps.push_back(solved.gap);
     widen_limits(around.arms[i], around.arms[(i + 1) % n], solved);
   }
