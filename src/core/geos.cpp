@@ -79,7 +79,12 @@ MultiPolygon Geos::polygons(const GEOSGeometry* geometry) {
   return out;
 }
 
-bool Geos::valid(const GEOSGeometry* geometry) { return GEOSisValid_r(handle_, geometry) == 1; }
+bool Geos::valid(const GEOSGeometry* geometry) {
+  poll_cancel();
+  const bool valid = GEOSisValid_r(handle_, geometry) == 1;
+  poll_cancel();
+  return valid;
+}
 
 double Geos::area(const GEOSGeometry* geometry) {
   double area = 0;
