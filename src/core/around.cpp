@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "polyline.hpp"
+#include "streetgen/cancel.hpp"
 
 namespace streetgen {
 
@@ -160,13 +161,14 @@ void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner) {
 double kerb_clear_limit(const Arm& arm, double limit) {
   const double total = length(arm.line);
   const auto clear = [&](double abscissa) {
+    poll_cancel();
     const double half = half_at(arm, abscissa), window = 4 * half;
     const Line near =
         substring(arm.line, std::max(0.0, abscissa - window), std::min(total, abscissa + window));
     if (near.size() <= 2) return true;
     const double given = std::abs(arm.half_end - arm.half_start) / std::max(total, 1e-9) * window;
     for (const Point& kerb : border_across(arm, abscissa))
-      if (distance_to_line(kerb, near) < half - given - 1e-4) return false;
+      if (comes_within(kerb, near, half - given - 1e-4)) return false;
     return true;
   };
   if (limit >= total || clear(limit)) return limit;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "box_index.hpp"
 #include "offset.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -88,36 +89,68 @@ double piece_distance(const OffsetPiece& piece, const Point& p) {
   return std::max(0.0, distance(p, piece.centre) - distance(piece.start, piece.centre));
 }
 
-bool boxes_apart(const OffsetPiece& a, const OffsetPiece& b) {
-  if (a.arc || b.arc) return false;
-  return std::max(a.start.x, a.end.x) + slack < std::min(b.start.x, b.end.x) ||
-         std::max(b.start.x, b.end.x) + slack < std::min(a.start.x, a.end.x) ||
-         std::max(a.start.y, a.end.y) + slack < std::min(b.start.y, b.end.y) ||
-         std::max(b.start.y, b.end.y) + slack < std::min(a.start.y, a.end.y);
+Box box_of(const OffsetPiece& piece) {
+  Box box;
+  box.add(piece.start);
+  box.add(piece.end);
+  if (!piece.arc) return box;
+  const double radius = distance(piece.start, piece.centre);
+  const double half_chord = distance(piece.start, piece.end) / 2;
+  const double rise = radius - std::sqrt(std::max(0.0, radius * radius - half_chord * half_chord));
+  return box.grown(rise);
 }
 
 // The offset border with the quarter of its round end behind the node: where a wide axis meets a
 // narrow one nearly straight on, the circle touches the wide one's end.
-std::vector<OffsetPiece> border_from_node(const Line& axis, double offset, int side) {
-  std::vector<OffsetPiece> pieces = offset_pieces(axis, offset, side);
-  const Point node = planar(axis.front());
-  const Point behind = node - place_at(axis, 0).direction * offset;
-  pieces.insert(pieces.begin(), {behind, pieces.front().start, node, true, 0, 0});
-  return pieces;
-}
+class Border {
+ public:
+  Border(const Line& axis, double offset, int side)
+      : axis_(axis), offset_(offset), pieces_(offset_pieces(axis, offset, side)) {
+    const Point node = planar(axis.front());
+    const Point behind = node - place_at(axis, 0).direction * offset;
+    pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0});
+    boxes_.reserve(pieces_.size());
+    for (const OffsetPiece& piece : pieces_) boxes_.push_back(box_of(piece));
+    if (pieces_.size() > worth_an_index) index_.emplace(boxes_);
+  }
+
+  const std::vector<OffsetPiece>& pieces() const { return pieces_; }
+
+  // The pieces that may meet one of another border, in order.
+  template <class Use>
+  void each_near(const OffsetPiece& other, Use use) const {
+    const Box box = box_of(other);
+    if (index_)
+      for (const int i : index_->near(box, touch)) use(pieces_[i]);
+    else
+      for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (boxes_[i].meets(box, touch)) use(pieces_[i]);
+  }
+
+  // Nearer to the axis than the border is: no place for a centre.
+  bool too_near(const Point& p) const { return comes_within(p, axis_, offset_ - slack); }
+
+ private:
+  static constexpr std::size_t worth_an_index = 64;
+  static constexpr double touch = 1e-5;  // metres, more than the slack of a meeting
+
+  const Line& axis_;
+  double offset_;
+  std::vector<OffsetPiece> pieces_;
+  std::vector<Box> boxes_;
+  std::optional<BoxIndex> index_;
+};
 
 std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, double offset_a,
                                        double offset_b) {
-  const auto pieces_a = border_from_node(axis_a, offset_a, +1);
-  const auto pieces_b = border_from_node(axis_b, offset_b, -1);
+  const Border border_a(axis_a, offset_a, +1), border_b(axis_b, offset_b, -1);
   const Point node = planar(axis_a.front());
   std::optional<Meeting> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (const OffsetPiece& a : pieces_a) {
+  for (const OffsetPiece& a : border_a.pieces()) {
     if (piece_distance(a, node) > best_distance) continue;
     poll_cancel();
-    for (const OffsetPiece& b : pieces_b) {
-      if (boxes_apart(a, b)) continue;
+    border_b.each_near(a, [&](const OffsetPiece& b) {
       Point places[2];
       const int count =
           a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
@@ -129,12 +162,11 @@ std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, d
         if (!within(a, found.centre, &found.abscissa_a)) continue;
         if (!within(b, found.centre, &found.abscissa_b)) continue;
         if (d > best_distance - slack && best && found.abscissa_a >= best->abscissa_a) continue;
-        if (distance_to_line(found.centre, axis_a) < offset_a - slack) continue;
-        if (distance_to_line(found.centre, axis_b) < offset_b - slack) continue;
+        if (border_a.too_near(found.centre) || border_b.too_near(found.centre)) continue;
         best = found;
         best_distance = std::min(d, best_distance);
       }
-    }
+    });
   }
   return best;
 }

@@ -76,7 +76,12 @@ MultiPolygon Geos::polygons(const GEOSGeometry* geometry) {
   return out;
 }
 
-bool Geos::valid(const GEOSGeometry* geometry) { return GEOSisValid_r(handle_, geometry) == 1; }
+bool Geos::valid(const GEOSGeometry* geometry) {
+  poll_cancel();
+  const bool valid = GEOSisValid_r(handle_, geometry) == 1;
+  poll_cancel();
+  return valid;
+}
 
 Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                              const GEOSGeometry* b) {

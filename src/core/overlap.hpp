@@ -21,6 +21,9 @@ struct Box {
     return min_x <= o.max_x + margin && o.min_x <= max_x + margin && min_y <= o.max_y + margin &&
            o.min_y <= max_y + margin;
   }
+  Box grown(double margin) const {
+    return {min_x - margin, min_y - margin, max_x + margin, max_y + margin};
+  }
   bool holds(const Point& p, double margin) const {
     return p.x >= min_x - margin && p.x <= max_x + margin && p.y >= min_y - margin &&
            p.y <= max_y + margin;

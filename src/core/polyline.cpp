@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "streetgen/cancel.hpp"
+
 namespace streetgen {
 
 double norm(const Point& a) { return std::hypot(a.x, a.y); }
@@ -80,10 +82,19 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
 }
 
 double distance_to_line(const Point& p, const Line& line) {
+  poll_cancel();
   double best = distance(p, line.front());
   for (std::size_t i = 1; i < line.size(); ++i)
     best = std::min(best, distance_to_segment(p, line[i - 1], line[i]));
   return best;
+}
+
+bool comes_within(const Point& p, const Line& line, double reach) {
+  poll_cancel();
+  if (distance(p, line.front()) < reach) return true;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (distance_to_segment(p, line[i - 1], line[i]) < reach) return true;
+  return false;
 }
 
 void append_arc(Ring& ring, const Point& centre, const Point& from, const Point& to,

@@ -38,6 +38,8 @@ Line substring(const Line& line, double u, double v);
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b);
 double distance_to_line(const Point& p, const Line& line);
+// Whether the line is anywhere nearer to p than `reach`.
+bool comes_within(const Point& p, const Line& line, double reach);
 
 // Points on the circle about `centre` from `from` to `to` (both left out), turning
 // counter-clockwise or clockwise; a quarter circle has `quarter` chords.
