@@ -63,6 +63,38 @@ EXCEPTION WHEN internal_error THEN
 END $$;
 COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS 'The geometry of a source row in another reference; 22023 naming the row where the projection is not defined.';
 
+CREATE OR REPLACE FUNCTION streetgen._suspects(model name) RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET jit = off SET enable_nestloop = off
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+SELECT 'width not believed', NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref) FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id)
+WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated) HAVING count(*) > 0
+UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text) ORDER BY a.source_ref) FROM %1$I.axis a
+WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0 $sql$, model);
+    EXECUTE format($sql$
+CREATE TEMPORARY TABLE _import_segment ON COMMIT DROP AS
+SELECT a.axis_id, a.level, s.geom, ST_Azimuth(ST_StartPoint(s.geom), ST_EndPoint(s.geom)) AS direction FROM %I.axis a, ST_DumpSegments(ST_Force2D(a.geom)) s $sql$, model);
+    CREATE INDEX ON _import_segment USING gist (geom);
+    ANALYZE _import_segment;
+    -- Axes that meet at an angle are near each other at their node only: segments within 10 degrees are looked at.
+    RETURN QUERY EXECUTE format($sql$
+WITH epsilon AS (SELECT value::float8 AS near FROM %1$I.setting WHERE name = 'clean_epsilon'),
+pair AS (
+    SELECT DISTINCT s.axis_id, t.axis_id AS other FROM epsilon, _import_segment s
+    JOIN _import_segment t ON s.axis_id <> t.axis_id AND s.level = t.level AND abs(sin(s.direction - t.direction)) < 0.17
+    WHERE ST_DWithin(s.geom, t.geom, near)),
+shared AS (
+    SELECT p.axis_id, max(ST_Length(ST_Intersection(ST_Force2D(a.geom), ST_Buffer(ST_Force2D(b.geom), near, 'endcap=flat')))) AS metres
+    FROM epsilon, pair p JOIN %1$I.axis a USING (axis_id) JOIN %1$I.axis b ON b.axis_id = p.other GROUP BY p.axis_id)
+SELECT CASE WHEN metres > 0.99 * ST_Length(a.geom) THEN 'lies on another axis' ELSE 'lies on another axis in part' END, NULL::text, count(*),
+       array_agg(coalesce(a.source_ref, a.axis_id::text) ORDER BY a.source_ref)
+FROM shared JOIN %1$I.axis a USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(a.geom)) GROUP BY 1 ORDER BY 1 $sql$, model);
+    DROP TABLE _import_segment;
+END $$;
+COMMENT ON FUNCTION streetgen._suspects(name) IS 'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis within clean_epsilon of another axis of its level.';
+
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -78,6 +110,8 @@ BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
+    RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
+    DELETE FROM _import i WHERE i.left_out IS NOT NULL;
     SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the geometry of source row % is NULL', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
@@ -103,12 +137,12 @@ BEGIN
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
     SELECT i.source_ref, v.name AS name, v.value AS value INTO bad FROM _import i,
-        LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200)) v(name, value, low, high)
+        LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200),
+            ('lane_count', i.lane_count, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h; NULL is unknown.';
+        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
     END IF;
-
     SELECT i.source_ref, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'direction of source row % is "%"', coalesce(bad.source_ref, '?'), bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
@@ -122,9 +156,12 @@ BEGIN
         i.class, count(*), NULL::text[] FROM _import i LEFT JOIN _import_class c ON c.class = i.class GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
     DELETE FROM _import i USING _import j LEFT JOIN _import_class c ON c.class = j.class WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
 
-    RETURN QUERY SELECT 'width of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM _import i WHERE i.width = 0 HAVING count(*) > 0;
-    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = CASE WHEN lane_count BETWEEN 1 AND 30 THEN lane_count END,
-        importance = CASE WHEN importance BETWEEN 1 AND 99 THEN importance END;
+    RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM _import i,
+        LATERAL (VALUES ('width', i.width), ('width_end', i.width_end), ('speed', i.speed), ('lane_count', i.lane_count), ('importance', i.importance)) v(name, value)
+        WHERE v.value = 0 GROUP BY v.name ORDER BY v.name;
+    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = nullif(lane_count, 0), importance = nullif(importance, 0);
+    RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref)
+        FROM _import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
@@ -138,10 +175,11 @@ BEGIN
         RAISE EXCEPTION 'source_ref % stands in more than one source row', bad.source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
     END IF;
 
-    EXECUTE format($sql$DELETE FROM %1$I.axis a WHERE a.source = $1 AND EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL)
-        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref)$sql$, model) USING source;
-    GET DIAGNOSTICS number = ROW_COUNT;
-    RETURN QUERY SELECT 'vanished from the source, deleted', NULL::text, number, NULL::text[] WHERE number > 0;
+    RETURN QUERY EXECUTE format($sql$
+WITH gone AS (
+    DELETE FROM %1$I.axis a WHERE a.source = $1 AND EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL)
+        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) RETURNING a.source_ref)
+SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model) USING source;
     EXECUTE format($sql$
 WITH upsert AS (
     INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, source, source_ref, source_geom)
@@ -158,24 +196,11 @@ SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
         number := streetgen._clean_axes(model, coalesce(changed, '{}'));
         RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
     END IF;
-    RETURN QUERY EXECUTE format($sql$
-        SELECT 'width not believed', NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref) FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id)
-        WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated) HAVING count(*) > 0$sql$, model);
-    RETURN QUERY EXECUTE format($sql$
-        SELECT 'duplicate of another axis', NULL::text, count(*), array_agg(ref ORDER BY ref) FROM (
-            SELECT coalesce(a.source_ref, a.axis_id::text) AS ref FROM %1$I.axis a WHERE EXISTS (
-                SELECT FROM %1$I.axis b WHERE b.geom ~= a.geom AND b.axis_id < a.axis_id AND b.level = a.level AND ST_Equals(a.geom, b.geom))) d HAVING count(*) > 0$sql$, model);
-    RETURN QUERY EXECUTE format($sql$
-        WITH segment AS (
-            SELECT a.axis_id, a.level, coalesce(a.source_ref, a.axis_id::text) AS ref, least(d.geom::bytea, ST_Reverse(d.geom)::bytea) AS line
-            FROM %1$I.axis a, ST_DumpSegments(ST_Force2D(a.geom)) d)
-        SELECT 'shares a segment with another axis', NULL::text, count(*), array_agg(ref ORDER BY ref) FROM (
-            SELECT DISTINCT s.axis_id, s.ref FROM segment s
-            JOIN (SELECT line, level FROM segment GROUP BY line, level HAVING count(DISTINCT axis_id) > 1) twice USING (line, level)) o HAVING count(*) > 0$sql$, model);
+    RETURN QUERY SELECT * FROM streetgen._suspects(model);
     DROP TABLE _import, _import_part, _import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[] WHERE changed IS NOT NULL;
 END $$;
-COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. Bad rows: 22023, and the model as it was.';
+COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. left_out says why a row is not wanted, unread names its values that mean nothing. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -253,6 +278,6 @@ BEGIN
         expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' WHEN 'integer' THEN '%1$I::text::float8::integer AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
             column_name, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', array_to_string(expressions, ', '), source));
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s, NULL::text AS left_out, NULL::text[] AS unread FROM %s', array_to_string(expressions, ', '), source));
 END $$;
 COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class and what was not believed. A missing column: 42703; bad rows: 22023; then the model stays as it was.';

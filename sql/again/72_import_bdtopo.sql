@@ -1,3 +1,10 @@
+-- BD TOPO of IGN to axes.
+
+CREATE OR REPLACE FUNCTION streetgen._number(value text, low float8, high float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN value ~ '^\s*[-+]?\d{1,15}(\.\d*)?\s*$' AND value::float8 BETWEEN low AND high THEN value::float8 END $$;
+COMMENT ON FUNCTION streetgen._number(text, float8, float8) IS 'A text as the number that it says, NULL where it says none within the bounds.';
+
 CREATE OR REPLACE FUNCTION streetgen.import_bdtopo(model name, source regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -18,16 +25,17 @@ BEGIN
             HINT = 'Its columns nature and largeur or largeur_de_chaussee are missing; streetgen.import_axes takes any line table with a mapping.';
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
-SELECT %1$I AS geom, CASE WHEN s.width ~ '^-?[\d.]+$' THEN s.width::float8 WHEN s.width ~* 'nan|inf' THEN s.width::float8 END AS width, NULL::float8 AS width_end,
-       CASE WHEN s.lane_count ~ '^\d{1,2}' THEN substring(s.lane_count FROM '^\d{1,2}')::integer END AS lane_count,
+SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 AS width_end, streetgen._number(s.lane_count, 0, 30)::integer AS lane_count,
        CASE WHEN s.sens ILIKE '%%inverse%%' THEN 'reverse' WHEN s.sens ILIKE '%%direct%%' AND s.sens NOT ILIKE '%%double%%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,
-       CASE WHEN s.speed ~ '^\d+' THEN substring(s.speed FROM '^\d+')::float8 END AS speed,
-       CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d+')::integer END AS importance,
-       s.name, CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d+')::integer)) ELSE 0 END AS level,
-       s.class, NULL::float8 AS radius, s.id AS source_ref
-FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, %6$s AS speed, %7$s AS importance, %8$s AS level, %9$s AS class, nullif(%10$s, '') AS name, %11$s AS fictif FROM %12$s) s
-WHERE coalesce(s.fictif, 'Non') NOT IN ('Oui', 'true', 't')$sql$, shape, coalesce(found ->> 'id', 'NULL::text'), coalesce(found ->> 'width', 'NULL::text'), coalesce(found ->> 'lane_count', 'NULL::text'),
+       streetgen._number(s.speed, 0, 400) AS speed,
+       CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END AS importance,
+       s.name, CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer)) ELSE 0 END AS level,
+       s.class, NULL::float8 AS radius, s.id AS source_ref, CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END AS left_out,
+       array_remove(ARRAY[CASE WHEN s.width <> '' AND streetgen._number(s.width, 0, 200) IS NULL THEN 'width' END,
+                          CASE WHEN s.lane_count <> '' AND streetgen._number(s.lane_count, 0, 30) IS NULL THEN 'lane_count' END,
+                          CASE WHEN s.speed <> '' AND streetgen._number(s.speed, 0, 400) IS NULL THEN 'speed' END], NULL) AS unread
+FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, %6$s AS speed, %7$s AS importance, %8$s AS level, %9$s AS class, nullif(%10$s, '') AS name, %11$s AS fictif FROM %12$s) s$sql$, shape, coalesce(found ->> 'id', 'NULL::text'), coalesce(found ->> 'width', 'NULL::text'), coalesce(found ->> 'lane_count', 'NULL::text'),
         coalesce(found ->> 'sens', 'NULL::text'), coalesce(found ->> 'speed', 'NULL::text'), coalesce(found ->> 'importance', 'NULL::text'), coalesce(found ->> 'level', 'NULL::text'),
         found ->> 'class', coalesce(found ->> 'name', 'NULL::text'), coalesce(found ->> 'fictif', 'NULL::text'), source));
 END $$;
-COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS 'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, position against the ground, nature, street name. Fictitious axes are left out.';
+COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS 'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, position against the ground, nature, street name. Fictitious axes are left out and counted; a width, speed or number of lanes that means nothing is unknown, and reported.';

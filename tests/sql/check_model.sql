@@ -29,14 +29,3 @@ DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
 SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
--- Two streets of one level that cross without a vertex.
-DO $$ BEGIN
-  PERFORM streetgen.create_model('crossing', 2154);
-  INSERT INTO crossing.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), ('SRID=2154;LINESTRING(650050 6859950,650050 6860050)', 7);
-  PERFORM streetgen.generate('crossing');
-END $$;
-SELECT 'a crossing without a vertex is a notice', (SELECT count(*) = 1 FROM streetgen.check_model('crossing') WHERE severity = 'notice' AND rule = 'crossing');
-SELECT 'over: it makes no node', (SELECT count(*) = 4 FROM crossing.node);
-SELECT 'over: it breaks nothing', NOT EXISTS (SELECT FROM streetgen.check_model('crossing') WHERE severity = 'error');
-DO $$ BEGIN PERFORM streetgen.set('crossing', 'crossing', 'split'); PERFORM streetgen.generate('crossing'); END $$;
-SELECT 'split: it makes a node', (SELECT count(*) = 5 FROM crossing.node) AND (SELECT count(*) = 4 FROM crossing.corner);

@@ -1,7 +1,140 @@
--- The one query: same result however one gets there, and nothing half done. Rows (name, holds).
+-- generate: idempotent, independent of the way to get there, whole or not at all.  (name, holds)
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.sqlstate_of(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN EXECUTE statement; RETURN '00000'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
+-- A quarter with a bend, a T, dead ends, a crossing of levels, a loop, a width change and an acute pair.
+CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width, importance, level)
+    SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), width, importance, level FROM (VALUES
+      (1, 'LINESTRING(0 0,100 0)', 7, 4, 0), (2, 'LINESTRING(100 0,200 10)', 7, 4, 0), (3, 'LINESTRING(100 0,100 100)', 5, 5, 0),
+      (4, 'LINESTRING(100 100,0 100)', 6, 5, 0), (5, 'LINESTRING(0 100,0 0)', 12, 2, 0), (6, 'LINESTRING(100 100,200 110)', 6, 5, 0),
+      (7, 'LINESTRING(200 10,200 110)', 4, 6, 0), (8, 'LINESTRING(50 -60,50 160)', 8, 1, 1),
+      (9, 'LINESTRING(200 110,260 110,260 170,200 170,200 110)', 5, 5, 0), (10, 'LINESTRING(200 10,300 12)', 7, 4, 0),
+      (11, 'LINESTRING(200 10,290 40)', 4, 6, 0), (12, 'LINESTRING(300 12,380 12)', 12, 4, 0),
+      (13, 'LINESTRING(380 12,480 12)', NULL, NULL, 0), (14, 'LINESTRING(430 12.2,430 90)', 5, 5, 0)) v(id, line, width, importance, level)$q$, model);
+END $$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model(m, 2154) FROM unnest(ARRAY['once', 'single', 'halves', 'edited']::name[]) m;
+  PERFORM pg_temp.fill(m) FROM unnest(ARRAY['once', 'single', 'halves', 'edited']::name[]) m;
+END $$;
+CREATE TABLE public.run AS SELECT 1 AS run, * FROM streetgen.generate('once');
+
+SELECT 'a run returns a row for each table' AS name, (SELECT count(*) >= 6 AND count(DISTINCT relation) = count(*) FROM run) AS holds;
+SELECT 'a first run inserts', (SELECT bool_and(inserted > 0 AND updated + deleted + unchanged = 0) FROM run WHERE relation <> 'report');
+SELECT 'every axis has an edge', NOT EXISTS (SELECT FROM once.axis a WHERE NOT EXISTS (SELECT FROM once.edge e WHERE e.axis_id = a.axis_id));
+SELECT 'every edge has a section and two limits',
+       (SELECT count(*) FROM once.edge) = (SELECT count(*) FROM once.section) AND 2 * (SELECT count(*) FROM once.edge) = (SELECT count(*) FROM once.section_limit);
+SELECT 'nodes of degree three and more have an intersection',
+       NOT EXISTS (SELECT FROM (SELECT from_node AS n FROM once.edge UNION ALL SELECT to_node FROM once.edge) e
+                   GROUP BY n HAVING count(*) > 2 AND NOT EXISTS (SELECT FROM once.intersection i WHERE i.node_id = n AND NOT ST_IsEmpty(i.surface)));
+SELECT 'edges are numbered by axis and abscissa',
+       (SELECT array_agg(edge_id ORDER BY axis_id, start_abscissa) = array_agg(edge_id ORDER BY edge_id) FROM once.edge);
+SELECT 'nodes are numbered by their first axis',
+       (SELECT array_agg(node_id ORDER BY axis_id, abscissa) = array_agg(node_id ORDER BY node_id)
+        FROM (SELECT DISTINCT ON (node_id) node_id, axis_id, abscissa
+              FROM (SELECT from_node AS node_id, axis_id, start_abscissa AS abscissa FROM once.edge
+                    UNION ALL SELECT to_node, axis_id, end_abscissa FROM once.edge) e ORDER BY node_id, axis_id, abscissa) f);
+SELECT 'a level above makes no node', NOT EXISTS (SELECT FROM once.node WHERE ST_DWithin(geom, ST_SetSRID(ST_MakePoint(650050, 6860000), 2154), 1));
+SELECT 'an end in the middle of another axis makes a node there', (SELECT count(*) = 2 FROM once.edge WHERE axis_id = 13);
+SELECT 'what was estimated is said', (SELECT bool_and('width' = ANY (estimated)) FROM once.edge WHERE axis_id = 13);
+SELECT 'what was given is not', (SELECT bool_and('width' <> ALL (estimated)) FROM once.edge WHERE axis_id = 1);
+
+CREATE TABLE public.before AS SELECT test.rows('once') AS rows;
+INSERT INTO run SELECT 2, * FROM streetgen.generate('once');
+SELECT 'a second run reports no change', (SELECT bool_and(inserted + updated + deleted = 0) FROM run WHERE run = 2);
+SELECT 'a second run writes no row', (SELECT rows FROM before) = test.rows('once');
+INSERT INTO run SELECT 3, * FROM streetgen.generate('once', (SELECT array_agg(axis_id) FROM once.axis));
+SELECT 'a run of every axis by name writes no row', (SELECT rows FROM before) = test.rows('once');
+INSERT INTO run SELECT 4, * FROM streetgen.generate('once', '{}');
+SELECT 'a run of no axis does nothing', (SELECT bool_and(inserted + updated + deleted + unchanged = 0) FROM run WHERE run = 4);
+INSERT INTO run SELECT 5, * FROM streetgen.generate('once', '{999999}');
+SELECT 'an unknown axis is skipped', (SELECT bool_and(inserted + updated + deleted = 0) AND sum(skipped) = 1 FROM run WHERE run = 5);
+
+DO $$
+DECLARE i bigint;
+BEGIN
+  FOR i IN 1..14 LOOP PERFORM streetgen.generate('single', ARRAY[i]); END LOOP;
+  PERFORM streetgen.generate('halves', ARRAY[2, 4, 6, 8, 10, 12, 14]::bigint[]);
+  PERFORM streetgen.generate('halves', ARRAY[13, 11, 9, 7, 5, 3, 1]::bigint[]);
+END $$;
+SELECT 'axis by axis gives the same model', test.same('once', 'single');
+SELECT 'by halves gives the same model', test.same('once', 'halves');
+
+-- Edits, back and forth.
+DO $$ BEGIN
+  PERFORM streetgen.generate('edited');
+END $$;
+CREATE TABLE public.old_id AS SELECT axis_id, start_abscissa, edge_id FROM edited.edge;
+CREATE TABLE public.far AS SELECT edge_id, xmin::text AS writer FROM edited.section WHERE edge_id IN (SELECT edge_id FROM edited.edge WHERE axis_id IN (13, 14));
+DO $$ BEGIN
+  UPDATE edited.axis SET width = 9 WHERE axis_id = 4;
+  PERFORM streetgen.generate('edited', '{4}');
+END $$;
+SELECT 'an edit is seen', NOT test.same('once', 'edited');
+SELECT 'an edit keeps the ids of edges', NOT EXISTS (SELECT FROM old_id o JOIN edited.edge e USING (axis_id, start_abscissa) WHERE e.edge_id <> o.edge_id);
+SELECT 'an edit leaves what is far away', NOT EXISTS (SELECT FROM far f JOIN edited.section s USING (edge_id) WHERE s.xmin::text <> f.writer);
+DO $$ BEGIN
+  UPDATE edited.axis SET width = 6 WHERE axis_id = 4;
+  PERFORM streetgen.generate('edited', '{4}');
+END $$;
+SELECT 'an edit taken back gives the model as it was', test.same('once', 'edited');
+CREATE TABLE public.kept AS SELECT * FROM edited.axis WHERE axis_id = 3;
+DO $$ BEGIN
+  DELETE FROM edited.axis WHERE axis_id = 3;
+  PERFORM streetgen.generate('edited', '{3}');
+END $$;
+SELECT 'the leftovers of a deleted axis go', NOT EXISTS (SELECT FROM edited.edge WHERE axis_id = 3);
+SELECT 'a deleted axis leaves the same model as one that never was', (SELECT count(*) FROM streetgen.generate('edited') WHERE inserted + updated + deleted > 0) = 0;
+DO $$ BEGIN
+  INSERT INTO edited.axis SELECT * FROM kept;
+  PERFORM streetgen.generate('edited', '{3}');
+END $$;
+SELECT 'an axis put back gives the model as it was', test.same('once', 'edited');
+DO $$ BEGIN
+  DELETE FROM edited.section WHERE edge_id = (SELECT min(edge_id) FROM edited.edge);
+  UPDATE edited.intersection SET method = 'contested' WHERE node_id = (SELECT min(node_id) FROM edited.intersection);
+  PERFORM streetgen.generate('edited');
+END $$;
+SELECT 'generate repairs rows changed by hand', test.same('once', 'edited');
+
+-- A violation in mid-run.
+CREATE TABLE public.untouched AS SELECT test.rows('edited') AS rows;
+ALTER TABLE edited.intersection ADD CONSTRAINT planted CHECK (method <> method) NOT VALID;
+UPDATE edited.axis SET width = width + 1;
+SELECT 'a violation in mid-run is an error', test.state($q$SELECT * FROM streetgen.generate('edited')$q$) = '23514';
+SELECT 'a violation in mid-run leaves every table unchanged', (SELECT rows FROM untouched) = test.rows('edited');
+
+-- Isolation.
+BEGIN ISOLATION LEVEL REPEATABLE READ;
+SELECT 'an older snapshot is refused', test.state($q$SELECT * FROM streetgen.generate('once')$q$) = '0A000';
+COMMIT;
+BEGIN;
+SELECT 'a model that is not there is refused', test.state($q$SELECT * FROM streetgen.generate('no such')$q$) = '3F000';
+COMMIT;
+
+-- Heights.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('high', 2154, 3);
+  INSERT INTO high.axis (geom, width) VALUES
+    ('SRID=2154;LINESTRING Z(650000 6860000 10,650100 6860000 20)', 7), ('SRID=2154;LINESTRING Z(650100 6860000 20,650200 6860000 40)', 7),
+    ('SRID=2154;LINESTRING Z(650100 6860000 20,650100 6860100 30)', 7);
+  PERFORM streetgen.generate('high');
+END $$;
+SELECT 'nodes have the height of their axes', (SELECT array_agg(ST_Z(geom)::integer ORDER BY ST_Z(geom)) = '{10,20,30,40}' FROM high.node);
+SELECT 'edges have the height of their axis', (SELECT count(*) = 3 FROM high.edge e JOIN high.axis a USING (axis_id) WHERE ST_3DLength(a.geom) BETWEEN ST_3DLength(e.geom) - 1e-6 AND ST_3DLength(e.geom) + 1e-6);
+SELECT 'a second run in three dimensions writes nothing', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('high'));
+
+-- Estimates by settings.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('airport', 2154);
+  INSERT INTO airport.axis (geom, kind) VALUES ('SRID=2154;LINESTRING(650000 6860000,651000 6860000)', 'runway'),
+    ('SRID=2154;LINESTRING(650500 6860000,650500 6860300)', 'taxiway');
+  PERFORM streetgen.generate('airport');
+END $$;
+SELECT 'a runway is 40 m wide by settings alone', (SELECT bool_and(width = 40) FROM airport.edge WHERE axis_id = 1);
+SELECT 'a taxiway is 20 m wide by settings alone', (SELECT bool_and(width = 20) FROM airport.edge WHERE axis_id = 2);
+SELECT 'all surfaces are valid', (SELECT bool_and(ST_IsValid(surface)) FROM (SELECT surface FROM once.section UNION ALL SELECT surface FROM once.intersection
+       UNION ALL SELECT surface FROM airport.section UNION ALL SELECT surface FROM airport.intersection) s);
+
 -- A jittered grid of streets with side streets: seeded, of awkward angles, widths and lengths.
 CREATE FUNCTION pg_temp.town(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
@@ -13,70 +146,25 @@ BEGIN
         SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(a.px, a.py), ST_MakePoint(b.px, b.py)), 2154), 4 + round((12 * a.dice)::numeric, 1), 1 + (a.dice * 5)::integer, 'town', a.x || ',' || a.y || ',' || b.x
         FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y$q$, model);
 END $$;
-CREATE FUNCTION pg_temp.picture(model name) RETURNS text LANGUAGE plpgsql AS $$
-DECLARE it text;
-BEGIN
-    EXECUTE format($q$SELECT md5(string_agg(row, E'\n' ORDER BY row)) FROM (
-        SELECT concat_ws('|', 'edge', axis_id, start_abscissa, end_abscissa, geom::text, width) AS row FROM %1$I.edge
-        UNION ALL SELECT concat_ws('|', 'limit', axis_id, start_abscissa, which, abscissa, border_line::text, method) FROM %1$I.section_limit JOIN %1$I.edge USING (edge_id)
-        UNION ALL SELECT concat_ws('|', 'section', axis_id, start_abscissa, surface::text, method) FROM %1$I.section JOIN %1$I.edge USING (edge_id)
-        UNION ALL SELECT concat_ws('|', 'corner', a.axis_id, end_a, b.axis_id, end_b, radius, arc::text, method) FROM %1$I.corner JOIN %1$I.edge a ON a.edge_id = edge_a JOIN %1$I.edge b ON b.edge_id = edge_b
-        UNION ALL SELECT concat_ws('|', 'intersection', n.geom::text, surface::text, method) FROM %1$I.intersection JOIN %1$I.node n USING (node_id)) q$q$, model) INTO it;
-    RETURN it;
+DO $$ BEGIN
+  PERFORM pg_temp.town(m) FROM unnest(ARRAY['town', 'town_single', 'town_halves', 'town_edited']::name[]) m;
+  PERFORM streetgen.generate(m) FROM unnest(ARRAY['town', 'town_edited']::name[]) m;
+  PERFORM streetgen.generate('town_single', ARRAY[axis_id]) FROM (SELECT axis_id FROM town_single.axis ORDER BY md5(axis_id::text)) a;
+  PERFORM streetgen.generate('town_halves', array_agg(axis_id)) FROM town_halves.axis GROUP BY axis_id % 2;
 END $$;
-SELECT pg_temp.town(m) FROM unnest(ARRAY['whole', 'single', 'halves']) m \g /dev/null
-SELECT 'generate inserts', bool_or(inserted > 0) FROM streetgen.generate('whole');
-SELECT 'no row of severity error', count(*) = 0 FROM streetgen.check_model('whole') WHERE severity = 'error';
-CREATE TEMPORARY TABLE version AS SELECT 'edge' AS t, edge_id AS id, ctid::text AS c, xmin::text AS x FROM whole.edge UNION ALL SELECT 'section', edge_id, ctid::text, xmin::text FROM whole.section
-    UNION ALL SELECT 'corner', corner_id, ctid::text, xmin::text FROM whole.corner UNION ALL SELECT 'intersection', node_id, ctid::text, xmin::text FROM whole.intersection
-    UNION ALL SELECT 'limit', section_limit_id, ctid::text, xmin::text FROM whole.section_limit UNION ALL SELECT 'node', node_id, ctid::text, xmin::text FROM whole.node;
-SELECT 'a second run reports no change', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('whole');
-SELECT 'a second run keeps ctid and xmin of every row', count(*) = 0 FROM (
-    SELECT 'edge' AS t, edge_id AS id, ctid::text AS c, xmin::text AS x FROM whole.edge UNION ALL SELECT 'section', edge_id, ctid::text, xmin::text FROM whole.section
-    UNION ALL SELECT 'corner', corner_id, ctid::text, xmin::text FROM whole.corner UNION ALL SELECT 'intersection', node_id, ctid::text, xmin::text FROM whole.intersection
-    UNION ALL SELECT 'limit', section_limit_id, ctid::text, xmin::text FROM whole.section_limit UNION ALL SELECT 'node', node_id, ctid::text, xmin::text FROM whole.node
-    EXCEPT SELECT * FROM version) d;
-DO $$ DECLARE id bigint; BEGIN FOR id IN SELECT axis_id FROM single.axis ORDER BY md5(axis_id::text) LOOP PERFORM streetgen.generate('single', ARRAY[id]); END LOOP; END $$;
-SELECT 'axis by axis equals all at once', pg_temp.picture('single') = pg_temp.picture('whole');
-DO $$ BEGIN PERFORM streetgen.generate('halves', (SELECT array_agg(axis_id) FROM halves.axis WHERE axis_id % 2 = 0)); PERFORM streetgen.generate('halves', (SELECT array_agg(axis_id) FROM halves.axis WHERE axis_id % 2 = 1)); END $$;
-SELECT 'by halves equals all at once', pg_temp.picture('halves') = pg_temp.picture('whole');
-SELECT 'an empty list does nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('whole', '{}');
-SELECT 'an unknown axis does nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('whole', '{424242}');
-
--- An edit and back: what is far keeps its rows, what comes back is equal.
-CREATE TEMPORARY TABLE before AS SELECT pg_temp.picture('whole') AS picture;
-UPDATE whole.axis SET width = 20 WHERE axis_id = 1;
-SELECT 'check_model tells that an axis changed', count(*) = 1 FROM streetgen.check_model('whole') WHERE rule = 'stale: the axis changed since' AND id = 1;
-SELECT 'an edit updates few rows', sum(updated) BETWEEN 1 AND 40 FROM streetgen.generate('whole', '{1}');
-SELECT 'an edit by its axis equals a run over all', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('whole');
-UPDATE whole.axis SET width = (SELECT width FROM single.axis s WHERE s.axis_id = 1) WHERE axis_id = 1;
-SELECT 'taking the edit back updates', bool_or(updated > 0) FROM streetgen.generate('whole', '{1}');
-SELECT 'and brings the model back', pg_temp.picture('whole') = (SELECT picture FROM before);
-DELETE FROM whole.axis WHERE axis_id = 5;
-SELECT 'the leftovers of a deleted axis stay until generate, and are told', EXISTS (SELECT FROM whole.edge WHERE axis_id = 5) AND EXISTS (SELECT FROM streetgen.check_model('whole') WHERE rule = 'stale: the axis is gone');
-SELECT 'generate goes on after a deleted axis', bool_or(updated > 0) FROM streetgen.generate('whole');
-SELECT 'and the model is sound', count(*) = 0 FROM streetgen.check_model('whole') WHERE severity = 'error';
-
--- A violation in mid-run leaves every table as it was.
-CREATE TEMPORARY TABLE sound AS SELECT pg_temp.picture('single') AS picture;
-UPDATE single.axis SET width = 30;
-ALTER TABLE single.intersection ADD CONSTRAINT planted CHECK (ST_Area(surface) < 1) NOT VALID;
-SELECT 'a planted violation fails the run', pg_temp.sqlstate_of($$SELECT * FROM streetgen.generate('single')$$) = '23514';
-SELECT 'and leaves every table unchanged', pg_temp.picture('single') = picture FROM sound;
-ALTER TABLE single.intersection DROP CONSTRAINT planted;
-
-BEGIN ISOLATION LEVEL REPEATABLE READ;
-SELECT 'above read committed: 0A000', pg_temp.sqlstate_of($$SELECT * FROM streetgen.generate('halves')$$) = '0A000';
-COMMIT;
-
--- Levels, crossings and classes.
-SELECT streetgen.create_model('levels', 2154) \g /dev/null
-INSERT INTO levels.axis (geom, width, level) VALUES ('SRID=2154;LINESTRING(0 0,100 0)', 7, 0), ('SRID=2154;LINESTRING(50 -50,50 0,50 50)', 7, 1), ('SRID=2154;LINESTRING(50 50,50 100)', 7, 0), ('SRID=2154;LINESTRING(20 -40,20 40)', 7, 0);
-DO $$ BEGIN PERFORM streetgen.generate('levels'); END $$;
-SELECT 'a bridge passes over: no node', NOT EXISTS (SELECT FROM levels.node WHERE ST_DWithin(geom, 'SRID=2154;POINT(50 0)', 1));
-SELECT 'levels meet at a shared end', EXISTS (SELECT FROM levels.node WHERE ST_DWithin(geom, 'SRID=2154;POINT(50 50)', 0.01));
-SELECT 'a crossing without a vertex is a notice', count(*) = 1 FROM streetgen.check_model('levels') WHERE severity = 'notice' AND rule = 'crossing';
-SELECT streetgen.set('levels', 'crossing', 'split') \g /dev/null
-SELECT count(*) FROM streetgen.generate('levels') \g /dev/null
-SELECT 'with split it becomes a node', EXISTS (SELECT FROM levels.intersection i JOIN levels.node n USING (node_id) WHERE ST_DWithin(n.geom, 'SRID=2154;POINT(20 0)', 0.01));
-SELECT 'svg draws', streetgen.svg('levels') LIKE '<svg%</svg>' || E'\n';
+SELECT 'a town has no error', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
+SELECT 'a town axis by axis in any order gives the same model', test.same('town', 'town_single');
+SELECT 'a town by halves gives the same model', test.same('town', 'town_halves');
+CREATE TABLE public.town_row AS SELECT test.rows('town') AS rows;
+SELECT 'a second run over a town reports no change', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
+SELECT 'a second run over a town writes no row', (SELECT rows FROM town_row) = test.rows('town');
+UPDATE town_edited.axis SET width = 20 WHERE axis_id = 1;
+SELECT 'an edit in a town updates few rows', sum(updated) BETWEEN 1 AND 40 FROM streetgen.generate('town_edited', '{1}');
+SELECT 'an edit by its axis equals a run over all', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town_edited');
+UPDATE town_edited.axis SET width = (SELECT width FROM town.axis t WHERE t.axis_id = 1) WHERE axis_id = 1;
+SELECT 'taking the edit back updates', bool_or(updated > 0) FROM streetgen.generate('town_edited', '{1}');
+SELECT 'and gives the town as it was', test.same('town', 'town_edited');
+DELETE FROM town_edited.axis WHERE axis_id = 5;
+SELECT 'the leftovers of a deleted axis stay until generate', EXISTS (SELECT FROM town_edited.edge WHERE axis_id = 5);
+SELECT 'a run over all goes on after a deleted axis', bool_or(updated > 0) FROM streetgen.generate('town_edited');
+SELECT 'and the town is sound', count(*) = 0 FROM streetgen.check_model('town_edited') WHERE severity = 'error';

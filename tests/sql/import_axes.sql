@@ -55,7 +55,7 @@ SELECT 'a vertex that another axis shares stays', (SELECT ST_AsText(geom) LIKE '
 SELECT 'near and collinear points go, the original stays beside',
        (SELECT ST_NPoints(geom) = 3 AND ST_NPoints(source_geom) = 5 FROM import_a.axis WHERE source_ref = '1');
 SELECT 'axes over each other are named',
-       (SELECT source_refs = '{1,7}' FROM import_report WHERE what = 'shares a segment with another axis');
+       (SELECT source_refs = '{1,7}' FROM import_report WHERE what = 'lies on another axis');
 SELECT 'the report says that generate is due', EXISTS (SELECT FROM import_report WHERE what = 'generate is due');
 
 CREATE TABLE import_before AS SELECT ctid AS place, * FROM import_a.axis;

@@ -1,35 +1,152 @@
--- Models: what create_model refuses and makes, settings, rights. Each test is a row (name, holds).
-CREATE FUNCTION pg_temp.sqlstate_of(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN EXECUTE statement; RETURN '00000'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
+-- Models: made, refused, set, granted, adopted, dropped.  Each SELECT is one truth: (name, holds).
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.axis_state(columns text, vals text) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  RETURN test.state(format('INSERT INTO model_a.axis (geom, %s) VALUES (''SRID=2154;LINESTRING(650000 6860000,650050 6860000)'', %s)',
+                              columns, vals));
+END $$;
+CREATE FUNCTION pg_temp.line_state(line text) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  RETURN test.state(format('INSERT INTO model_a.axis (geom) VALUES (%L)', line));
+END $$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('model_a', 2154);
+  PERFORM streetgen.create_model('model Z"', 2154, 3);
+END $$;
 
-SELECT 'create_model', pg_temp.sqlstate_of($$SELECT streetgen.create_model('town', 2154)$$) = '00000';
-SELECT 'an existing schema is 42P06', pg_temp.sqlstate_of($$SELECT streetgen.create_model('town', 2154)$$) = '42P06';
-SELECT 'unfit SRID ' || srid || ' is 22023', pg_temp.sqlstate_of(format('SELECT streetgen.create_model(%L, %s)', 'other', srid)) = '22023' FROM unnest(ARRAY[4326, 3857, 2263, 0, 999999]) srid;
-SELECT 'dimension 4 is 22023', pg_temp.sqlstate_of($$SELECT streetgen.create_model('other', 2154, 4)$$) = '22023';
-SELECT 'what was refused left nothing', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = 'other');
-SELECT 'the registry knows the model', srid = 2154 AND dimension = 2 FROM streetgen.model WHERE name = 'town';
-SELECT 'every relation of a model has a comment: ' || coalesce(string_agg(relname, ', '), 'all'), count(*) = 0
-    FROM pg_class c WHERE relnamespace = 'town'::regnamespace AND relkind IN ('r', 'v') AND obj_description(c.oid, 'pg_class') IS NULL;
-SELECT 'a setting out of range is 22023: ' || value, pg_temp.sqlstate_of(format('SELECT streetgen.set(%L, %L, %L)', 'town', name, value)) = '22023'
-    FROM (VALUES ('tolerance', 'NaN'), ('tolerance', '-1'), ('tolerance', 'x'), ('crossing', 'maybe'), ('radius_by_importance', '[1]'), ('radius_by_importance', '{"1": "NaN"}'), ('no such', '1')) s(name, value);
-SELECT 'a setting within its range is set', pg_temp.sqlstate_of($$SELECT streetgen.set('town', 'tolerance', '0.25')$$) = '00000';
-SELECT 'and read back', value = '0.25' FROM streetgen.setting('town') WHERE name = 'tolerance';
-SELECT 'a NaN width of an axis is refused', pg_temp.sqlstate_of($$INSERT INTO town.axis (geom, width) VALUES ('SRID=2154;LINESTRING(0 0,1 1)', 'NaN')$$) = '23514';
-SELECT 'axis refuses ' || what, pg_temp.sqlstate_of(format('INSERT INTO town.axis (geom) VALUES (%s)', expression)) IN ('23514', '22023', '23502') FROM (VALUES
-    ('an empty line', $$'SRID=2154;LINESTRING EMPTY'$$), ('NULL', 'NULL'), ('another SRID', $$'SRID=32631;LINESTRING(0 0,1 1)'$$), ('a polygon', $$'SRID=2154;POLYGON((0 0,1 0,1 1,0 0))'$$),
-    ('no length', $$'SRID=2154;LINESTRING(3 3,3 3)'$$), ('a NaN vertex', $$ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(0, 0), ST_MakePoint('NaN', 0), ST_MakePoint(5, 5)]), 2154)$$)) s(what, expression);
-SELECT 'a model that is not there is 3F000', pg_temp.sqlstate_of($$SELECT streetgen.generate('nowhere')$$) = '3F000';
-CREATE ROLE streetgen_stranger;
-GRANT streetgen_stranger TO CURRENT_USER;
-SET ROLE streetgen_stranger;
-SELECT 'generate is the owner''s: 42501', pg_temp.sqlstate_of($$SELECT streetgen.generate('town')$$) = '42501';
-SELECT 'the registry is not written by others', pg_temp.sqlstate_of($$INSERT INTO streetgen.model VALUES ('x', 2154, 2, '0')$$) = '42501';
+SELECT 'two models are registered' AS name,
+       (SELECT count(*) FROM streetgen.model WHERE name IN ('model_a', 'model Z"')) = 2 AS holds;
+SELECT 'the registry knows SRID and dimension', EXISTS (SELECT FROM streetgen.model WHERE name = 'model Z"' AND srid = 2154 AND dimension = 3);
+SELECT 'axes of a model of three dimensions carry Z',
+       (SELECT coord_dimension = 3 FROM geometry_columns WHERE f_table_schema = 'model Z"' AND f_table_name = 'axis' AND f_geometry_column = 'geom');
+SELECT 'version is the extension''s', streetgen.version() = (SELECT extversion FROM pg_extension WHERE extname = 'streetgen');
+
+SELECT 'an existing schema is refused', test.state($q$SELECT streetgen.create_model('model_a', 2154)$q$) = '42P06';
+SELECT 'an unknown SRID is refused', test.state($q$SELECT streetgen.create_model('model_b', 999999)$q$) = '22023';
+SELECT 'SRID 0 is refused', test.state($q$SELECT streetgen.create_model('model_b', 0)$q$) = '22023';
+SELECT 'a NULL SRID is refused', test.state($q$SELECT streetgen.create_model('model_b', NULL)$q$) <> 'none';
+SELECT 'a NULL name is refused', test.state($q$SELECT streetgen.create_model(NULL, 2154)$q$) <> 'none';
+SELECT 'a geographic SRID is refused', test.state($q$SELECT streetgen.create_model('model_b', 4326)$q$) = '22023';
+SELECT 'feet are refused', test.state($q$SELECT streetgen.create_model('model_b', 2263)$q$) = '22023';
+SELECT 'web mercator is refused', test.state($q$SELECT streetgen.create_model('model_b', 3857)$q$) = '22023';
+SELECT 'the refusal names the UTM zone', test.hint($q$SELECT streetgen.create_model('model_b', 3857)$q$) ~ 'UTM';
+SELECT 'dimension 4 is refused', test.state($q$SELECT streetgen.create_model('model_b', 2154, 4)$q$) = '22023';
+SELECT 'a refused model leaves nothing', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = 'model_b');
+SELECT 'UTM is taken', test.state($q$SELECT streetgen.create_model('model_utm', 32631)$q$) = 'none';
+
+SELECT 'every table of a model has a comment',
+       NOT EXISTS (SELECT FROM pg_class c WHERE c.relnamespace = 'model_a'::regnamespace AND c.relkind IN ('r', 'v')
+                     AND obj_description(c.oid, 'pg_class') IS NULL);
+SELECT 'every column of a model has a comment',
+       NOT EXISTS (SELECT FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
+                   WHERE c.relnamespace = 'model_a'::regnamespace AND c.relkind = 'r' AND a.attnum > 0
+                     AND NOT a.attisdropped AND col_description(c.oid, a.attnum) IS NULL);
+SELECT 'every geometry of a model has its SRID and an index',
+       NOT EXISTS (SELECT FROM geometry_columns g JOIN pg_class c ON c.relname = g.f_table_name AND c.relkind = 'r'
+                     AND c.relnamespace = 'model_a'::regnamespace
+                   WHERE g.f_table_schema = 'model_a' AND g.f_geometry_column <> 'source_geom'
+                     AND (g.f_table_name, g.f_geometry_column) NOT IN (('section_limit', 'border_line'), ('corner', 'centre'), ('report', 'geom'))
+                     AND (g.srid <> 2154 OR NOT EXISTS (
+                       SELECT FROM pg_indexes i WHERE i.schemaname = 'model_a' AND i.tablename = g.f_table_name
+                         AND i.indexdef LIKE '%gist (' || g.f_geometry_column || ')%')));
+
+SELECT 'geom is all that an axis needs', pg_temp.line_state('SRID=2154;LINESTRING(650000 6860000,650050 6860000)') = 'none';
+SELECT 'a width of NaN is refused', pg_temp.axis_state('width', '''NaN''') = '23514';
+SELECT 'an infinite width is refused', pg_temp.axis_state('width', '''Infinity''') = '23514';
+SELECT 'a width of zero is refused', pg_temp.axis_state('width', '0') = '23514';
+SELECT 'a negative width is refused', pg_temp.axis_state('width', '-1') = '23514';
+SELECT 'a width over 200 m is refused', pg_temp.axis_state('width', '200.1') = '23514';
+SELECT 'a width of 200 m is taken', pg_temp.axis_state('width', '200') = 'none';
+SELECT 'a width_end of NaN is refused', pg_temp.axis_state('width_end', '''NaN''') = '23514';
+SELECT 'a speed of NaN is refused', pg_temp.axis_state('speed', '''NaN''') = '23514';
+SELECT 'a speed of zero is refused', pg_temp.axis_state('speed', '0') = '23514';
+SELECT 'an infinite radius is refused', pg_temp.axis_state('radius', '''Infinity''') = '23514';
+SELECT 'a radius of NaN is refused', pg_temp.axis_state('radius', '''NaN''') = '23514';
+SELECT 'a negative radius is refused', pg_temp.axis_state('radius', '-0.1') = '23514';
+SELECT 'a radius of zero is taken: no arc', pg_temp.axis_state('radius', '0') = 'none';
+SELECT 'no lanes are refused', pg_temp.axis_state('lane_count', '0') = '23514';
+SELECT 'importance zero is refused', pg_temp.axis_state('importance', '0') = '23514';
+SELECT 'an unknown direction is refused', pg_temp.axis_state('direction', '''backwards''') = '23514';
+
+SELECT 'an empty line is refused', pg_temp.line_state('SRID=2154;LINESTRING EMPTY') = '23514';
+SELECT 'a line of no length is refused', pg_temp.line_state('SRID=2154;LINESTRING(650000 6860000,650000 6860000)') = '23514';
+SELECT 'a NULL line is refused', test.state('INSERT INTO model_a.axis (geom) VALUES (NULL)') = '23502';
+SELECT 'another SRID is refused', pg_temp.line_state('SRID=32631;LINESTRING(0 0,1 1)') = '22023';
+SELECT 'a missing SRID is refused or filled in', pg_temp.line_state('LINESTRING(650000 6860000,650001 6860000)') IN ('22023', 'none');
+SELECT 'a curve is refused', pg_temp.line_state('SRID=2154;CIRCULARSTRING(0 0,1 1,2 0)') = '22023';
+SELECT 'a multi line is refused', pg_temp.line_state('SRID=2154;MULTILINESTRING((0 0,1 1),(2 2,3 3))') = '22023';
+SELECT 'a polygon is refused', pg_temp.line_state('SRID=2154;POLYGON((0 0,1 0,1 1,0 0))') = '22023';
+SELECT 'a measure is refused', pg_temp.line_state('SRID=2154;LINESTRING M(0 0 1,1 1 2)') = '22023';
+-- Bytes of LINESTRING(0 0, NaN 1), LINESTRING(NaN 0, 1 1) and LINESTRING(0 0, Infinity 1) in SRID 2154.
+SELECT 'a last vertex of NaN is refused',
+       pg_temp.line_state('01020000206A0800000200000000000000000000000000000000000000000000000000F87F000000000000F03F') = '23514';
+SELECT 'a first vertex of NaN is refused',
+       pg_temp.line_state('01020000206A08000002000000000000000000F87F0000000000000000000000000000F03F000000000000F03F') = '23514';
+SELECT 'an infinite vertex is refused',
+       pg_temp.line_state('01020000206A0800000200000000000000000000000000000000000000000000000000F07F000000000000F03F') = '23514';
+
+SELECT 'a setting is taken', test.state($q$SELECT streetgen.set('model_a', 'tolerance', '1')$q$) = 'none';
+SELECT 'a setting is set', (SELECT value FROM streetgen.setting('model_a') WHERE name = 'tolerance') = '1';
+SELECT 'models have their own settings', (SELECT value FROM streetgen.setting('model Z"') WHERE name = 'tolerance') = '0.5';
+SELECT 'an unknown setting is refused', test.state($q$SELECT streetgen.set('model_a', 'no such', '1')$q$) = '22023';
+SELECT 'a setting of NaN is refused', test.state($q$SELECT streetgen.set('model_a', 'tolerance', 'NaN')$q$) = '22023';
+SELECT 'a setting out of range is refused', test.state($q$SELECT streetgen.set('model_a', 'tolerance', '-1')$q$) = '22023';
+SELECT 'a setting that is no number is refused', test.state($q$SELECT streetgen.set('model_a', 'tolerance', 'wide')$q$) = '22023';
+SELECT 'a NULL setting is refused', test.state($q$SELECT streetgen.set('model_a', 'tolerance', NULL)$q$) <> 'none';
+SELECT 'max_width_per_lane may be NULL', test.state($q$SELECT streetgen.set('model_a', 'max_width_per_lane', NULL)$q$) = 'none';
+SELECT 'an unknown word is refused', test.state($q$SELECT streetgen.set('model_a', 'crossing', 'under')$q$) = '22023';
+SELECT 'radii by importance are read', test.state($q$SELECT streetgen.set('model_a', 'radius_by_importance', '{"1": 10, "3": null}')$q$) = 'none';
+SELECT 'radii that are no numbers are refused', test.state($q$SELECT streetgen.set('model_a', 'radius_by_importance', '{"1": "wide"}')$q$) = '22023';
+SELECT 'radii that are no object are refused', test.state($q$SELECT streetgen.set('model_a', 'radius_by_importance', '[1]')$q$) = '22023';
+SELECT 'a radius of NaN by importance is refused', test.state($q$SELECT streetgen.set('model_a', 'radius_by_importance', '{"1": "NaN"}')$q$) = '22023';
+SELECT 'a model that is not there is refused', test.state($q$SELECT streetgen.set('no such', 'tolerance', '1')$q$) = '3F000';
+SELECT 'the settings of a model that is not there are refused', test.state($q$SELECT * FROM streetgen.setting('no such')$q$) <> 'none';
+
+-- Rights.
+DO $$ BEGIN
+  CREATE ROLE streetgen_test_reader;
+  CREATE ROLE streetgen_test_editor;
+  PERFORM streetgen."grant"('model_a', 'streetgen_test_reader', 'reader');
+  PERFORM streetgen."grant"('model_a', 'streetgen_test_editor', 'editor');
+END $$;
+SELECT 'an unknown kind of right is refused', test.state($q$SELECT streetgen."grant"('model_a', 'streetgen_test_reader', 'owner')$q$) = '22023';
+SELECT 'a reader reads all', has_table_privilege('streetgen_test_reader', 'model_a.edge', 'SELECT')
+       AND has_table_privilege('streetgen_test_reader', 'model_a.setting', 'SELECT');
+SELECT 'a reader writes nothing', NOT has_table_privilege('streetgen_test_reader', 'model_a.axis', 'INSERT, UPDATE, DELETE');
+SELECT 'an editor edits axes', has_table_privilege('streetgen_test_editor', 'model_a.axis', 'INSERT')
+       AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'UPDATE')
+       AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'DELETE');
+SELECT 'an editor writes no derived table', NOT has_table_privilege('streetgen_test_editor', 'model_a.section', 'INSERT, UPDATE, DELETE');
+SET ROLE streetgen_test_editor;
+INSERT INTO model_a.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860000,650050 6860000)');
+SELECT 'an editor inserts an axis', count(*) > 0 FROM model_a.axis;
+SELECT 'an editor sets nothing', test.state($q$SELECT streetgen.set('model_a', 'tolerance', '1')$q$) = '42501';
+SELECT 'an editor does not generate', test.state($q$SELECT streetgen.generate('model_a')$q$) = '42501';
+SELECT 'an editor does not drop', test.state($q$SELECT streetgen.drop_model('model_a')$q$) = '42501';
+SELECT 'an editor writes no registry', test.state($q$SELECT streetgen._register_model('model_a', 4326, 3)$q$) = '42501';
+SELECT 'an editor checks a model', test.state($q$SELECT streetgen.check_model('model_a')$q$) = 'none';
+SELECT 'an editor writes no registry by hand', test.state($q$INSERT INTO streetgen.model VALUES ('x', 2154, 2, '0')$q$) = '42501';
+SET ROLE streetgen_test_reader;
+SELECT 'a reader reads an axis', test.state('SELECT count(*) FROM model_a.axis') = 'none';
+SELECT 'a reader deletes none', test.state('DELETE FROM model_a.axis') = '42501';
 RESET ROLE;
-SELECT 'grant reader', pg_temp.sqlstate_of($$SELECT streetgen.grant('town', 'streetgen_stranger', 'reader')$$) = '00000';
-SET ROLE streetgen_stranger;
-SELECT 'a reader reads', pg_temp.sqlstate_of('SELECT count(*) FROM town.axis') = '00000';
-SELECT 'a reader does not write', pg_temp.sqlstate_of('DELETE FROM town.axis') = '42501';
-RESET ROLE;
-SELECT 'drop_model', pg_temp.sqlstate_of($$SELECT streetgen.drop_model('town')$$) = '00000';
-SELECT 'the registry forgets a dropped model', NOT EXISTS (SELECT FROM streetgen.model WHERE name = 'town');
-DROP ROLE streetgen_stranger;
+
+-- Adopt and drop.
+DO $$ BEGIN
+  ALTER SCHEMA model_utm RENAME TO model_renamed;
+  PERFORM streetgen.adopt_model('model_renamed');
+END $$;
+SELECT 'a renamed model is adopted', EXISTS (SELECT FROM streetgen.model WHERE name = 'model_renamed' AND srid = 32631 AND dimension = 2);
+SELECT 'a schema that is no model is not adopted', test.state($q$SELECT streetgen.adopt_model('public')$q$) <> 'none';
+DO $$ BEGIN
+  PERFORM streetgen.drop_model('model_a');
+  PERFORM streetgen.drop_model('model Z"');
+  PERFORM streetgen.drop_model('model_renamed');
+  DROP ROLE streetgen_test_reader;
+  DROP ROLE streetgen_test_editor;
+END $$;
+SELECT 'dropped models are gone', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname IN ('model_a', 'model Z"', 'model_renamed'))
+       AND NOT EXISTS (SELECT FROM streetgen.model WHERE name IN ('model_a', 'model Z"', 'model_renamed'));
+
+SELECT 'every object of the extension has a comment',
+       NOT EXISTS (SELECT FROM pg_proc p WHERE p.pronamespace = 'streetgen'::regnamespace AND obj_description(p.oid, 'pg_proc') IS NULL);

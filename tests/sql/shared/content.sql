@@ -1,0 +1,36 @@
+-- What a model holds: equal content, rows untouched.
+
+-- All that is derived, by axis and place, without surrogate keys.
+CREATE FUNCTION test.content(model name) RETURNS TABLE (content text) LANGUAGE plpgsql AS $$
+BEGIN
+  RETURN QUERY EXECUTE replace($q$
+    SELECT concat_ws(' ', 'node', geom::text) FROM @.node
+    UNION ALL SELECT concat_ws(' ', 'edge', e.axis_id, e.start_abscissa, e.end_abscissa, e.level, e.width, e.width_end, e.geom::text) FROM @.edge e
+    UNION ALL SELECT concat_ws(' ', 'limit', e.axis_id, e.start_abscissa, l.which, l.wanted_abscissa, l.abscissa, l.method, l.border_line::text)
+      FROM @.section_limit l JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'section', e.axis_id, e.start_abscissa, s.method, s.contested_area, s.surface::text) FROM @.section s JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'corner', a.axis_id, a.start_abscissa, k.end_a, b.axis_id, b.start_abscissa, k.end_b, k.radius_wanted, k.radius, k.method, k.arc::text)
+      FROM @.corner k JOIN @.edge a ON a.edge_id = k.edge_a JOIN @.edge b ON b.edge_id = k.edge_b
+    UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$,
+    '@', quote_ident(model));
+END $$;
+
+-- Whether two models hold equal content.
+CREATE FUNCTION test.same(a name, b name) RETURNS boolean LANGUAGE sql AS $$
+  SELECT NOT EXISTS ((SELECT test.content(a) EXCEPT ALL SELECT test.content(b))
+                     UNION ALL (SELECT test.content(b) EXCEPT ALL SELECT test.content(a)))
+$$;
+
+-- Place and writer of every row of a model: equal as long as nothing was written.
+CREATE FUNCTION test.rows(model name) RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+  result text := '';
+  part text;
+  t text;
+BEGIN
+  FOREACH t IN ARRAY ARRAY['node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report'] LOOP
+    EXECUTE format('SELECT md5(string_agg(concat(ctid, xmin), '','' ORDER BY ctid)) FROM %I.%I', model, t) INTO part;
+    result := result || t || coalesce(part, '-');
+  END LOOP;
+  RETURN result;
+END $$;
