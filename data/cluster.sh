@@ -16,10 +16,14 @@ server_user() { if [ "$(id -u)" = 0 ]; then echo streetgen; else id -un; fi; }
 as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@"; fi; }
 
 install_packages() {
+  install_missing g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
+    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libcgal-dev libeigen3-dev \
+    libgtest-dev osm2pgsql gdal-bin librsvg2-bin
+}
+
+install_missing() {
   local missing=() package
-  for package in g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
-      postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libcgal-dev libeigen3-dev \
-      libgtest-dev osm2pgsql gdal-bin librsvg2-bin; do
+  for package in "$@"; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
   [ ${#missing[@]} = 0 ] && return

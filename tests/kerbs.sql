@@ -77,13 +77,13 @@ ANALYZE axis_buffer; ANALYZE fillet;
 
 CREATE TEMPORARY TABLE uncovered AS
 SELECT axis_id, ST_Area(buffer) AS area, coalesce(ST_Area(missing), 0) AS missing_area, missing
-FROM axis_buffer CROSS JOIN LATERAL (SELECT ST_Difference(buffer, (SELECT ST_Union(surface) FROM surface s WHERE s.surface && buffer), 1e-6) AS missing) m;
+FROM axis_buffer CROSS JOIN LATERAL (SELECT ST_Difference(buffer, (SELECT ST_Union(surface) FROM surface s WHERE s.surface && buffer)) AS missing) m;
 INSERT INTO finding SELECT 'buffer outside roadway', 'axis', axis_id, missing_area, missing FROM uncovered WHERE missing_area > 0.0005 * area;
 
 CREATE TEMPORARY TABLE excess AS
 SELECT kind, id, ST_Area(surface) AS area, coalesce(ST_Area(beyond), 0) AS excess_area, beyond
 FROM surface s CROSS JOIN LATERAL (SELECT ST_Difference(surface, (SELECT ST_Union(ground) FROM (
-    SELECT buffer AS ground FROM axis_buffer WHERE buffer && surface UNION ALL SELECT ground FROM fillet WHERE ground && surface) g), 1e-6) AS beyond) d
+    SELECT buffer AS ground FROM axis_buffer WHERE buffer && surface UNION ALL SELECT ground FROM fillet WHERE ground && surface) g)) AS beyond) d
 WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = id))
   AND NOT (kind = 'section' AND EXISTS (SELECT FROM :"model".edge e WHERE e.edge_id = s.id AND abs(width - width_end) >= 1e-9));
 INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);
