@@ -299,11 +299,14 @@ class Pipeline {
       const Arm& arm = arms_[2 * section.edge];
       Claim claim;
       claim.surface = &section.surface;
-      claim.level = out_.network.edges[section.edge].level;
+      const Edge& edge = out_.network.edges[section.edge];
+      claim.level = edge.level;
+      claim.from_node = edge.from_node;
+      claim.to_node = edge.to_node;
       if (start.abscissa < end.abscissa)
         claim.skeleton.push_back({&arm.line, start.abscissa, end.abscissa});
       claim.axis_id = axis_of(section.edge).axis_id;
-      claim.place = 2 * std::llround(1000 * out_.network.edges[section.edge].start_abscissa) + 1;
+      claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
       add_axis(claim, section.edge);
       claims.push_back(std::move(claim));
     }
@@ -311,6 +314,7 @@ class Pipeline {
       Claim claim;
       claim.surface = &intersection.surface;
       claim.level = intersection.level;
+      claim.node = intersection.node;
       const NodeAnchor& anchor = out_.network.nodes[intersection.node].anchors.front();
       claim.axis_id = anchor.axis_id;
       claim.place = 2 * std::llround(1000 * anchor.abscissa);
