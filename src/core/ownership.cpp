@@ -109,11 +109,8 @@ MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second
 
 // Levels overlap freely, but an intersection tiles with all its sections.
 bool tile(const Claim& a, const Claim& b) {
-  const auto ends_at = [](const Claim& section, const Claim& intersection) {
-    return intersection.node >= 0 &&
-           (section.from_node == intersection.node || section.to_node == intersection.node);
-  };
-  return a.level == b.level || ends_at(a, b) || ends_at(b, a);
+  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
+                                                  b.edges.end()) != a.edges.end();
 }
 
 std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {

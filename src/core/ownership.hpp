@@ -19,20 +19,19 @@ struct Stretch {
 struct Claim {
   MultiPolygon* surface = nullptr;
   int level = 0;
-  std::vector<Stretch> skeleton;     // the pieces of axis that the surface was built on
-  int importance = 99;               // of its most important axis, 1 the highest
-  double width = 0;                  // of its widest axis, metres
-  std::int64_t axis_id = 0;          // the smallest of its axes, to break ties
-  std::int64_t place = 0;            // distinct within one axis_id, to break ties
-  int node = -1;                     // of an intersection
-  int from_node = -1, to_node = -1;  // of a section
-  double contested_area = 0;         // out: square metres left to others
+  std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
+  int importance = 99;            // of its most important axis, 1 the highest
+  double width = 0;               // of its widest axis, metres
+  std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
+  std::int64_t place = 0;         // distinct within one axis_id, to break ties
+  std::vector<int> edges;         // that the surface covers or ends on
+  double contested_area = 0;      // out: square metres left to others
 };
 
-// Where two surfaces of one level overlap, or a section and an intersection at its end, each point
-// goes to the one whose axis is nearer; where their axes cross, to the more important (then the
-// wider, then the smaller axis_id). Pairs are judged on the surfaces as they come in, so that the
-// order does not matter.
+// Where two surfaces of one level overlap, or two that share an edge (an intersection and its
+// sections), each point goes to the one whose axis is nearer; where their axes cross, to the more
+// important (then the wider, then the smaller axis_id). Pairs are judged on the surfaces as they
+// come in, so that the order does not matter.
 void settle_ownership(Geos& geos, std::vector<Claim>& claims);
 
 }  // namespace streetgen

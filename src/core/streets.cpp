@@ -301,8 +301,7 @@ class Pipeline {
       claim.surface = &section.surface;
       const Edge& edge = out_.network.edges[section.edge];
       claim.level = edge.level;
-      claim.from_node = edge.from_node;
-      claim.to_node = edge.to_node;
+      claim.edges = {section.edge};
       if (start.abscissa < end.abscissa)
         claim.skeleton.push_back({&arm.line, start.abscissa, end.abscissa});
       claim.axis_id = axis_of(section.edge).axis_id;
@@ -314,7 +313,6 @@ class Pipeline {
       Claim claim;
       claim.surface = &intersection.surface;
       claim.level = intersection.level;
-      claim.node = intersection.node;
       const NodeAnchor& anchor = out_.network.nodes[intersection.node].anchors.front();
       claim.axis_id = anchor.axis_id;
       claim.place = 2 * std::llround(1000 * anchor.abscissa);
@@ -324,6 +322,7 @@ class Pipeline {
         if (limit > 0)
           claim.skeleton.push_back(
               {&along.line, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+        claim.edges.push_back(end.edge);
         add_axis(claim, end.edge);
       }
       claims.push_back(std::move(claim));
