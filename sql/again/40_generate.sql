@@ -88,7 +88,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
-    EXECUTE format('SELECT streetgen._warn_scale(ST_Force2D(ST_StartPoint(geom))) FROM (SELECT geom FROM %I.axis ORDER BY axis_id LIMIT 1) a', model);
+    PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
     -- How far an axis can change others: along the network, and by its roadway.
     EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
     IF axes IS NULL THEN
@@ -246,4 +246,4 @@ SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WH
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
     replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000). A setting that is missing: 22004; out of its range: 22023.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000). An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023.';
