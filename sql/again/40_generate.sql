@@ -11,16 +11,43 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._place(model name, axes bigint[], far float8) RETURNS TABLE(axis_id bigint, cell integer)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A run for an axis writes every axis near it whole, ends included: 10 m is more than ends can be apart.
+    RETURN QUERY EXECUTE format($sql$
+WITH asked AS MATERIALIZED (
+    SELECT axis_id, geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT axis_id, geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
+written AS MATERIALIZED (SELECT DISTINCT a.axis_id, e.axis_id AS near FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)),
+line AS (
+    SELECT axis_id, geom, $2 AS reach FROM asked
+    UNION ALL SELECT w.axis_id, l.geom, 10 FROM written w JOIN %1$I.axis l ON l.axis_id = w.near
+    UNION ALL SELECT w.axis_id, l.geom, 10 FROM written w JOIN %1$I.edge l ON l.axis_id = w.near),
+box AS (
+    SELECT axis_id, floor((ST_XMin(geom) - reach) / size)::bigint AS west, floor((ST_XMax(geom) + reach) / size)::bigint AS east,
+           floor((ST_YMin(geom) - reach) / size)::bigint AS south, floor((ST_YMax(geom) + reach) / size)::bigint AS north
+    FROM line, (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s)
+SELECT DISTINCT axis_id, c.cell FROM box, LATERAL (
+    -- Four times as many places as cells: all cells.
+    SELECT generate_series(1, 1024) AS cell WHERE (east - west + 1) * (north - south + 1) > 4096
+    UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023) FROM generate_series(west, east) x, generate_series(south, north) y
+        WHERE (east - west + 1) * (north - south + 1) <= 4096) c $sql$, model) USING axes, far;
+END $$;
+COMMENT ON FUNCTION streetgen._place(name, bigint[], float8) IS 'For each axis the cells (1 to 1024, hashed from a grid) of all that a run for it writes or reads.';
+
 CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, far float8) RETURNS bigint[]
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    -- More cells than this are not worth their locks.
+    most_cells constant integer := 64;
     -- The first key of each lock: the model; 0 as second key: the whole model.
-    model_key integer := hashtext('streetgen.' || model);
+    model_key constant integer := hashtext('streetgen.' || model);
     held integer[] := '{}';
     missed integer[] := '{}';
+    wanted integer[];
     cell integer;
-    granted bigint[];
 BEGIN
     IF current_setting('transaction_isolation') <> 'read committed' THEN
         RAISE EXCEPTION 'generate needs isolation level read committed, this transaction has %', current_setting('transaction_isolation')
@@ -36,38 +63,37 @@ BEGIN
         -- Another session edits: go on axis by axis with the places that are free.
         EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO axes;
     END IF;
-    IF wait THEN
-        PERFORM pg_advisory_xact_lock_shared(model_key, 0);
-    ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
-        RETURN '{}';
-    END IF;
-    FOR cell IN EXECUTE format($sql$
-        SELECT DISTINCT 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) AS cell
-        FROM (SELECT value::float8 AS size, $2 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
-             (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
-              UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) g,
-             generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
-             generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
-        ORDER BY 1 $sql$, model) USING axes, far
     LOOP
-        IF wait THEN
-            PERFORM pg_advisory_xact_lock(model_key, cell);
-        ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
-            missed := missed || cell;
+        SELECT coalesce(array_agg(DISTINCT p.cell ORDER BY p.cell), '{}') INTO wanted FROM streetgen._place(model, axes, far) p WHERE p.cell <> ALL (held || missed);
+        -- Once nothing new is found under the locks, no other session can add to it.
+        EXIT WHEN wanted = '{}';
+        IF cardinality(held || missed) = 0 THEN
+            IF cardinality(wanted) > most_cells THEN
+                IF wait THEN
+                    PERFORM pg_advisory_xact_lock(model_key, 0);
+                    RETURN axes;
+                ELSIF pg_try_advisory_xact_lock(model_key, 0) THEN
+                    RETURN axes;
+                END IF;
+            END IF;
+            IF wait THEN
+                PERFORM pg_advisory_xact_lock_shared(model_key, 0);
+            ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
+                RETURN '{}';
+            END IF;
         END IF;
+        FOREACH cell IN ARRAY wanted LOOP
+            IF wait THEN
+                PERFORM pg_advisory_xact_lock(model_key, cell);
+            ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
+                missed := missed || cell;
+                CONTINUE;
+            END IF;
+            held := held || cell;
+        END LOOP;
     END LOOP;
-    IF missed = '{}' THEN
-        RETURN axes;
-    END IF;
-    EXECUTE format($sql$
-        SELECT coalesce(array_agg(id), '{}') FROM unnest($1) id WHERE NOT EXISTS (
-            SELECT FROM (SELECT value::float8 AS size, $3 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
-                 (SELECT geom FROM %1$I.axis WHERE axis_id = id UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = id) g,
-                 generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
-                 generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
-            WHERE 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) = ANY ($2)) $sql$, model)
-        INTO granted USING axes, missed, far;
-    RETURN granted;
+    RETURN CASE missed WHEN '{}' THEN axes
+        ELSE ARRAY(SELECT unnest(axes) EXCEPT SELECT p.axis_id FROM streetgen._place(model, axes, far) p WHERE p.cell = ANY (missed)) END;
 END $$;
 COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
 
@@ -85,7 +111,11 @@ DECLARE
     gathered bigint[];
     far float8;
     place text;
+    lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
+    IF wait IS NOT TRUE THEN
+        PERFORM set_config('lock_timeout', '1ms', true);
+    END IF;
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
@@ -245,5 +275,9 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
     replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
+    PERFORM set_config('lock_timeout', lock_timeout_before, true);
+EXCEPTION WHEN lock_not_available THEN
+    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03',
+        HINT = CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.' ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000). An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023.';
