@@ -11,30 +11,60 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._place(model name, axes bigint[], far float8) RETURNS TABLE(axis_id bigint, cell integer)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8) RETURNS SETOF integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        -- Of four times as many places as cells hardly a cell is free.
+        SELECT generate_series(1, 1024) WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
+        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
+            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x, generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
+            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <= 4096;
+    END;
+COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS 'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
+
+CREATE OR REPLACE FUNCTION streetgen._cells(model name, axes bigint[], far float8) RETURNS integer[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    cells integer[];
 BEGIN
     -- A run for an axis writes every axis near it whole, ends included: 10 m is more than ends can be apart.
-    RETURN QUERY EXECUTE format($sql$
+    EXECUTE format($sql$
 WITH asked AS MATERIALIZED (
-    SELECT axis_id, geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT axis_id, geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
-written AS MATERIALIZED (SELECT DISTINCT a.axis_id, e.axis_id AS near FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)),
+    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
+written AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)),
 line AS (
-    SELECT axis_id, geom, $2 AS reach FROM asked
-    UNION ALL SELECT w.axis_id, l.geom, 10 FROM written w JOIN %1$I.axis l ON l.axis_id = w.near
-    UNION ALL SELECT w.axis_id, l.geom, 10 FROM written w JOIN %1$I.edge l ON l.axis_id = w.near),
-box AS (
-    SELECT axis_id, floor((ST_XMin(geom) - reach) / size)::bigint AS west, floor((ST_XMax(geom) + reach) / size)::bigint AS east,
-           floor((ST_YMin(geom) - reach) / size)::bigint AS south, floor((ST_YMax(geom) + reach) / size)::bigint AS north
-    FROM line, (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s)
-SELECT DISTINCT axis_id, c.cell FROM box, LATERAL (
-    -- Four times as many places as cells: all cells.
-    SELECT generate_series(1, 1024) AS cell WHERE (east - west + 1) * (north - south + 1) > 4096
-    UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023) FROM generate_series(west, east) x, generate_series(south, north) y
-        WHERE (east - west + 1) * (north - south + 1) <= 4096) c $sql$, model) USING axes, far;
+    SELECT geom, $2 AS reach FROM asked
+    UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id IN (SELECT axis_id FROM written)
+    UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id IN (SELECT axis_id FROM written))
+SELECT coalesce(array_agg(DISTINCT cell ORDER BY cell), '{}')
+FROM line, (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s,
+     streetgen._cell(ST_XMin(geom) - reach, ST_YMin(geom) - reach, ST_XMax(geom) + reach, ST_YMax(geom) + reach, size) cell $sql$, model) INTO cells USING axes, far;
+    RETURN cells;
 END $$;
-COMMENT ON FUNCTION streetgen._place(name, bigint[], float8) IS 'For each axis the cells (1 to 1024, hashed from a grid) of all that a run for it writes or reads.';
+COMMENT ON FUNCTION streetgen._cells(name, bigint[], float8) IS 'The cells of all that a run for the axes reads or writes, ascending.';
+
+CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], cells integer[], far float8) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    outside bigint[];
+BEGIN
+    EXECUTE format($sql$
+WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
+size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+held AS (
+    SELECT DISTINCT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)),
+inside AS (
+    SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
+    WHERE axis_id = ANY ($1) AND cell = ANY ($2)
+    UNION ALL SELECT a.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.axis a ON ST_DWithin(a.geom, e.geom, $3)
+    UNION ALL SELECT f.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.edge f ON ST_DWithin(f.geom, e.geom, $3))
+SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, cells, far;
+    RETURN outside;
+END $$;
+COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[], float8) IS 'Those of the axes for which a run reads or writes nothing in the cells.';
 
 CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, far float8) RETURNS bigint[]
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -46,6 +76,7 @@ DECLARE
     model_key constant integer := hashtext('streetgen.' || model);
     held integer[] := '{}';
     missed integer[] := '{}';
+    whole constant boolean := axes IS NULL;
     wanted integer[];
     cell integer;
 BEGIN
@@ -53,7 +84,7 @@ BEGIN
         RAISE EXCEPTION 'generate needs isolation level read committed, this transaction has %', current_setting('transaction_isolation')
             USING ERRCODE = '0A000', HINT = 'Under a higher level it would compute from a snapshot older than its locks.';
     END IF;
-    IF axes IS NULL THEN
+    IF whole THEN
         IF wait THEN
             PERFORM pg_advisory_xact_lock(model_key, 0);
             RETURN NULL;
@@ -64,7 +95,7 @@ BEGIN
         EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO axes;
     END IF;
     LOOP
-        SELECT coalesce(array_agg(DISTINCT p.cell ORDER BY p.cell), '{}') INTO wanted FROM streetgen._place(model, axes, far) p WHERE p.cell <> ALL (held || missed);
+        wanted := ARRAY(SELECT c FROM unnest(CASE WHEN whole THEN ARRAY(SELECT generate_series(1, 1024)) ELSE streetgen._cells(model, axes, far) END) c WHERE c <> ALL (held || missed));
         -- Once nothing new is found under the locks, no other session can add to it.
         EXIT WHEN wanted = '{}';
         IF cardinality(held || missed) = 0 THEN
@@ -92,8 +123,7 @@ BEGIN
             held := held || cell;
         END LOOP;
     END LOOP;
-    RETURN CASE missed WHEN '{}' THEN axes
-        ELSE ARRAY(SELECT unnest(axes) EXCEPT SELECT p.axis_id FROM streetgen._place(model, axes, far) p WHERE p.cell = ANY (missed)) END;
+    RETURN CASE missed WHEN '{}' THEN axes ELSE streetgen._outside(model, axes, missed, far) END;
 END $$;
 COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
 
