@@ -58,7 +58,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_owner(name) IS 'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
 
 CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
     AS $$
 BEGIN
     -- Inside a definer function current_user is the function's owner: ask for the caller's role.
@@ -194,6 +194,7 @@ BEGIN
             HINT = format('Choose another name, or SELECT streetgen.drop_model(%L) if it is a model that may go.', model);
     END IF;
     EXECUTE format('CREATE SCHEMA %I', model);
+    EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     FOREACH statement IN ARRAY ARRAY[
         $t$CREATE TABLE %1$I.setting (name text PRIMARY KEY, value text, unit text, description text NOT NULL, minimum float8, maximum float8, choice text[])$t$,
         $t$COMMENT ON TABLE %1$I.setting IS 'Settings of the model; streetgen.set changes one, within its range'$t$,
@@ -284,7 +285,7 @@ END $$;
 COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
-    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
     AS $$ DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name) $$;
 COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
 
@@ -302,6 +303,7 @@ BEGIN
         WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._make_views(schema);
+    PERFORM streetgen._comment_model(schema);
 END $$;
 COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back.';
 
