@@ -184,11 +184,14 @@ result AS MATERIALIZED (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level FROM used) u,
+               array_agg(level ORDER BY axis_id) AS level FROM used) u, (
+        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
+               coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
+        FROM %1$I.transition_override, setting WHERE $2 IS NULL OR axis_id = ANY ($2)) o,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
-        (v ->> 'reach')::float8, v ->> 'short_axis') s),
+        (v ->> 'reach')::float8, v ->> 'short_axis', o.axis_id, o.which, o.kind, o.length) s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
