@@ -163,16 +163,18 @@ $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
-SELECT i.node_id, i.level, min(e.group_id) AS group_id
-FROM %1$I.intersection i
-CROSS JOIN LATERAL (
-    SELECT least(i.node_id, g.from_node, g.to_node) AS group_id
-    FROM %1$I.edge g JOIN %1$I.section s USING (edge_id)
-    WHERE i.node_id IN (g.from_node, g.to_node) AND s.method = 'crossed_limits'
-    UNION ALL SELECT i.node_id) e
-GROUP BY i.node_id, i.level
+WITH RECURSIVE crossed AS (
+    SELECT from_node, to_node FROM %1$I.edge JOIN %1$I.section s USING (edge_id)
+    WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM %1$I.intersection) AND to_node IN (SELECT node_id FROM %1$I.intersection)
+), touching AS (
+    SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+), joined AS (
+    SELECT node_id, node_id AS other FROM %1$I.intersection
+    UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+)
+SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id) GROUP BY node_id, i.level
 $sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between: the smallest node of each and its neighbours over crossed limits'$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
 
@@ -249,7 +251,7 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.section_limit IS 'Where the constant part of an edge begins and ends, abscissas in metres along the edge; border_line runs from the left to the right kerb'$t$,
         $t$CREATE TABLE %1$I.section (
             edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE, level integer NOT NULL,
-            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+            surface geometry(MultiPolygon, %3$s) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)), method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
         $t$CREATE INDEX section_surface ON %1$I.section USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.section IS 'Roadway of the constant part of an edge; empty where its limits crossed; contested_area (m2) went to another surface'$t$,
         $t$CREATE TABLE %1$I.corner (
@@ -264,7 +266,7 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.corner IS 'Kerb of a corner, counter-clockwise from edge_a to edge_b: true arc, centre, radius wanted and used (metres, 0 without an arc)'$t$,
         $t$CREATE TABLE %1$I.intersection (
             node_id bigint PRIMARY KEY REFERENCES %1$I.node ON DELETE CASCADE, level integer NOT NULL,
-            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+            surface geometry(MultiPolygon, %3$s) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)), method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
         $t$CREATE INDEX intersection_surface ON %1$I.intersection USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.intersection IS 'Roadway about a node, out to the section limits'$t$,
         $t$CREATE TABLE %1$I.report (
@@ -303,23 +305,38 @@ CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
 DECLARE
     srid integer;
     dimension integer;
+    missing text[];
+    reader regrole;
 BEGIN
-    IF to_regclass(format('%I.axis', schema)) IS NULL OR to_regclass(format('%I.setting', schema)) IS NULL THEN
-        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its tables axis and setting are missing.';
+    missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
+        WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
+    IF missing <> '{}' THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = format('Its tables %s are missing.', array_to_string(missing, ', '));
     END IF;
     SELECT g.srid, g.coord_dimension INTO srid, dimension FROM geometry_columns g
         WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
+    IF NOT FOUND OR srid = 0 THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its table axis has no column geom with an SRID.';
+    END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._comment_model(schema);
+    -- Who may read the axes may read the views that were lost.
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee NOT IN (0, relowner) LOOP
+        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group TO %2$s', schema, reader);
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ BEGIN RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model); END $$;
-COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model.';
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
+END $$;
+COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public

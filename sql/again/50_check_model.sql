@@ -3,6 +3,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 BEGIN
+    PERFORM streetgen._check_model(model);
     RETURN QUERY EXECUTE format($sql$
 WITH used AS MATERIALIZED (SELECT axis_id, geom, input_hash, setting_hash FROM %1$I.axis_used),
 surface AS MATERIALIZED (

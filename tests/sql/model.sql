@@ -153,6 +153,27 @@ DO $$ BEGIN
   PERFORM streetgen.adopt_model('model_renamed');
 END $$;
 SELECT 'a renamed model is adopted', EXISTS (SELECT FROM streetgen.model WHERE name = 'model_renamed' AND srid = 32631 AND dimension = 2);
+CREATE SCHEMA half;
+CREATE TABLE half.axis (geom geometry);
+CREATE TABLE half.setting (name text);
+SELECT 'tables that are no model are 3F000 and named', test.state($q$SELECT streetgen.adopt_model('half')$q$) = '3F000' AND test.hint($q$SELECT streetgen.adopt_model('half')$q$) LIKE '%node, edge%';
+SELECT 'and are not registered', NOT EXISTS (SELECT FROM streetgen.model WHERE name = 'half');
+SELECT 'an unknown model is 3F000: ' || call, test.state('SELECT * FROM streetgen.' || call) = '3F000' FROM unnest(ARRAY['setting(''no such'')', 'summary(''no such'')', 'check_model(''no such'')', 'svg(''no such'')', 'adopt_model(''no such'')']) call;
+
+-- The extension goes and comes: tables stay, views come back with their comments and readers.
+DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
+CREATE TABLE before AS SELECT test.content('model_a') AS content;
+SELECT 'DROP EXTENSION names the models in the way', test.state('DROP EXTENSION streetgen') = '2BP01';
+DROP EXTENSION streetgen CASCADE;
+SELECT 'it takes no table', (SELECT count(*) > 0 FROM model_a.axis) AND to_regclass('model_a.section') IS NOT NULL AND to_regclass('model_a.axis_used') IS NULL;
+CREATE EXTENSION streetgen;
+DO $$ BEGIN PERFORM streetgen.adopt_model(m) FROM unnest('{model_a,"model Z\"",model_renamed}'::name[]) m; END $$;
+SELECT 'adopted models have their views', test.state('SELECT * FROM model_a.axis_used, model_a.intersection_group') = 'none';
+SELECT 'with comments: ' || m, NOT EXISTS (SELECT FROM pg_temp.uncommented(m)) FROM unnest('{model_a,"model Z\""}'::name[]) m;
+SELECT 'and readers', has_table_privilege('streetgen_test_reader', 'model_a.axis_used', 'SELECT') AND NOT has_table_privilege('streetgen_test_reader', 'model_renamed.axis_used', 'SELECT');
+SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('model_a');
+SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
+SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';
 SELECT 'a schema that is no model is not adopted', test.state($q$SELECT streetgen.adopt_model('public')$q$) <> 'none';
 DO $$ BEGIN
   PERFORM streetgen.drop_model('model_a');
