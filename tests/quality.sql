@@ -1,4 +1,4 @@
--- The figures of docs/quality.md for one model, a row per table and the failures: psql -v model=NAME -f tests/quality.sql
+-- The tables of docs/quality.md for one model, a row per table and the failures: psql -v model=NAME -f tests/quality.sql
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
