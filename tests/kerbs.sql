@@ -89,13 +89,17 @@ WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = 
 INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);
 
 -- Each limit's border line lies on the boundary of both neighbours, where nothing was given away.
+CREATE TEMPORARY TABLE giving AS
+SELECT edge_id FROM :"model".section WHERE contested_area > 0
+UNION SELECT edge_id FROM :"model".edge JOIN :"model".intersection ON node_id = from_node WHERE contested_area > 0
+UNION SELECT edge_id FROM :"model".edge JOIN :"model".intersection ON node_id = to_node WHERE contested_area > 0;
 CREATE TEMPORARY TABLE border AS
-SELECT l.section_limit_id, l.edge_id, l.border_line, ARRAY(
-    SELECT s.surface FROM surface s WHERE (s.kind, s.id) IN (('section', l.edge_id), ('intersection', CASE which WHEN 'start' THEN from_node ELSE to_node END))
-       OR l.method = 'crossed_limits' AND (s.kind, s.id) IN (('intersection', from_node), ('intersection', to_node))) AS neighbours
+SELECT l.section_limit_id, l.border_line, array_agg(s.surface) AS neighbours
 FROM :"model".section_limit l JOIN :"model".edge e USING (edge_id)
-WHERE NOT EXISTS (SELECT FROM :"model".section s WHERE s.edge_id = e.edge_id AND contested_area > 0)
-  AND NOT EXISTS (SELECT FROM :"model".intersection i WHERE i.node_id IN (e.from_node, e.to_node) AND contested_area > 0);
+CROSS JOIN LATERAL (SELECT CASE which WHEN 'start' THEN from_node ELSE to_node END AS near, CASE which WHEN 'start' THEN to_node ELSE from_node END AS far) o
+CROSS JOIN LATERAL (VALUES ('section', edge_id), ('intersection', near), ('intersection', CASE l.method WHEN 'crossed_limits' THEN far END)) n(kind, id)
+JOIN surface s ON s.kind = n.kind AND s.id = n.id
+WHERE NOT EXISTS (SELECT FROM giving g WHERE g.edge_id = e.edge_id) GROUP BY l.section_limit_id;
 INSERT INTO finding
 SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off), border_line FROM (
     SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
