@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "../../../src/core/box_index.hpp"
+#include "../../../src/core/geos.hpp"
+#include "../../../src/core/overlap.hpp"
+#include "../../../src/core/polyline.hpp"
+#include "surfaces.hpp"
+#include "truths.hpp"
+
+namespace streetgen::fuzz {
+
+namespace {
+
+struct Surface {
+  const MultiPolygon* ground;
+  int level;
+  std::string name;
+};
+
+std::vector<Surface> surfaces_of(const Streets& town) {
+  std::vector<Surface> all;
+  for (const Section& section : town.sections)
+    all.push_back({&section.surface, town.network.edges[section.edge].level,
+                   "section of edge " + std::to_string(section.edge)});
+  for (const Intersection& intersection : town.intersections)
+    all.push_back({&intersection.surface, intersection.level,
+                   "intersection at node " + std::to_string(intersection.node)});
+  return all;
+}
+
+// Ground of two surfaces of one level, beyond what a level's roadway excuses.
+void find_overlap(const std::vector<Surface>& surfaces, Faults& faults) {
+  Geos geos;
+  std::map<int, double> roadway, shared;
+  for (const Surface& surface : surfaces) roadway[surface.level] += area(*surface.ground);
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
+      const Surface &a = surfaces[i], &b = surfaces[j];
+      if (a.level != b.level || !overlap(*a.ground, *b.ground)) continue;
+      shared[a.level] += area(geos.polygons(
+          geos.intersection(geos.surface(*a.ground).get(), geos.surface(*b.ground).get()).get()));
+    }
+  for (const auto& [level, ground] : shared)
+    if (ground > 1e-6 * roadway[level])
+      faults.push_back("overlap of " + std::to_string(ground) + " m2 on " +
+                       std::to_string(roadway[level]) + " m2");
+}
+
+bool covers(const MultiPolygon& ground, const Point& p) {
+  constexpr double rim = 1e-3;  // metres
+  return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
+    return inside(p, part) || std::any_of(part.begin(), part.end(), [&](const Ring& ring) {
+             return distance_to_line(p, ring) <= rim;
+           });
+  });
+}
+
+// Places along every edge lie on roadway.
+void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, Faults& faults) {
+  constexpr int steps = 64;
+  std::vector<Box> boxes;
+  for (const Surface& surface : surfaces) boxes.push_back(box_of(*surface.ground));
+  const BoxIndex index(boxes);
+  for (std::size_t e = 0; e < town.network.edges.size(); ++e) {
+    const Line& line = town.network.edges[e].line;
+    const double total = length(line);
+    for (int i = 0; i < steps; ++i) {
+      const double at = total * (i + 0.5) / steps;
+      const Point p = planar(place_at(line, at).point);
+      Box box;
+      box.add(p);
+      const std::vector<int> near = index.near(box, 1e-3);
+      if (std::none_of(near.begin(), near.end(),
+                       [&](int s) { return covers(*surfaces[s].ground, p); })) {
+        faults.push_back("edge " + std::to_string(e) + " of axis " +
+                         std::to_string(town.network.edges[e].axis_id) + " is not covered at " +
+                         std::to_string(at) + " of " + std::to_string(total) + " m");
+        break;
+      }
+    }
+  }
+}
+
+// All that the pipeline says, number by number.
+class Image {
+ public:
+  explicit Image(const Streets& town) {
+    for (const Node& node : town.network.nodes) {
+      put(node.point);
+      for (const NodeAnchor& anchor : node.anchors) put(anchor.axis_id), put(anchor.abscissa);
+    }
+    for (const Edge& edge : town.network.edges) {
+      put(edge.axis_id), put(edge.from_node), put(edge.to_node), put(edge.level);
+      put(edge.start_abscissa), put(edge.end_abscissa), put(edge.line);
+    }
+    for (const NetworkReport& report : town.network.reports)
+      put(report.issue), put(report.axis_a), put(report.axis_b), put(report.point);
+    for (const Corner& corner : town.corners) {
+      put(corner.node), put(corner.edge_a), put(corner.edge_b), put(corner.radius);
+      put(corner.method), put(corner.centre.value_or(Point{}));
+    }
+    for (const SectionLimit& limit : town.limits)
+      put(limit.abscissa), put(limit.border_line), put(limit.method);
+    for (const Section& section : town.sections) put(section.surface), put(section.method);
+    for (const Intersection& one : town.intersections) put(one.surface), put(one.method);
+  }
+  bool operator==(const Image& other) const { return bytes_ == other.bytes_; }
+
+ private:
+  template <class T>
+  void put(const T& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put(values.size());
+    for (const T& value : values) put(value);
+  }
+  std::string bytes_;
+};
+
+}  // namespace
+
+Faults town_faults(std::uint64_t seed) {
+  Town town = random_town(seed);
+  const Streets made = streets(town.axes, town.settings);
+  const std::vector<Surface> surfaces = surfaces_of(made);
+  Faults faults;
+  for (const Surface& surface : surfaces)
+    if (!sound(*surface.ground)) faults.push_back(surface.name + " is not valid and finite");
+  if (!faults.empty()) return faults;
+  find_overlap(surfaces, faults);
+  find_uncovered(made, surfaces, faults);
+  const Image image(made);
+  if (!(Image(streets(town.axes, town.settings)) == image)) faults.push_back("not the same again");
+  std::mt19937_64 shuffled(seed);
+  std::shuffle(town.axes.begin(), town.axes.end(), shuffled);
+  if (!(Image(streets(town.axes, town.settings)) == image))
+    faults.push_back("not the same with the axes in another order");
+  return faults;
+}
+
+}  // namespace streetgen::fuzz
