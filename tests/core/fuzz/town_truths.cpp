@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "../../../src/core/box_index.hpp"
@@ -49,18 +50,21 @@ void find_overlap(const std::vector<Surface>& surfaces, Faults& faults) {
                        std::to_string(roadway[level]) + " m2");
 }
 
-bool covers(const MultiPolygon& ground, const Point& p) {
-  constexpr double rim = 1e-3;  // metres
-  return std::any_of(ground.begin(), ground.end(), [&](const Polygon& part) {
-    return inside(p, part) || std::any_of(part.begin(), part.end(), [&](const Ring& ring) {
-             return distance_to_line(p, ring) <= rim;
-           });
-  });
+// Metres from a place to the nearest of the grounds; 0 on it.
+double off(const std::vector<const MultiPolygon*>& grounds, const Point& p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const MultiPolygon* ground : grounds)
+    for (const Polygon& part : *ground) {
+      if (inside(p, part)) return 0;
+      for (const Ring& ring : part) best = std::min(best, distance_to_line(p, ring));
+    }
+  return best;
 }
 
-// Places along every edge lie on roadway.
+// Every place along an edge lies on roadway.
 void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, Faults& faults) {
   constexpr int steps = 64;
+  constexpr double rim = 1e-3;  // metres
   std::vector<Box> boxes;
   for (const Surface& surface : surfaces) boxes.push_back(box_of(*surface.ground));
   const BoxIndex index(boxes);
@@ -72,14 +76,15 @@ void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, F
       const Point p = planar(place_at(line, at).point);
       Box box;
       box.add(p);
-      const std::vector<int> near = index.near(box, 1e-3);
-      if (std::none_of(near.begin(), near.end(),
-                       [&](int s) { return covers(*surfaces[s].ground, p); })) {
-        faults.push_back("edge " + std::to_string(e) + " of axis " +
-                         std::to_string(town.network.edges[e].axis_id) + " is not covered at " +
-                         std::to_string(at) + " of " + std::to_string(total) + " m");
-        break;
-      }
+      std::vector<const MultiPolygon*> near;
+      for (const int s : index.near(box, 1)) near.push_back(surfaces[s].ground);
+      const double away = off(near, p);
+      if (away <= rim) continue;
+      faults.push_back("edge " + std::to_string(e) + " of axis " +
+                       std::to_string(town.network.edges[e].axis_id) + " leaves the roadway by " +
+                       std::to_string(away) + " m at " + std::to_string(at) + " of " +
+                       std::to_string(total) + " m");
+      break;
     }
   }
 }
