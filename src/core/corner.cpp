@@ -90,9 +90,7 @@ double piece_distance(const OffsetPiece& piece, const Point& p) {
 }
 
 Box box_of(const OffsetPiece& piece) {
-  Box box;
-  box.add(piece.start);
-  box.add(piece.end);
+  const Box box = box_of(piece.start, piece.end);
   if (!piece.arc) return box;
   const double radius = distance(piece.start, piece.centre);
   const double half_chord = distance(piece.start, piece.end) / 2;
@@ -108,10 +106,7 @@ class Axis {
   explicit Axis(const Line& line) : line_(line) {
     if (line.size() <= worth_an_index) return;
     std::vector<Box> boxes(line.size() - 1);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      boxes[i].add(line[i]);
-      boxes[i].add(line[i + 1]);
-    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(line[i], line[i + 1]);
     segments_.emplace(boxes);
   }
 

@@ -49,7 +49,7 @@ TEST(Streets, SurfacesAreValidAndTileWhateverTheTown) {
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i)
       for (std::size_t j = i + 1; j < surfaces.size(); ++j)
-        if (overlap(*surfaces[i], *surfaces[j]))
+        if (overlap(Ground(*surfaces[i]), Ground(*surfaces[j])))
           shared += area(geos.polygons(
               geos.intersection(geos.surface(*surfaces[i]).get(), geos.surface(*surfaces[j]).get())
                   .get()));

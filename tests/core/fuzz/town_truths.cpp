@@ -36,11 +36,13 @@ std::vector<Surface> surfaces_of(const Streets& town) {
 void find_overlap(const std::vector<Surface>& surfaces, Faults& faults) {
   Geos geos;
   std::map<int, double> roadway, shared;
+  std::vector<Ground> grounds;
+  for (const Surface& surface : surfaces) grounds.emplace_back(*surface.ground);
   for (const Surface& surface : surfaces) roadway[surface.level] += area(*surface.ground);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
       const Surface &a = surfaces[i], &b = surfaces[j];
-      if (a.level != b.level || !overlap(*a.ground, *b.ground)) continue;
+      if (a.level != b.level || !overlap(grounds[i], grounds[j])) continue;
       shared[a.level] += area(geos.polygons(
           geos.intersection(geos.surface(*a.ground).get(), geos.surface(*b.ground).get()).get()));
     }
@@ -66,7 +68,12 @@ void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, F
   constexpr int steps = 64;
   constexpr double rim = 1e-3;  // metres
   std::vector<Box> boxes;
-  for (const Surface& surface : surfaces) boxes.push_back(box_of(*surface.ground));
+  std::vector<const MultiPolygon*> grounds;
+  for (const Surface& surface : surfaces) {
+    if (surface.ground->empty()) continue;
+    boxes.push_back(box_of(*surface.ground));
+    grounds.push_back(surface.ground);
+  }
   const BoxIndex index(boxes);
   for (std::size_t e = 0; e < town.network.edges.size(); ++e) {
     const Line& line = town.network.edges[e].line;
@@ -74,10 +81,8 @@ void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, F
     for (int i = 0; i < steps; ++i) {
       const double at = total * (i + 0.5) / steps;
       const Point p = planar(place_at(line, at).point);
-      Box box;
-      box.add(p);
       std::vector<const MultiPolygon*> near;
-      for (const int s : index.near(box, 1)) near.push_back(surfaces[s].ground);
+      for (const int s : index.near(box_of(p, p), 1)) near.push_back(grounds[s]);
       const double away = off(near, p);
       if (away <= rim) continue;
       faults.push_back("edge " + std::to_string(e) + " of axis " +
