@@ -41,7 +41,10 @@ class Pipeline {
  public:
   Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
       : settings_(settings) {
-    for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    for (const StreetAxis& axis : axes) {
+      axes_.emplace(axis.axis_id, &axis);
+      lengths_.emplace(axis.axis_id, length(axis.line));
+    }
     std::vector<NetworkAxis> lines;
     for (const StreetAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
     out_.network = network(lines, settings.tolerance, settings.crossing);
@@ -67,7 +70,7 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const Edge& edge = edges[e];
       const StreetAxis& axis = axis_of(e);
-      const double total = length(axis.line);
+      const double total = lengths_.at(axis.axis_id);
       const auto half = [&](double abscissa) {
         return (axis.width + (axis.width_end - axis.width) *
                                  (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) /
@@ -338,6 +341,7 @@ class Pipeline {
 
   const StreetSettings& settings_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
