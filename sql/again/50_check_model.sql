@@ -46,5 +46,8 @@ UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, 
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
+EXCEPTION WHEN internal_error THEN
+    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';

@@ -1,6 +1,7 @@
 -- Calls that take long: on lines of :vertices vertices, on a town of about 2 * :blocks * :blocks axes.
 -- Fills long_call (name, statement), and town, a model that is generated.
 SET client_min_messages = warning;
+CREATE EXTENSION IF NOT EXISTS postgis_topology;
 CREATE TABLE long_line AS
   SELECT 'gentle' AS kind, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + i * 0.5, 6860000 + 20 * sin(i / 100.0)) ORDER BY i), 2154) AS geom FROM generate_series(1, :vertices) i
   UNION ALL SELECT 'coiled', ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + (10 + i * 0.01) * cos(i / 50.0), 6860000 + (10 + i * 0.01) * sin(i / 50.0)) ORDER BY i), 2154) FROM generate_series(1, :vertices) i;
