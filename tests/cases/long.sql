@@ -64,8 +64,14 @@ END $$;
 -- Runs a statement under the statement_timeout of the statement around it.
 CREATE FUNCTION pg_temp.interrupted(statement text, OUT state text, OUT late float8) LANGUAGE plpgsql AS $$
 BEGIN
-  EXECUTE statement;
-  state := 'none';
+  BEGIN
+    EXECUTE statement;
+    state := 'none';
+  EXCEPTION WHEN query_canceled THEN
+    -- PostGIS may raise by itself and leave the interrupt pending: then it comes here.
+    state := SQLSTATE;
+  END;
+  late := 1000 * extract(epoch FROM clock_timestamp() - statement_timestamp()) - (SELECT setting::float8 FROM pg_settings WHERE name = 'statement_timeout');
 EXCEPTION WHEN query_canceled THEN
   state := SQLSTATE;
   late := 1000 * extract(epoch FROM clock_timestamp() - statement_timestamp()) - (SELECT setting::float8 FROM pg_settings WHERE name = 'statement_timeout');
