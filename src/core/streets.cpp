@@ -194,7 +194,8 @@ class Pipeline {
       const double wanted_start = start.limit, wanted_end = end.limit;
       const bool crossed = start.limit + end.limit > total - 1e-3;
       if (crossed) {
-        start.limit = total * start.limit / (start.limit + end.limit);
+        const double sum = start.limit + end.limit;
+        start.limit = sum > 0 ? total * start.limit / sum : total / 2;
         end.limit = total - start.limit;
       } else {
         const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "../../src/core/geos.hpp"
@@ -121,6 +122,11 @@ TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
   for (std::size_t e = 0; e < town.network.edges.size(); ++e)
     EXPECT_LE(town.limits[2 * e].abscissa, town.limits[2 * e + 1].abscissa + 1e-9);
+}
+
+TEST(Streets, AnAxisShorterThanAMillimetreHasFiniteLimits) {
+  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, {});
+  for (const SectionLimit& limit : town.limits) EXPECT_TRUE(std::isfinite(limit.abscissa));
 }
 
 TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {

@@ -63,7 +63,7 @@ double off(const std::vector<const MultiPolygon*>& grounds, const Point& p) {
   return best;
 }
 
-// Every place along an edge lies on roadway.
+// Edges lie on roadway: all of their length but what the contract gives away.
 void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, Faults& faults) {
   constexpr int steps = 64;
   constexpr double rim = 1e-3;  // metres
@@ -75,23 +75,39 @@ void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, F
     grounds.push_back(surface.ground);
   }
   const BoxIndex index(boxes);
+  double whole = 0, bare = 0, farthest = 0;
+  std::size_t worst = 0;
   for (std::size_t e = 0; e < town.network.edges.size(); ++e) {
     const Line& line = town.network.edges[e].line;
     const double total = length(line);
+    whole += total;
     for (int i = 0; i < steps; ++i) {
-      const double at = total * (i + 0.5) / steps;
-      const Point p = planar(place_at(line, at).point);
+      const Point p = planar(place_at(line, total * (i + 0.5) / steps).point);
       std::vector<const MultiPolygon*> near;
       for (const int s : index.near(box_of(p, p), 1)) near.push_back(grounds[s]);
       const double away = off(near, p);
       if (away <= rim) continue;
-      faults.push_back("edge " + std::to_string(e) + " of axis " +
-                       std::to_string(town.network.edges[e].axis_id) + " leaves the roadway by " +
-                       std::to_string(away) + " m at " + std::to_string(at) + " of " +
-                       std::to_string(total) + " m");
-      break;
+      bare += total / steps;
+      if (away > farthest) farthest = away, worst = e;
     }
   }
+  if (bare > 5e-4 * whole)
+    faults.push_back(std::to_string(bare) + " m of " + std::to_string(whole) +
+                     " m leave the roadway, edge " + std::to_string(worst) + " by " +
+                     std::to_string(farthest) + " m");
+}
+
+void find_unfinished(const Streets& town, Faults& faults) {
+  const auto finite = [](const Line& line) {
+    return std::all_of(line.begin(), line.end(),
+                       [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+  };
+  for (const SectionLimit& limit : town.limits)
+    if (!std::isfinite(limit.abscissa) || !finite({limit.point}) || !finite(limit.border_line))
+      faults.push_back("a limit of edge " + std::to_string(limit.edge) + " is not finite");
+  for (const Corner& corner : town.corners)
+    if (corner.arc && !finite({corner.arc->start, corner.arc->middle, corner.arc->end}))
+      faults.push_back("a corner at node " + std::to_string(corner.node) + " is not finite");
 }
 
 // All that the pipeline says, number by number.
@@ -141,6 +157,7 @@ Faults town_faults(std::uint64_t seed) {
   Faults faults;
   for (const Surface& surface : surfaces)
     if (!sound(*surface.ground)) faults.push_back(surface.name + " is not valid and finite");
+  find_unfinished(made, faults);
   if (!faults.empty()) return faults;
   find_overlap(surfaces, faults);
   find_uncovered(made, surfaces, faults);
