@@ -45,6 +45,13 @@ build_extension() {
   DESTDIR=$stage cmake --install "$build/release" >/dev/null
 }
 
+# The core, its tests and the fuzz program under ASan and UBSan.
+build_sanitized() {
+  mkdir -p "$build"
+  cmake -S "$root" -B "$build/sanitized" -DSTREETGEN_SANITIZE=ON >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake --build "$build/sanitized" -j"$(nproc)" >"$build/sanitized.log" 2>&1 || { tail -20 "$build/sanitized.log" >&2; fail "the sanitized build failed"; }
+}
+
 pg_bin() { pg_config --bindir; }
 
 # A free port of the loopback interface.

@@ -52,5 +52,8 @@ UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'tra
             AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start' THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
+EXCEPTION WHEN internal_error THEN
+    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';

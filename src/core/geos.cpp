@@ -9,12 +9,21 @@ namespace streetgen {
 
 namespace {
 constexpr double coarse_grid = 1e-6;  // metres, where an overlay of doubles fails
+
+// An overlay that is interrupted once tries again by other means: it is interrupted each time.
+void interrupt_if_wanted() {
+  if (cancel_wanted()) GEOS_interruptRequest();
 }
+}  // namespace
 
 Geos::Geos() : handle_(GEOS_init_r()) {
   if (handle_ == nullptr) throw std::bad_alloc();
+  callback_before_ = GEOS_interruptRegisterCallback(interrupt_if_wanted);
 }
-Geos::~Geos() { GEOS_finish_r(handle_); }
+Geos::~Geos() {
+  GEOS_interruptRegisterCallback(callback_before_);
+  GEOS_finish_r(handle_);
+}
 
 Geos::Geometry Geos::own(GEOSGeometry* geometry) {
   if (geometry == nullptr) {

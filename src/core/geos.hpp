@@ -1,5 +1,6 @@
 // The one door to GEOS: owned geometries, conversions, the few operations we use.
-// Every result is checked; GEOS' process-wide interrupt callback is left alone.
+// Every result is checked.  While one lives, GEOS' process-wide interrupt callback asks cancel.hpp;
+// the one before comes back after.
 #pragma once
 
 #include <geos_c.h>
@@ -46,6 +47,7 @@ class Geos {
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;
+  GEOSInterruptCallback* callback_before_ = nullptr;
 };
 
 }  // namespace streetgen

@@ -43,7 +43,10 @@ class Pipeline {
  public:
   Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
       : settings_(settings) {
-    for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    for (const StreetAxis& axis : axes) {
+      axes_.emplace(axis.axis_id, &axis);
+      lengths_.emplace(axis.axis_id, length(axis.line));
+    }
     std::vector<NetworkAxis> lines;
     for (const StreetAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
     out_.network = network(lines, settings.tolerance, settings.crossing);
@@ -68,7 +71,7 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const Edge& edge = edges[e];
       const StreetAxis& axis = axis_of(e);
-      const double total = length(axis.line);
+      const double total = lengths_.at(axis.axis_id);
       const auto half = [&](double abscissa) {
         return (axis.width + (axis.width_end - axis.width) *
                                  (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) /
@@ -209,7 +212,8 @@ class Pipeline {
       const double wanted_start = start.limit, wanted_end = end.limit;
       const bool crossed = start.limit + end.limit > total - 1e-3;
       if (crossed) {
-        start.limit = total * start.limit / (start.limit + end.limit);
+        const double sum = start.limit + end.limit;
+        start.limit = sum > 0 ? total * start.limit / sum : total / 2;
         end.limit = total - start.limit;
       } else {
         const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;
@@ -356,6 +360,7 @@ class Pipeline {
 
   const StreetSettings& settings_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
