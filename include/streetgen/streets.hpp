@@ -29,7 +29,7 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   // Wanted at its ends instead of StreetSettings::transition.
-  std::optional<Transition> transition_start, transition_end;
+  std::optional<Transition> transition_start{}, transition_end{};
 };
 
 enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axes
