@@ -107,7 +107,13 @@ MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second
   return geos.polygons(geos.intersection(shared, ground.get()).get());
 }
 
-std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {
+// Levels overlap freely, but an intersection tiles with all its sections.
+bool tile(const Claim& a, const Claim& b) {
+  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
+                                                  b.edges.end()) != a.edges.end();
+}
+
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
   for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -124,7 +130,7 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
     for (const int j : active) {
       if (boxes[j].max_x < boxes[i].min_x) continue;
       active[kept++] = j;
-      if (claims[i].level == claims[j].level && boxes[i].meets(boxes[j], -1e-6))
+      if (tile(claims[i], claims[j]) && boxes[i].meets(boxes[j], -1e-6))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
     active.resize(kept);
@@ -145,7 +151,20 @@ MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPo
 
 }  // namespace
 
-void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
+std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
+  std::vector<std::pair<int, int>> pairs = overlapping_boxes(claims);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const auto& pair) {
+                               poll_cancel();
+                               return !overlap(*claims[pair.first].surface,
+                                               *claims[pair.second].surface);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
+void settle_ownership(Geos& geos, std::vector<Claim>& claims,
+                      const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
   std::map<int, std::vector<MultiPolygon>> lost;
   const auto geometry = [&](int i) {
@@ -153,9 +172,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
     if (!slot) slot = geos.surface(*claims[i].surface);
     return slot.get();
   };
-  for (const auto& [i, j] : overlapping_pairs(claims)) {
+  for (const auto& [i, j] : disputes) {
     poll_cancel();
-    if (!overlap(*claims[i].surface, *claims[j].surface)) continue;
     const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
     const MultiPolygon ground = geos.polygons(shared.get());
     if (area(ground) <= negligible) continue;
