@@ -115,17 +115,18 @@ SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off)
     SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
 GROUP BY section_limit_id, border_line HAVING max(off) > 1e-3;
 
--- A level's ground: its surfaces and those of other levels that tile with them at a node; 1e-6 m2 is the noise of coordinates.
+-- Holes of a level's union that no surface of another level fills by right (one that tiles with a surface of this level at a
+-- node); 1e-6 m2 is the noise of coordinates.
 INSERT INTO finding
-SELECT 'hole', 'level', level, ST_Area(hole), hole FROM (
-    SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
-    FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM (
-              SELECT level, surface FROM surface
-              UNION ALL SELECT l.level, l.surface FROM surface s CROSS JOIN LATERAL (VALUES (s.node_a), (s.node_b)) n(node_id)
-                  JOIN surface i ON i.kind = 'intersection' AND i.id = node_id AND i.level <> s.level
-                  CROSS JOIN LATERAL (VALUES (s.level, i.surface), (i.level, s.surface)) l(level, surface)) g
-          GROUP BY level) u) r
-WHERE ring > 0 AND ST_Area(hole) BETWEEN 1e-6 AND 0.5;
+SELECT 'hole', 'level', level, ST_Area(open), open FROM (
+    SELECT level, ST_Difference(hole, coalesce((
+        SELECT ST_Union(b.surface) FROM surface b JOIN surface a ON a.kind <> b.kind AND a.level = r.level AND b.level <> r.level
+            AND CASE a.kind WHEN 'section' THEN b.id IN (a.node_a, a.node_b) ELSE a.id IN (b.node_a, b.node_b) END
+        WHERE b.surface && hole), ST_SetSRID('POLYGON EMPTY'::geometry, ST_SRID(hole)))) AS open
+    FROM (SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
+          FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM surface GROUP BY level) u) r
+    WHERE ring > 0 AND ST_Area(hole) < 0.5) o
+WHERE ST_Area(open) > 1e-6;
 
 -- T junctions on a straight street: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a
 -- grid GEOS leaves whole bands where two edges run beside each other.
