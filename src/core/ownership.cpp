@@ -118,7 +118,13 @@ MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second
   return geos.polygons(geos.intersection(shared, ground.get()).get());
 }
 
-std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims,
+// Levels overlap freely, but an intersection tiles with all its sections.
+bool tile(const Claim& a, const Claim& b) {
+  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
+                                                  b.edges.end()) != a.edges.end();
+}
+
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
                                                    const std::vector<Ground>& grounds) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
@@ -136,7 +142,7 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
     for (const int j : active) {
       if (boxes[j].max_x < boxes[i].min_x) continue;
       active[kept++] = j;
-      if (claims[i].level == claims[j].level && boxes[i].meets(boxes[j], -1e-6))
+      if (tile(claims[i], claims[j]) && boxes[i].meets(boxes[j], -1e-6))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
     active.resize(kept);
@@ -147,17 +153,29 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
   return pairs;
 }
 
-MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPolygon>& grounds) {
-  for (const MultiPolygon& ground : grounds) {
-    const Geos::Geometry rest = geos.surface(surface), taken = geos.surface(ground);
-    surface = geos.polygons(geos.difference(rest.get(), taken.get()).get());
-  }
-  return surface;
+MultiPolygon without(Geos& geos, const MultiPolygon& surface,
+                     const std::vector<MultiPolygon>& grounds) {
+  const Geos::Geometry whole = geos.surface(surface), taken = geos.unite(grounds);
+  return geos.polygons(geos.difference(whole.get(), taken.get()).get());
 }
 
 }  // namespace
 
-void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
+std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
+  std::vector<Ground> grounds;
+  for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);
+  std::vector<std::pair<int, int>> pairs = overlapping_boxes(claims, grounds);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const auto& pair) {
+                               poll_cancel();
+                               return !overlap(grounds[pair.first], grounds[pair.second]);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
+void settle_ownership(Geos& geos, std::vector<Claim>& claims,
+                      const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
   std::map<int, std::vector<MultiPolygon>> lost;
   const auto geometry = [&](int i) {
@@ -165,11 +183,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
     if (!slot) slot = geos.surface(*claims[i].surface);
     return slot.get();
   };
-  std::vector<Ground> grounds;
-  for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);
-  for (const auto& [i, j] : overlapping_pairs(claims, grounds)) {
+  for (const auto& [i, j] : disputes) {
     poll_cancel();
-    if (!overlap(grounds[i], grounds[j])) continue;
     const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
     const MultiPolygon ground = geos.polygons(shared.get());
     if (area(ground) <= negligible) continue;

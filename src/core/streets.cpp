@@ -7,6 +7,7 @@
 
 #include "around.hpp"
 #include "geos.hpp"
+#include "hole.hpp"
 #include "ownership.hpp"
 #include "polyline.hpp"
 #include "ring.hpp"
@@ -55,7 +56,6 @@ class Pipeline {
     solve_corners();
     settle_limits();
     build_surfaces();
-    fill_holes();
     settle_owners();
     return std::move(out_);
   }
@@ -244,6 +244,7 @@ class Pipeline {
               section.surface =
                   with_round_end(geos_, section.surface, arms_[2 * e + (at_start ? 0 : 1)]);
       }
+      fill_holes(section.surface, settings_.max_hole_area);
       out_.sections.push_back(std::move(section));
     }
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
@@ -263,20 +264,9 @@ class Pipeline {
         intersection.method = built.by_union ? Method::robust_fallback : Method::hypothesis;
         intersection.surface = std::move(built.surface);
       }
+      fill_holes(intersection.surface, settings_.max_hole_area);
       out_.intersections.push_back(std::move(intersection));
     }
-  }
-
-  // Slivers between an intersection's pieces are roadway.
-  void fill_holes() {
-    const auto fill = [&](MultiPolygon& surface) {
-      for (Polygon& polygon : surface)
-        for (std::size_t i = polygon.size() - 1; i > 0; --i)
-          if (std::abs(signed_area(polygon[i])) < settings_.max_hole_area)
-            polygon.erase(polygon.begin() + i);
-    };
-    for (Section& section : out_.sections) fill(section.surface);
-    for (Intersection& intersection : out_.intersections) fill(intersection.surface);
   }
 
   // The level with most of the node's edges; ties: the lowest.
@@ -303,11 +293,13 @@ class Pipeline {
       const Arm& arm = arms_[2 * section.edge];
       Claim claim;
       claim.surface = &section.surface;
-      claim.level = out_.network.edges[section.edge].level;
+      const Edge& edge = out_.network.edges[section.edge];
+      claim.level = edge.level;
+      claim.edges = {section.edge};
       if (start.abscissa < end.abscissa)
         claim.skeleton.push_back({&arm.line, start.abscissa, end.abscissa});
       claim.axis_id = axis_of(section.edge).axis_id;
-      claim.place = 2 * std::llround(1000 * out_.network.edges[section.edge].start_abscissa) + 1;
+      claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
       add_axis(claim, section.edge);
       claims.push_back(std::move(claim));
     }
@@ -324,11 +316,15 @@ class Pipeline {
         if (limit > 0)
           claim.skeleton.push_back(
               {&along.line, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+        claim.edges.push_back(end.edge);
         add_axis(claim, end.edge);
       }
       claims.push_back(std::move(claim));
     }
-    settle_ownership(geos_, claims);
+    const auto pairs = disputes(claims);
+    const auto holes = holes_between(geos_, claims, pairs, settings_.max_hole_area);
+    settle_ownership(geos_, claims, pairs);
+    give_holes(geos_, claims, holes);
     std::size_t i = 0;
     const auto read = [&](auto& rows) {
       for (auto& row : rows) {
