@@ -32,8 +32,7 @@ class Geos {
 
   bool valid(const GEOSGeometry* geometry);
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
-  // The rest of a whole without a part that lies within it.
-  Geometry difference(const GEOSGeometry* whole, const GEOSGeometry* part);
+  Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
 
  private:
@@ -42,7 +41,6 @@ class Geos {
   Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                    const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
-  double area(const GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;

@@ -153,10 +153,12 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-MultiPolygon without(Geos& geos, const MultiPolygon& surface,
-                     const std::vector<MultiPolygon>& grounds) {
-  const Geos::Geometry whole = geos.surface(surface), taken = geos.unite(grounds);
-  return geos.polygons(geos.difference(whole.get(), taken.get()).get());
+MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPolygon>& grounds) {
+  for (const MultiPolygon& ground : grounds) {
+    const Geos::Geometry rest = geos.surface(surface), taken = geos.surface(ground);
+    surface = geos.polygons(geos.difference(rest.get(), taken.get()).get());
+  }
+  return surface;
 }
 
 }  // namespace
