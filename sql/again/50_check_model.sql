@@ -3,6 +3,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 BEGIN
+    PERFORM streetgen._check_model(model);
     RETURN QUERY EXECUTE format($sql$
 WITH used AS MATERIALIZED (SELECT axis_id, geom, input_hash, setting_hash FROM %1$I.axis_used),
 surface AS MATERIALIZED (
@@ -44,6 +45,11 @@ UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom)
 UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
 UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
+UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'transition_override', o.transition_override_id, 0, u.geom
+    FROM %1$I.transition_override o LEFT JOIN used u USING (axis_id) WHERE NOT EXISTS (
+        SELECT FROM %1$I.edge e JOIN %1$I.intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node ELSE e.to_node END JOIN degree d USING (node_id)
+        WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested')
+            AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start' THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
 EXCEPTION WHEN internal_error THEN

@@ -53,7 +53,7 @@ $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
 
 CREATE OR REPLACE FUNCTION streetgen._transformed(source_ref text, geom geometry, srid integer) RETURNS geometry
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     RETURN ST_Transform(geom, srid);
@@ -179,6 +179,8 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source_ref % stands in more than one source row', bad.source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
     END IF;
+
+    PERFORM streetgen._check_scale('SELECT ''source row '' || coalesce(source_ref, ''?'') AS label, line AS geom FROM _import_part');
 
     RETURN QUERY EXECUTE format($sql$
 WITH gone AS (

@@ -33,6 +33,8 @@ class Geos {
   bool valid(const GEOSGeometry* geometry);
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
+  // On a grid of a micrometre: exact overlay may drop parts beside edges that nearly coincide.
+  Geometry difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
 
  private:
@@ -40,6 +42,7 @@ class Geos {
   using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
   Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                    const GEOSGeometry* b);
+  Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);

@@ -161,18 +161,51 @@ MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPo
   return surface;
 }
 
+// Ground won where axes cross.
+struct Won {
+  int winner = 0, loser = 0;
+  MultiPolygon ground;
+};
+
+// A crossing wins ground by rank, all else by distance: between three surfaces each may have lost
+// the same ground to the next. What nobody holds goes back to the winner at the crossing.
+void return_lost_ground(Geos& geos, std::vector<Claim>& claims, std::vector<Won> won,
+                        const std::vector<std::pair<int, int>>& disputes) {
+  if (won.empty()) return;
+  std::map<int, std::vector<int>> rivals;
+  for (const auto& [i, j] : disputes) {
+    rivals[i].push_back(j);
+    rivals[j].push_back(i);
+  }
+  std::sort(won.begin(), won.end(), [&](const Won& a, const Won& b) {
+    if (a.winner != b.winner) return before(claims[a.winner], claims[b.winner]);
+    return before(claims[a.loser], claims[b.loser]);
+  });
+  for (const Won& each : won) {
+    poll_cancel();
+    MultiPolygon rest = each.ground;
+    const auto take_off = [&](int holder) {
+      const Geos::Geometry open = geos.surface(rest), held = geos.surface(*claims[holder].surface);
+      rest = geos.polygons(geos.difference_on_grid(open.get(), held.get()).get());
+    };
+    take_off(each.winner);
+    for (const int rival : rivals[each.winner]) take_off(rival);
+    if (area(rest) <= negligible) continue;
+    MultiPolygon& surface = *claims[each.winner].surface;
+    surface = geos.polygons(geos.unite({surface, rest}).get());
+  }
+}
+
 }  // namespace
 
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
   std::vector<Ground> grounds;
   for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);
-  std::vector<std::pair<int, int>> pairs = overlapping_boxes(claims, grounds);
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                             [&](const auto& pair) {
-                               poll_cancel();
-                               return !overlap(grounds[pair.first], grounds[pair.second]);
-                             }),
-              pairs.end());
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& pair : overlapping_boxes(claims, grounds)) {
+    poll_cancel();
+    if (overlap(grounds[pair.first], grounds[pair.second])) pairs.push_back(pair);
+  }
   return pairs;
 }
 
@@ -180,6 +213,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
   std::map<int, std::vector<MultiPolygon>> lost;
+  std::map<int, double> whole;
+  std::vector<Won> won;
   const auto geometry = [&](int i) {
     auto& slot = raw[i];
     if (!slot) slot = geos.surface(*claims[i].surface);
@@ -192,7 +227,9 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     if (area(ground) <= negligible) continue;
     const Box box = box_of(ground);
     if (skeletons_cross(claims[i], claims[j], box)) {
-      lost[before(claims[i], claims[j]) ? j : i].push_back(ground);
+      const auto [winner, loser] = before(claims[i], claims[j]) ? std::pair(i, j) : std::pair(j, i);
+      lost[loser].push_back(ground);
+      won.push_back({winner, loser, ground});
       continue;
     }
     const Geos::Geometry clean = geos.surface(ground);
@@ -204,14 +241,16 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
   }
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
-    const double whole = area(*claims[i].surface);
+    whole[i] = area(*claims[i].surface);
     MultiPolygon rest = without(geos, *claims[i].surface, grounds);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
     *claims[i].surface = std::move(rest);
-    claims[i].contested_area = std::max(0.0, whole - area(*claims[i].surface));
   }
+  return_lost_ground(geos, claims, std::move(won), disputes);
+  for (const auto& [i, size] : whole)
+    claims[i].contested_area = std::max(0.0, size - area(*claims[i].surface));
 }
 
 }  // namespace streetgen

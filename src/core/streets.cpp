@@ -34,7 +34,8 @@ int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
 struct Around {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
-  bool transition = false;
+  std::optional<Transition> transition;
+  int along = 0;  // index in ends: the axis that the transition is seen along
 };
 
 // The named steps; each reads what the ones before it wrote.
@@ -150,6 +151,24 @@ class Pipeline {
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }
 
+  // Of two ends where the width changes each is an end of its axis.
+  void choose_transition(Around& around) const {
+    const auto key = [&](int i) {
+      const EdgeEnd& end = around.ends[i];
+      return std::pair(axis_of(end.edge).axis_id, !end.at_start);
+    };
+    const int smaller = key(0) < key(1) ? 0 : 1;
+    around.transition = settings_.transition;
+    around.along = smaller;
+    for (const int i : {1 - smaller, smaller}) {
+      const StreetAxis& axis = axis_of(around.ends[i].edge);
+      const auto& own = around.ends[i].at_start ? axis.transition_start : axis.transition_end;
+      if (!own) continue;
+      around.transition = own;
+      around.along = i;
+    }
+  }
+
   void solve_corners() {
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
       Around& around = around_[n];
@@ -172,10 +191,9 @@ class Pipeline {
       }
       Arm &first = arms_[slot(around.ends[0])], &second = arms_[slot(around.ends[1])];
       if (degree == 2 && changes_width(first, second)) {
-        around.transition = true;
+        choose_transition(around);
         for (Arm* arm : {&first, &second})
-          arm->limit = std::max(arm->limit,
-                                std::min(settings_.transition_length / 2, 0.4 * length(arm->line)));
+          arm->limit = std::min(around.transition->length / 2, 0.4 * length(arm->line));
       }
       if (degree >= 3)
         for (const EdgeEnd& end : around.ends) {
@@ -257,7 +275,11 @@ class Pipeline {
       intersection.node = n;
       intersection.level = level_of(around);
       if (around.transition) {
-        intersection.surface = build_transition(geos_, arms[0], arms[1], settings_.transition_kind);
+        // An axis that starts at the node goes on from it.
+        const bool leaves = around.ends[around.along].at_start;
+        const int from = leaves ? 1 - around.along : around.along;
+        intersection.surface =
+            build_transition(geos_, arms[from], arms[1 - from], around.transition->kind);
         intersection.method = Method::transition;
       } else {
         Built built = build_intersection(geos_, arms, around.gaps);

@@ -1,8 +1,10 @@
 // streetgen._streets: the whole pipeline over a set of axes, one row per result.
 #include "streetgen/streets.hpp"
 
+#include <map>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "argument.hpp"
@@ -45,11 +47,46 @@ struct Taken {
   double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
   const char *crossing, *transition_kind, *radius_rule, *short_axis;
   bool round_dead_ends;
+  int transition_count;
+  Datum *transition_axis, *transition_which, *transition_kind_of, *transition_length_of;
 };
+
+std::string text_of(Datum datum) {
+  const auto* text = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
+  return {VARDATA_ANY(text), VARSIZE_ANY_EXHDR(text)};
+}
+
+TransitionKind transition_kind_of(const char* word) {
+  return word_of<TransitionKind>(word, "transition_kind",
+                                 {{"symmetric", TransitionKind::symmetric},
+                                  {"left", TransitionKind::left},
+                                  {"right", TransitionKind::right}});
+}
+
+// Its own transitions, by axis and whether at the axis' start.
+std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const Taken& taken) {
+  std::map<std::pair<std::int64_t, bool>, Transition> transitions;
+  for (int i = 0; i < taken.transition_count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(taken.transition_axis[i]);
+    const bool at_start = word_of<bool>(text_of(taken.transition_which[i]), "transition end",
+                                        {{"start", true}, {"end", false}});
+    const double length =
+        in_range(DatumGetFloat8(taken.transition_length_of[i]), 0, 1000,
+                 "transition length of axis " + std::to_string(axis_id));
+    transitions[{axis_id, at_start}] = {
+        transition_kind_of(text_of(taken.transition_kind_of[i]).c_str()), length};
+  }
+  return transitions;
+}
 
 std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
   std::vector<StreetAxis> axes;
   std::unordered_set<std::int64_t> seen;
+  const auto transitions = transitions_of(taken);
+  const auto own = [&](std::int64_t axis_id, bool at_start) {
+    const auto found = transitions.find({axis_id, at_start});
+    return found == transitions.end() ? std::nullopt : std::optional(found->second);
+  };
   for (int i = 0; i < taken.count; ++i) {
     StreetAxis axis;
     axis.axis_id = DatumGetInt64(taken.axis_id[i]);
@@ -71,6 +108,8 @@ std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
     axis.radius = in_range(DatumGetFloat8(taken.radius[i]), 0, 1000, "radius" + of_axis);
     axis.importance = DatumGetInt32(taken.importance[i]);
     axis.level = DatumGetInt32(taken.level[i]);
+    axis.transition_start = own(axis.axis_id, true);
+    axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));
   }
   return axes;
@@ -87,11 +126,8 @@ StreetSettings settings_of(const Taken& taken) {
                                         {{"over", Crossing::over}, {"split", Crossing::split}});
   settings.max_arc_distance = measure(taken.max_arc_distance, "max_arc_distance");
   settings.radius_minimal = measure(taken.radius_minimal, "radius_minimal");
-  settings.transition_length = measure(taken.transition_length, "transition_length");
-  settings.transition_kind = word_of<TransitionKind>(taken.transition_kind, "transition_kind",
-                                                     {{"symmetric", TransitionKind::symmetric},
-                                                      {"left", TransitionKind::left},
-                                                      {"right", TransitionKind::right}});
+  settings.transition = {transition_kind_of(taken.transition_kind),
+                         measure(taken.transition_length, "transition_length")};
   settings.radius_rule = word_of<RadiusRule>(
       taken.radius_rule, "radius_rule",
       {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
@@ -208,8 +244,16 @@ Rows rows_of(const Taken& taken) {
   return rows;
 }
 
-// One column of the axes: an array argument as long as the others, without NULL.
-Datum* column(FunctionCallInfo fcinfo, int argument, const char* name, Oid type, int* count) {
+// Arrays that belong together: one element each for every axis, override and the like.
+struct Columns {
+  FunctionCallInfo fcinfo;
+  const char* of;
+  int count = -1;  // of the first one read
+};
+
+// One column of a list: an array argument as long as the others, without NULL.
+Datum* column(Columns* list, int argument, const char* name, Oid type) {
+  FunctionCallInfo fcinfo = list->fcinfo;
   int16 size;
   bool by_value;
   char align;
@@ -222,23 +266,24 @@ Datum* column(FunctionCallInfo fcinfo, int argument, const char* name, Oid type,
   for (int i = 0; i < found; ++i)
     if (nulls[i])
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("%s is NULL at position %d of the axes", name, i + 1)));
-  if (argument > 0 && found != *count)
+                      errmsg("%s is NULL at position %d of the %s", name, i + 1, list->of)));
+  if (list->count >= 0 && found != list->count)
     ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
-                    errmsg("%s has %d elements for %d axes", name, found, *count)));
-  *count = found;
+                    errmsg("%s has %d elements for %d %s", name, found, list->count, list->of)));
+  list->count = found;
   return datums;
 }
 
 void take(FunctionCallInfo fcinfo, Taken* taken) {
-  int* count = &taken->count;
-  taken->axis_id = column(fcinfo, 0, "axis_id", INT8OID, count);
-  taken->geom = column(fcinfo, 1, "geom", BYTEAOID, count);
-  taken->width = column(fcinfo, 2, "width", FLOAT8OID, count);
-  taken->width_end = column(fcinfo, 3, "width_end", FLOAT8OID, count);
-  taken->radius = column(fcinfo, 4, "radius", FLOAT8OID, count);
-  taken->importance = column(fcinfo, 5, "importance", INT4OID, count);
-  taken->level = column(fcinfo, 6, "level", INT4OID, count);
+  Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
+  taken->axis_id = column(&axes, 0, "axis_id", INT8OID);
+  taken->geom = column(&axes, 1, "geom", BYTEAOID);
+  taken->width = column(&axes, 2, "width", FLOAT8OID);
+  taken->width_end = column(&axes, 3, "width_end", FLOAT8OID);
+  taken->radius = column(&axes, 4, "radius", FLOAT8OID);
+  taken->importance = column(&axes, 5, "importance", INT4OID);
+  taken->level = column(&axes, 6, "level", INT4OID);
+  taken->count = axes.count;
   for (int i = 0; i < taken->count; ++i)
     taken->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(taken->geom[i]));
   taken->srid = PG_GETARG_INT32(7);
@@ -253,6 +298,11 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->max_hole_area = PG_GETARG_FLOAT8(16);
   taken->reach = PG_GETARG_FLOAT8(17);
   taken->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
+  taken->transition_axis = column(&transitions, 19, "transition_axis", INT8OID);
+  taken->transition_which = column(&transitions, 20, "transition_which", TEXTOID);
+  taken->transition_kind_of = column(&transitions, 21, "transition_kind_of", TEXTOID);
+  taken->transition_length_of = column(&transitions, 22, "transition_length_of", FLOAT8OID);
+  taken->transition_count = transitions.count;
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {
