@@ -85,7 +85,12 @@ void fill_holes(MultiPolygon& surface, double max_area) {
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area) {
   std::vector<Box> boxes;
-  for (const Claim& claim : claims) boxes.push_back(box_of(*claim.surface));
+  std::vector<int> solid;  // the claims with ground
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
+    if (claims[i].surface->empty()) continue;
+    boxes.push_back(box_of(*claims[i].surface));
+    solid.push_back(i);
+  }
   const BoxIndex index(boxes);
   const auto united = [&](const auto& members) {
     std::vector<MultiPolygon> parts;
@@ -97,10 +102,11 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     const MultiPolygon hole{{reversed(ring)}};
     const Ground ground(hole);
     const std::vector<int> near = index.near(ground.box(), touching);
-    return std::any_of(near.begin(), near.end(), [&](int i) {
+    return std::any_of(near.begin(), near.end(), [&](int k) {
+      const int i = solid[k];
       return std::find(around.begin(), around.end(), i) == around.end() &&
              std::any_of(around.begin(), around.end(),
-                         [&](int k) { return tile(claims[i], claims[k]); }) &&
+                         [&](int j) { return tile(claims[i], claims[j]); }) &&
              overlap(ground, Ground(*claims[i].surface));
     });
   };
@@ -112,7 +118,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
       const Box box = box_of({{found}});
       std::vector<int> around;
       for (const int i : group)
-        if (boxes[i].meets(box, touching)) around.push_back(i);
+        if (box_of(*claims[i].surface).meets(box, touching)) around.push_back(i);
       std::sort(around.begin(), around.end(), [&](int i, int j) {
         return std::tie(claims[i].axis_id, claims[i].place) <
                std::tie(claims[j].axis_id, claims[j].place);
