@@ -111,7 +111,16 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     });
   };
   std::vector<Hole> holes;
-  std::set<std::pair<double, double>> seen;
+  // Two groups may share the neighbours of one hole.
+  const auto known = [&](const Ring& ring) {
+    const Box box = box_of({{ring}});
+    return std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
+      const Box other = box_of({{hole.ring}});
+      return other.grown(touching).holds({box.min_x, box.min_y, 0}, 0) &&
+             box.grown(touching).holds({other.min_x, other.min_y, 0}, 0) &&
+             other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
+    });
+  };
   for (const std::set<int>& group : groups(claims, disputes)) {
     poll_cancel();
     for (const Ring& found : small_holes(united(group), max_area)) {
@@ -125,8 +134,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
       });
       // Once more from its neighbours alone: the same whatever else was united.
       for (const Ring& ring : small_holes(united(around), max_area))
-        if (box.holds(ring.front(), touching) &&
-            seen.insert({ring.front().x, ring.front().y}).second && !covered(ring, around))
+        if (box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
           holes.push_back({ring, around});
     }
   }
@@ -145,7 +153,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
     }
     if (owner == nullptr) continue;
     *owner = geos.polygons(geos.unite({*owner, {{hole.ring}}}).get());
-    fill_holes(*owner, 2 * std::abs(signed_area(hole.ring)));
+    fill_holes(*owner, least_hole);
   }
 }
 
