@@ -1,0 +1,113 @@
+// Lanes of edges, the lines between them, what is painted.  StreetGen paper, 2.5 and 2.7.2.
+//
+// Lanes fill the roadway of an edge from kerb to kerb between its two section limits, as
+// offset curves of the axis.  Where the width changes their shares of it stay.
+// Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
+// in the direction of the axis, and have no surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+
+enum class LaneKind { general, bus, cycle, parking };
+enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
+
+// How lanes are numbered: from the middle outwards, 1 the centre lane where there is one.
+enum class LaneOrder {
+  left_first,   // the published data
+  right_first,  // the paper
+};
+enum class DrivingSide { left, right };
+
+// The movements that a lane allows, as bits; 0: nothing is said.
+namespace turn {
+constexpr unsigned reverse = 1, sharp_left = 2, left = 4, slight_left = 8, through = 16,
+                   slight_right = 32, right = 64, sharp_right = 128, merge_left = 256,
+                   merge_right = 512;
+}  // namespace turn
+
+// What is known of one lane before it has a place.
+struct LaneWish {
+  LaneKind kind = LaneKind::general;
+  bool along_axis = true;
+  double width = 0;  // metres; 0: an equal share of what the others leave
+  unsigned turns = 0;
+};
+
+// The lanes of one axis, each list from left to right in its driving direction.
+struct AxisLanes {
+  std::vector<LaneWish> forward, backward;
+};
+
+// By hand: of the lane `ordinality` of the edge of the axis that holds `abscissa`.
+struct LaneOverride {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  int ordinality = 0;
+  enum class Direction { as_is, along, against } direction = Direction::as_is;
+  double width = 0;  // metres; 0: as it is
+};
+
+struct LaneSettings {
+  LaneOrder order = LaneOrder::left_first;
+  DrivingSide driving_side = DrivingSide::right;
+};
+
+struct Lane {
+  int edge = 0;
+  int ordinality = 0;  // from 1, by LaneOrder
+  int position = 0;    // from 1, at the left kerb
+  LaneSide side = LaneSide::centre;
+  bool along_axis = true;
+  LaneKind kind = LaneKind::general;
+  double width = 0;        // metres, at the start limit of the edge
+  double axis_offset = 0;  // of its centre line to the left of the axis, metres, at the start limit
+  Line line;               // the centre line, in the point order of the axis
+  MultiPolygon surface;    // the lanes of an edge tile its section; empty where the limits crossed
+  unsigned turns = 0;
+};
+
+enum class SeparatorKind { centre, same_direction, edge };
+
+// The line between the lanes `position` and `position + 1`; 0 and the number of lanes: a kerb.
+struct LaneSeparator {
+  int edge = 0;
+  int position = 0;
+  SeparatorKind kind = SeparatorKind::same_direction;
+  bool dashed = false;
+  double axis_offset = 0;  // metres to the left of the axis, at the start limit
+  Line line;               // in the point order of the axis
+};
+
+enum class MarkingKind { separator, stop, yield, arrow };
+
+struct Marking {
+  MarkingKind kind = MarkingKind::separator;
+  int edge = 0;
+  int position = 0;  // of the separator or the lane; 0 for stop and yield lines
+  int node = -1;     // of stop and yield lines and of arrows: where the lanes lead
+  Line line;         // the middle of what is painted
+  MultiPolygon surface;
+};
+
+struct Lanes {
+  std::vector<Lane> lanes;                // by (edge, position)
+  std::vector<LaneSeparator> separators;  // by (edge, position)
+  std::vector<Marking> markings;          // by (edge, kind, node, position)
+};
+
+// `axes` holds what each axis wants, by axis_id; an axis that is not in it has one lane along it.
+// Deterministic and independent of the order of the axes.
+struct LanesOfAxis {
+  std::int64_t axis_id = 0;
+  AxisLanes lanes;
+};
+Lanes lanes(const Streets& streets, const std::vector<LanesOfAxis>& axes,
+            const std::vector<LaneOverride>& overrides, const LaneSettings& settings);
+
+}  // namespace streetgen
