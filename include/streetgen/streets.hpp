@@ -19,6 +19,7 @@ struct StreetAxis {
   double width_end = 0;  // kerb to kerb at the end; equal to width where it does not change
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
+  double speed = 50;     // km/h
 };
 
 enum class TransitionKind { symmetric, left, right };  // the kerbs that change linearly

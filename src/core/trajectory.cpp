@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "parallel.hpp"
 #include "polyline.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double parallel_cosine = 0.85;
 constexpr int most_chords = 1000;
 constexpr double straight = 1e-9;  // sine of an angle that is none
 
