@@ -56,6 +56,8 @@ struct LaneOverride {
 struct LaneSettings {
   LaneOrder order = LaneOrder::left_first;
   DrivingSide driving_side = DrivingSide::right;
+  double narrowest = 2;     // metres: lanes of unknown width get less only if all lanes do
+  bool edge_lines = false;  // separators along the kerbs too
 };
 
 struct Lane {
@@ -66,7 +68,7 @@ struct Lane {
   bool along_axis = true;
   LaneKind kind = LaneKind::general;
   double width = 0;        // metres, at the start limit of the edge
-  double axis_offset = 0;  // of its centre line to the left of the axis, metres, at the start limit
+  double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
   MultiPolygon surface;    // the lanes of an edge tile its section; empty where the limits crossed
   unsigned turns = 0;
@@ -101,13 +103,25 @@ struct Lanes {
   std::vector<Marking> markings;          // by (edge, kind, node, position)
 };
 
-// `axes` holds what each axis wants, by axis_id; an axis that is not in it has one lane along it.
-// Deterministic and independent of the order of the axes.
+// By axis_id, each at most once; an axis that has none gets one lane along it.
 struct LanesOfAxis {
   std::int64_t axis_id = 0;
   AxisLanes lanes;
 };
-Lanes lanes(const Streets& streets, const std::vector<LanesOfAxis>& axes,
-            const std::vector<LaneOverride>& overrides, const LaneSettings& settings);
+
+// Deterministic and independent of the order of axes and overrides (of two overrides of one
+// lane the last in (axis_id, abscissa) counts).  An override of a lane that is not there does
+// nothing.
+Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
+            std::vector<LaneOverride> overrides, const LaneSettings& settings);
+
+// The lanes of one axis alone, from its start to its end; lines and surfaces only.
+std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,
+                             const AxisLanes& wanted, const LaneSettings& settings);
+
+// The line at a signed offset (metres, left of the axis positive), changing linearly to
+// `offset_end`, as a kerb runs: mitred in inner bends, round about outer ones, without the loops
+// that a bend tighter than the offset would make.
+Line offset_line(const Line& axis, double offset, double offset_end);
 
 }  // namespace streetgen

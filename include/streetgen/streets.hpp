@@ -96,8 +96,16 @@ struct Intersection {
   double contested_area = 0;
 };
 
+// What the axis of an edge says of the whole edge.
+struct Roadway {
+  double width = 0;  // kerb to kerb at the start of the edge, metres
+  double width_end = 0;
+  int importance = 99;
+};
+
 struct Streets {
   Network network;
+  std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
   std::vector<Section> sections;            // one per edge

@@ -74,6 +74,7 @@ class Pipeline {
                2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
+      out_.roadways.push_back({2 * start, 2 * end, axis.importance});
       const Line line = distinct(planar(edge.line));
       arms_[2 * e] = {line, start, end, 0, {}};
       arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
