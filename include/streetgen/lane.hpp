@@ -72,6 +72,7 @@ struct Lane {
   Line line;               // the centre line, in the point order of the axis
   MultiPolygon surface;    // the lanes of an edge tile its section; empty where the limits crossed
   unsigned turns = 0;
+  Method method = Method::hypothesis;  // or crossed_limits, or by_hand
 };
 
 enum class SeparatorKind { centre, same_direction, edge };
@@ -84,23 +85,24 @@ struct LaneSeparator {
   bool dashed = false;
   double axis_offset = 0;  // metres to the left of the axis, at the start limit
   Line line;               // in the point order of the axis
+  MultiPolygon surface;    // its paint, dash by dash; empty where the limits crossed
 };
 
-enum class MarkingKind { separator, stop, yield, arrow };
+enum class MarkingKind { stop, yield, arrow };
 
 struct Marking {
-  MarkingKind kind = MarkingKind::separator;
+  MarkingKind kind = MarkingKind::arrow;
   int edge = 0;
-  int position = 0;  // of the separator or the lane; 0 for stop and yield lines
-  int node = -1;     // of stop and yield lines and of arrows: where the lanes lead
-  Line line;         // the middle of what is painted
+  int position = 0;  // of the lane
+  int node = 0;      // where the lane leads
+  Line line;         // stop and yield lines: across the lane; arrows: from foot to tip
   MultiPolygon surface;
 };
 
 struct Lanes {
   std::vector<Lane> lanes;                // by (edge, position)
   std::vector<LaneSeparator> separators;  // by (edge, position)
-  std::vector<Marking> markings;          // by (edge, kind, node, position)
+  std::vector<Marking> markings;          // by edge; at most one of a kind per lane
 };
 
 // By axis_id, each at most once; an axis that has none gets one lane along it.

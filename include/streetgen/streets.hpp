@@ -54,6 +54,7 @@ enum class Method {
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface
   robust_fallback,  // the ring was built by union, not piece by piece
+  by_hand,          // an override decided
 };
 const char* method_name(Method method) noexcept;
 

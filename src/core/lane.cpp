@@ -102,14 +102,10 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
                        (separator.kind == SeparatorKind::centre && driving <= 2);
     separator.axis_offset = offset_of(shares[p]);
     separator.line = std::move(borders[p]);
+    if (with_surface) separator.surface = stripe_surface(geos, separator);
     out.separators.push_back(std::move(separator));
   }
   return out;
-}
-
-const std::vector<LaneWish>& single_lane() {
-  static const std::vector<LaneWish> wishes{LaneWish{}};
-  return wishes;
 }
 
 class Builder {
@@ -136,11 +132,15 @@ class Builder {
       poll_cancel();
       const LaneStrip strip = strip_of(streets_, e);
       const bool crossed = streets_.limits[2 * e].method == Method::crossed_limits;
-      EdgeLanes made = lanes_of(geos_, strip, wishes_of(e), !crossed, settings_);
-      for (Lane& lane : made.lanes) lane.edge = e;
+      std::vector<LaneWish> wishes = wishes_of(e);
+      const std::vector<bool> by_hand = override_wishes(e, wishes);
+      EdgeLanes made = lanes_of(geos_, strip, wishes, !crossed, settings_);
+      for (Lane& lane : made.lanes) {
+        lane.edge = e;
+        lane.method = by_hand[lane.position - 1] ? Method::by_hand : streets_.limits[2 * e].method;
+      }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       if (!crossed) {
-        append_separator_markings(geos_, made.separators, out.markings);
         append_end_markings(streets_, ranks, strip, made.lanes, out.markings);
         append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       }
@@ -156,10 +156,16 @@ class Builder {
     const auto found = std::lower_bound(
         axes_.begin(), axes_.end(), edge.axis_id,
         [](const LanesOfAxis& a, std::int64_t axis_id) { return a.axis_id < axis_id; });
-    std::vector<LaneWish> wishes = found != axes_.end() && found->axis_id == edge.axis_id
-                                       ? across(found->lanes, settings_.driving_side)
-                                       : single_lane();
+    return found != axes_.end() && found->axis_id == edge.axis_id
+               ? across(found->lanes, settings_.driving_side)
+               : across({}, settings_.driving_side);
+  }
+
+  // Which lanes an override decided.
+  std::vector<bool> override_wishes(int e, std::vector<LaneWish>& wishes) const {
+    const Edge& edge = streets_.network.edges[e];
     const int count = static_cast<int>(wishes.size());
+    std::vector<bool> touched(count);
     auto by_hand = std::lower_bound(
         overrides_.begin(), overrides_.end(), edge.axis_id,
         [](const LaneOverride& o, std::int64_t axis_id) { return o.axis_id < axis_id; });
@@ -172,9 +178,10 @@ class Builder {
         if (by_hand->direction != LaneOverride::Direction::as_is)
           wish.along_axis = by_hand->direction == LaneOverride::Direction::along;
         if (by_hand->width > 0) wish.width = by_hand->width;
+        touched[p - 1] = true;
       }
     }
-    return wishes;
+    return touched;
   }
 
   const Streets& streets_;

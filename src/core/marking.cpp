@@ -138,21 +138,14 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
   return ranks;
 }
 
-void append_separator_markings(Geos& geos, const std::vector<LaneSeparator>& separators,
-                               std::vector<Marking>& out) {
-  for (const LaneSeparator& separator : separators) {
-    Marking marking;
-    marking.kind = MarkingKind::separator;
-    marking.edge = separator.edge;
-    marking.position = separator.position;
-    marking.line = separator.line;
-    if (separator.dashed)
-      for (const Line& piece : cut(separator.line, dashes(length(separator.line), dash, gap)))
-        append_band(geos, piece, stripe / 2, marking.surface);
-    else
-      append_band(geos, separator.line, stripe / 2, marking.surface);
-    out.push_back(std::move(marking));
-  }
+MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
+  MultiPolygon surface;
+  if (!separator.dashed)
+    append_band(geos, separator.line, stripe / 2, surface);
+  else
+    for (const Line& piece : cut(separator.line, dashes(length(separator.line), dash, gap)))
+      append_band(geos, piece, stripe / 2, surface);
+  return surface;
 }
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,

@@ -17,9 +17,8 @@ struct NodeRank {
 };
 std::vector<NodeRank> ranks_of(const Streets& streets);
 
-// The stripe of every separator of one edge, dash by dash.
-void append_separator_markings(Geos& geos, const std::vector<LaneSeparator>& separators,
-                               std::vector<Marking>& out);
+// The stripe along a separator, dash by dash.
+MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator);
 
 // Across each lane that comes to a node of three and more edges where another is more important:
 // a yield line, or a stop line where it is so by two.

@@ -367,6 +367,8 @@ const char* method_name(Method method) noexcept {
       return "contested";
     case Method::robust_fallback:
       return "robust_fallback";
+    case Method::by_hand:
+      return "by_hand";
   }
   return "";
 }

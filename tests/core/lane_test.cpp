@@ -272,6 +272,8 @@ TEST(Lanes, MarkingsAreValidSurfaces) {
     EXPECT_TRUE(geos.valid(geos.surface(marking.surface).get()))
         << "kind " << static_cast<int>(marking.kind) << " of edge " << marking.edge;
   }
+  for (const LaneSeparator& separator : made.lanes.separators)
+    EXPECT_TRUE(geos.valid(geos.surface(separator.surface).get()));
 }
 
 // East, west and south of the origin; the street south is the less important one.
@@ -329,6 +331,8 @@ TEST(Lanes, ObeyOverridesOfTheirPlace) {
                             {3, 1e6, 1, Direction::along, 9}},
                            {});
   ASSERT_EQ(made.lanes.size(), 6u);
+  EXPECT_EQ(made.lanes[0].method, Method::hypothesis);
+  EXPECT_EQ(made.lanes[1].method, Method::by_hand);
   EXPECT_FALSE(made.lanes[1].along_axis);
   EXPECT_NEAR(made.lanes[1].width, 4, 1e-12);
   EXPECT_NEAR(made.lanes[2].width, 2.5, 1e-12);
