@@ -76,6 +76,14 @@ COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS
 CREATE OR REPLACE FUNCTION streetgen.turning_radius(speed float8, width float8, mode text DEFAULT 'paper') RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_turning_radius';
 COMMENT ON FUNCTION streetgen.turning_radius(float8, float8, text) IS 'Corner radius in metres, 0.15 to 15, from a speed in km/h and a kerb-to-kerb width in metres. mode paper: equation 1 of the StreetGen paper; setra: the law it comes from.';
+CREATE OR REPLACE FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_interconnection';
+COMMENT ON FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) IS 'EWKB twin of streetgen.interconnection';
+CREATE OR REPLACE FUNCTION streetgen.interconnection(lane_in geometry, lane_out geometry, centre geometry, rule text DEFAULT 'bezier', tolerance float8 DEFAULT 0.05) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._interconnection(lane_in::bytea, lane_out::bytea, centre::bytea, rule, tolerance)::geometry $$;
+COMMENT ON FUNCTION streetgen.interconnection(geometry, geometry, geometry, text, float8) IS 'Path (LINESTRING) from the end of lane_in to the start of lane_out, both LINESTRINGs in their driving direction; centre (POINT) is that of the intersection. rule bezier: the paper''s quadratic curve; arcs: arcs tangent to both lanes; control: the quadratic curve whose control point is centre. Its chords leave the curve by at most the tolerance, 0.001 to 10 m; ends are exact. Lanes that touch: a line of two equal points. Bad geometry or numbers: 22023. StreetGen paper, 2.7.3.';
 CREATE OR REPLACE FUNCTION streetgen._streets(axis_id bigint[], geom bytea[], width float8[], width_end float8[], radius float8[], importance integer[], level integer[], srid integer, tolerance float8, crossing text, max_arc_distance float8, radius_minimal float8, transition_length float8, transition_kind text, radius_rule text, round_dead_ends boolean, max_hole_area float8, reach float8, short_axis text)
     RETURNS TABLE(relation text, row_index integer, of_axis bigint, node_a integer, node_b integer, edge_a integer, edge_b integer, start_a boolean, start_b boolean, of_level integer, measure_1 float8, measure_2 float8, geom_1 bytea, geom_2 bytea, anchor_axis bigint[], anchor_abscissa float8[], method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 ROWS 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
