@@ -25,6 +25,27 @@ CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed fl
     AS $$ SELECT greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer)) $$;
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
 
+CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT count(*)::integer FROM unnest(string_to_array(kinds, '|')) kind WHERE kind IN ('general', 'bus') $$;
+COMMENT ON FUNCTION streetgen.driving_lanes(text) IS 'How many lanes of a list of kinds are general or bus lanes.';
+
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(two_way boolean, open boolean, stated integer, stated_against integer, listed boolean, lane_count integer, usually_against integer) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated
+                      WHEN two_way THEN greatest(lane_count - coalesce(stated_against, usually_against), 1)
+                      ELSE lane_count END $$;
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, boolean, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction leaves of lane_count, at least one. A direction that is closed to traffic has none, but for those that a list of kinds names (a bus lane against the traffic).';
+
+CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT length(list) <= 600 AND CASE kind
+        WHEN 'kind' THEN list ~ '^(general|bus|cycle|parking)(\|(general|bus|cycle|parking)){0,29}$'
+        WHEN 'width' THEN list ~ '^(\d{1,2}(\.\d{1,6})?)?(\|(\d{1,2}(\.\d{1,6})?)?){0,29}$'
+        WHEN 'turn' THEN list ~ '^(reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none|[;|])*$' AND length(translate(list, translate(list, '|', ''), '')) < 30
+        END $$;
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 30 lanes, from left to right in driving direction, parted by |: kinds (general, bus, cycle, parking), widths (metres, empty: unknown), or turns (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT coalesce(radius,

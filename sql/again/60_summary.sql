@@ -13,6 +13,7 @@ UNION ALL (SELECT 'intersections, ' || method, count(*), NULL FROM %1$I.intersec
 UNION ALL (SELECT 'corners, ' || method, count(*), NULL FROM %1$I.corner GROUP BY method ORDER BY method)
 UNION ALL SELECT 'roadway', round((coalesce((SELECT sum(ST_Area(surface)) FROM %1$I.section), 0) + coalesce((SELECT sum(ST_Area(surface)) FROM %1$I.intersection), 0))::numeric, 1), 'm2'
 UNION ALL SELECT 'contested', round((coalesce((SELECT sum(contested_area) FROM %1$I.section), 0) + coalesce((SELECT sum(contested_area) FROM %1$I.intersection), 0))::numeric, 1), 'm2'
+UNION ALL (SELECT 'interconnections, ' || CASE WHEN plausible THEN 'plausible by ' ELSE 'not plausible by ' END || reason, count(*), NULL FROM %1$I.interconnection GROUP BY plausible, reason ORDER BY plausible DESC, reason)
 UNION ALL (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)
 $sql$, model);
 END $$;

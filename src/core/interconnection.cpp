@@ -18,6 +18,9 @@ constexpr double slowed_down = 0.15;
 constexpr double lateral_acceleration = 3;  // m/s2
 constexpr double car_radius = 3;            // metres, least of a car's path
 
+constexpr double same_direction = 1e-3;  // radians
+constexpr double angle_step = 1e-6;      // degrees, to which angles are rounded
+
 double least_radius(double speed) {
   const double v = slowed_down * speed / 3.6;
   return std::max(car_radius, v * v / lateral_acceleration);
@@ -79,21 +82,34 @@ class Builder {
     return leg;
   }
 
+  // Of the lane in the point order of the axis.  Taken from the axis, so that it does not depend
+  // on where the lane's far end lies, unless a bend left the lane another last segment.
+  Point direction_at(const Lane& lane, bool at_front) const {
+    const Line& axis = streets_.network.edges[lane.edge].line;
+    const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
+    const bool crossed = start->method == Method::crossed_limits;
+    const double first =
+        crossed ? std::min(start->wanted_abscissa, end->wanted_abscissa) : start->abscissa;
+    const double last =
+        crossed ? std::max(start->wanted_abscissa, end->wanted_abscissa) : end->abscissa;
+    const Roadway& roadway = streets_.roadways[lane.edge];
+    const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
+    const double share = lane.axis_offset / (roadway.width + widening * first);
+    const Point along = place_at(axis, at_front ? first : last).direction;
+    const Point direction = unit(along + left_normal(along) * (share * widening));
+    const Line line = distinct(planar(lane.line));
+    if (line.size() < 2) return direction;
+    const Point own =
+        at_front ? unit(line[1] - line[0]) : unit(line.back() - line[line.size() - 2]);
+    return norm(own - direction) < same_direction ? direction : own;
+  }
+
   LaneEnd end_of(int index, bool comes_in) const {
     const Lane& lane = lanes_[index];
+    const bool at_front = lane.along_axis != comes_in;
     LaneEnd end{lane.kind, lane.turns, {}, {}};
-    Line line = distinct(planar(lane.line));
-    if (line.size() < 2) {
-      const Edge& edge = streets_.network.edges[lane.edge];
-      const SectionLimit& limit = streets_.limits[2 * lane.edge];
-      const Point direction = place_at(edge.line, limit.abscissa).direction;
-      line = {line[0] - direction, line[0], line[0] + direction};
-    }
-    if (!lane.along_axis) line = reversed(std::move(line));
-    const std::size_t last = line.size() - 1;
-    end.place = comes_in ? planar(lane.along_axis ? lane.line.back() : lane.line.front())
-                         : planar(lane.along_axis ? lane.line.front() : lane.line.back());
-    end.direction = comes_in ? unit(line[last] - line[last - 1]) : unit(line[1] - line[0]);
+    end.place = planar(at_front ? lane.line.front() : lane.line.back());
+    end.direction = direction_at(lane, at_front) * (lane.along_axis ? 1 : -1);
     return end;
   }
 
@@ -187,7 +203,7 @@ class Builder {
         pair.node = node;
         pair.lane_in = from.in[i];
         pair.lane_out = to.out[o];
-        pair.angle = turn_angle(in.direction, out.direction);
+        pair.angle = std::round(turn_angle(in.direction, out.direction) / angle_step) * angle_step;
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
         Trajectory path =

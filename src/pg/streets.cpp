@@ -7,6 +7,9 @@
 
 #include "argument.hpp"
 #include "border.hpp"
+#include "lane_text.hpp"
+#include "streetgen/interconnection.hpp"
+#include "streetgen/lane.hpp"
 #include "wkb.hpp"
 
 extern "C" {
@@ -34,6 +37,8 @@ struct Row {
   std::vector<std::int64_t> anchor_axis;
   std::vector<double> anchor_abscissa;
   const char* method = "";
+  int lane_position = -1, ordinality = -1;  // -1: NULL
+  std::string side, kind, turn;             // empty: NULL
 };
 using Rows = std::vector<Row>;
 
@@ -45,6 +50,22 @@ struct Taken {
   double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
   const char *crossing, *transition_kind, *radius_rule, *short_axis;
   bool round_dead_ends;
+  Datum *lanes_forward, *lanes_backward;
+  Datum *turn_forward, *turn_backward, *kind_forward, *kind_backward;
+  Datum *lane_width_forward, *lane_width_backward;
+  int override_count;
+  Datum *override_axis, *override_abscissa, *override_ordinality, *override_direction;
+  Datum* override_width;
+  const char *lane_order, *driving_side;
+  double lane_width_minimal, cycle_lane_width, parking_lane_width;
+  bool edge_lines;
+  Datum* speed;
+  int restriction_count;
+  Datum *restriction_from, *restriction_to, *restriction_x, *restriction_y;
+  Datum *restriction_kind, *restriction_turn;
+  bool u_turn;
+  const char* trajectory;
+  double trajectory_tolerance;
 };
 
 std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
@@ -71,6 +92,7 @@ std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
     axis.radius = in_range(DatumGetFloat8(taken.radius[i]), 0, 1000, "radius" + of_axis);
     axis.importance = DatumGetInt32(taken.importance[i]);
     axis.level = DatumGetInt32(taken.level[i]);
+    axis.speed = in_range(DatumGetFloat8(taken.speed[i]), 0, 1000, "speed" + of_axis);
     axes.push_back(std::move(axis));
   }
   return axes;
@@ -101,6 +123,98 @@ StreetSettings settings_of(const Taken& taken) {
   settings.short_axis =
       word_of<ShortAxis>(taken.short_axis, "short_axis",
                          {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
+  return settings;
+}
+
+std::string text_of(Datum datum) {
+  const auto* text = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
+  return {VARDATA_ANY(text), VARSIZE_ANY_EXHDR(text)};
+}
+
+std::vector<LanesOfAxis> lanes_of(const Taken& taken) {
+  const KindWidths defaults{
+      in_range(taken.cycle_lane_width, 0, 1000, "setting cycle_lane_width"),
+      in_range(taken.parking_lane_width, 0, 1000, "setting parking_lane_width")};
+  std::vector<LanesOfAxis> axes;
+  for (int i = 0; i < taken.count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(taken.axis_id[i]);
+    const std::string of_axis = " of axis " + std::to_string(axis_id);
+    const auto read = [&](Datum* count, Datum* kinds, Datum* widths, Datum* turns) {
+      const int lanes =
+          static_cast<int>(in_range(DatumGetInt32(count[i]), 0, 100, "lanes" + of_axis));
+      return read_lanes(lanes, text_of(kinds[i]), text_of(widths[i]), text_of(turns[i]), defaults,
+                        of_axis);
+    };
+    axes.push_back({axis_id,
+                    {read(taken.lanes_forward, taken.kind_forward, taken.lane_width_forward,
+                          taken.turn_forward),
+                     read(taken.lanes_backward, taken.kind_backward, taken.lane_width_backward,
+                          taken.turn_backward)}});
+  }
+  return axes;
+}
+
+std::vector<LaneOverride> overrides_of(const Taken& taken) {
+  using Direction = LaneOverride::Direction;
+  std::vector<LaneOverride> overrides;
+  for (int i = 0; i < taken.override_count; ++i)
+    overrides.push_back(
+        {DatumGetInt64(taken.override_axis[i]), DatumGetFloat8(taken.override_abscissa[i]),
+         DatumGetInt32(taken.override_ordinality[i]),
+         word_of<Direction>(text_of(taken.override_direction[i]), "direction of a lane override",
+                            {{"as_is", Direction::as_is},
+                             {"along", Direction::along},
+                             {"against", Direction::against}}),
+         in_range(DatumGetFloat8(taken.override_width[i]), 0, 200, "width of a lane override")});
+  return overrides;
+}
+
+LaneSettings lane_settings_of(const Taken& taken) {
+  LaneSettings settings;
+  settings.order = word_of<LaneOrder>(
+      taken.lane_order, "lane_order",
+      {{"left_first", LaneOrder::left_first}, {"right_first", LaneOrder::right_first}});
+  settings.driving_side =
+      word_of<DrivingSide>(taken.driving_side, "driving_side",
+                           {{"right", DrivingSide::right}, {"left", DrivingSide::left}});
+  settings.narrowest = in_range(taken.lane_width_minimal, 0.01, 1000, "setting lane_width_minimal");
+  settings.edge_lines = taken.edge_lines;
+  return settings;
+}
+
+std::vector<TurnRestriction> restrictions_of(const Taken& taken) {
+  std::vector<TurnRestriction> restrictions;
+  for (int i = 0; i < taken.restriction_count; ++i) {
+    TurnRestriction restriction;
+    restriction.from_axis = DatumGetInt64(taken.restriction_from[i]);
+    restriction.to_axis = DatumGetInt64(taken.restriction_to[i]);
+    restriction.via = {finite(DatumGetFloat8(taken.restriction_x[i]), "x of a turn restriction"),
+                       finite(DatumGetFloat8(taken.restriction_y[i]), "y of a turn restriction"),
+                       0};
+    restriction.only = word_of<bool>(text_of(taken.restriction_kind[i]),
+                                     "kind of a turn restriction", {{"no", false}, {"only", true}});
+    using OfTurn = std::optional<Turn>;
+    restriction.turn =
+        word_of<OfTurn>(text_of(taken.restriction_turn[i]), "turn of a turn restriction",
+                        {{"", OfTurn()},
+                         {turn_name(Turn::through), OfTurn(Turn::through)},
+                         {turn_name(Turn::left), OfTurn(Turn::left)},
+                         {turn_name(Turn::right), OfTurn(Turn::right)},
+                         {turn_name(Turn::u_turn), OfTurn(Turn::u_turn)}});
+    restrictions.push_back(restriction);
+  }
+  return restrictions;
+}
+
+InterconnectionSettings interconnection_settings_of(const Taken& taken) {
+  InterconnectionSettings settings;
+  settings.u_turn = taken.u_turn;
+  settings.rule =
+      word_of<TrajectoryRule>(taken.trajectory, "trajectory",
+                              {{"bezier", TrajectoryRule::bezier}, {"arcs", TrajectoryRule::arcs}});
+  settings.tolerance =
+      in_range(taken.trajectory_tolerance, 1e-3, 1000, "setting trajectory_tolerance");
+  settings.node_tolerance = taken.tolerance;
   return settings;
 }
 
@@ -197,6 +311,99 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
   }
 }
 
+const char* side_name(LaneSide side) {
+  switch (side) {
+    case LaneSide::left:
+      return "left";
+    case LaneSide::centre:
+      return "centre";
+    case LaneSide::right:
+      return "right";
+  }
+  return "";
+}
+
+const char* separator_kind_name(SeparatorKind kind) {
+  switch (kind) {
+    case SeparatorKind::centre:
+      return "centre";
+    case SeparatorKind::same_direction:
+      return "same_direction";
+    case SeparatorKind::edge:
+      return "edge";
+  }
+  return "";
+}
+
+const char* marking_kind_name(MarkingKind kind) {
+  switch (kind) {
+    case MarkingKind::stop:
+      return "stop";
+    case MarkingKind::yield:
+      return "yield";
+    case MarkingKind::arrow:
+      return "arrow";
+  }
+  return "";
+}
+
+void append_lanes(const Lanes& lanes, Form flat, Rows& rows) {
+  for (std::size_t i = 0; i < lanes.lanes.size(); ++i) {
+    const Lane& lane = lanes.lanes[i];
+    Row& row = add(rows, "lane");
+    row.row_index = static_cast<int>(i);
+    row.edge_a = lane.edge;
+    row.start_a = lane.along_axis;
+    row.measure_1 = lane.width;
+    row.measure_2 = lane.axis_offset;
+    row.geom_1 = write_line(lane.line, flat);
+    row.geom_2 = write_surface(lane.surface, flat);
+    row.method = method_name(lane.method);
+    row.lane_position = lane.position;
+    row.ordinality = lane.ordinality;
+    row.side = side_name(lane.side);
+    row.kind = lane_kind_name(lane.kind);
+    row.turn = turn_text(lane.turns);
+  }
+  for (const LaneSeparator& separator : lanes.separators) {
+    Row& row = add(rows, "lane_separator");
+    row.edge_a = separator.edge;
+    row.start_a = separator.dashed;
+    row.measure_2 = separator.axis_offset;
+    row.geom_1 = write_line(separator.line, flat);
+    row.geom_2 = write_surface(separator.surface, flat);
+    row.lane_position = separator.position;
+    row.kind = separator_kind_name(separator.kind);
+  }
+  for (const Marking& marking : lanes.markings) {
+    Row& row = add(rows, "marking");
+    row.edge_a = marking.edge;
+    row.node_a = marking.node;
+    row.geom_1 = write_line(marking.line, flat);
+    row.geom_2 = write_surface(marking.surface, flat);
+    row.lane_position = marking.position;
+    row.kind = marking_kind_name(marking.kind);
+  }
+}
+
+void append_interconnections(const std::vector<Interconnection>& interconnections, Form flat,
+                             Rows& rows) {
+  for (std::size_t i = 0; i < interconnections.size(); ++i) {
+    const Interconnection& pair = interconnections[i];
+    Row& row = add(rows, "interconnection");
+    row.row_index = static_cast<int>(i);
+    row.node_a = pair.node;
+    row.edge_a = pair.lane_in;
+    row.edge_b = pair.lane_out;
+    row.start_a = pair.plausible;
+    row.measure_1 = pair.angle;
+    row.geom_1 = write_line(pair.line, flat);
+    row.geom_2 = write_point(pair.control, flat);
+    row.turn = turn_name(pair.turn);
+    row.kind = reason_name(pair.reason);
+  }
+}
+
 Rows rows_of(const Taken& taken) {
   bool has_z = false;
   const std::vector<StreetAxis> axes = axes_of(taken, &has_z);
@@ -205,11 +412,24 @@ Rows rows_of(const Taken& taken) {
   const Form with_z{taken.srid, has_z}, flat{taken.srid, false};
   append_network(result.network, with_z, flat, rows);
   append_streets(result, with_z, flat, rows);
+  const Lanes traffic =
+      lanes(result, lanes_of(taken), overrides_of(taken), lane_settings_of(taken));
+  append_lanes(traffic, flat, rows);
+  append_interconnections(interconnections(result, axes, traffic.lanes, restrictions_of(taken),
+                                           interconnection_settings_of(taken)),
+                          flat, rows);
   return rows;
 }
 
-// One column of the axes: an array argument as long as the others, without NULL.
-Datum* column(FunctionCallInfo fcinfo, int argument, const char* name, Oid type, int* count) {
+// A list that comes as an array a column: without NULL, each as long as the first.
+struct Columns {
+  FunctionCallInfo fcinfo;
+  const char* of;
+  int count = -1;
+};
+
+Datum* column(Columns* list, int argument, const char* name, Oid type) {
+  FunctionCallInfo fcinfo = list->fcinfo;
   int16 size;
   bool by_value;
   char align;
@@ -222,23 +442,25 @@ Datum* column(FunctionCallInfo fcinfo, int argument, const char* name, Oid type,
   for (int i = 0; i < found; ++i)
     if (nulls[i])
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("%s is NULL at position %d of the axes", name, i + 1)));
-  if (argument > 0 && found != *count)
+                      errmsg("%s is NULL at position %d of the %s", name, i + 1, list->of)));
+  if (list->count >= 0 && found != list->count)
     ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
-                    errmsg("%s has %d elements for %d axes", name, found, *count)));
-  *count = found;
+                    errmsg("%s has %d elements for %d %s", name, found, list->count, list->of)));
+  list->count = found;
   return datums;
 }
 
 void take(FunctionCallInfo fcinfo, Taken* taken) {
-  int* count = &taken->count;
-  taken->axis_id = column(fcinfo, 0, "axis_id", INT8OID, count);
-  taken->geom = column(fcinfo, 1, "geom", BYTEAOID, count);
-  taken->width = column(fcinfo, 2, "width", FLOAT8OID, count);
-  taken->width_end = column(fcinfo, 3, "width_end", FLOAT8OID, count);
-  taken->radius = column(fcinfo, 4, "radius", FLOAT8OID, count);
-  taken->importance = column(fcinfo, 5, "importance", INT4OID, count);
-  taken->level = column(fcinfo, 6, "level", INT4OID, count);
+  Columns axes{fcinfo, "axes"}, overrides{fcinfo, "lane overrides"};
+  Columns restrictions{fcinfo, "turn restrictions"};
+  taken->axis_id = column(&axes, 0, "axis_id", INT8OID);
+  taken->geom = column(&axes, 1, "geom", BYTEAOID);
+  taken->width = column(&axes, 2, "width", FLOAT8OID);
+  taken->width_end = column(&axes, 3, "width_end", FLOAT8OID);
+  taken->radius = column(&axes, 4, "radius", FLOAT8OID);
+  taken->importance = column(&axes, 5, "importance", INT4OID);
+  taken->level = column(&axes, 6, "level", INT4OID);
+  taken->count = axes.count;
   for (int i = 0; i < taken->count; ++i)
     taken->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(taken->geom[i]));
   taken->srid = PG_GETARG_INT32(7);
@@ -253,6 +475,37 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->max_hole_area = PG_GETARG_FLOAT8(16);
   taken->reach = PG_GETARG_FLOAT8(17);
   taken->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
+  taken->lanes_forward = column(&axes, 19, "lanes_forward", INT4OID);
+  taken->lanes_backward = column(&axes, 20, "lanes_backward", INT4OID);
+  taken->kind_forward = column(&axes, 21, "kind_forward", TEXTOID);
+  taken->kind_backward = column(&axes, 22, "kind_backward", TEXTOID);
+  taken->lane_width_forward = column(&axes, 23, "lane_width_forward", TEXTOID);
+  taken->lane_width_backward = column(&axes, 24, "lane_width_backward", TEXTOID);
+  taken->turn_forward = column(&axes, 25, "turn_forward", TEXTOID);
+  taken->turn_backward = column(&axes, 26, "turn_backward", TEXTOID);
+  taken->override_axis = column(&overrides, 27, "override_axis", INT8OID);
+  taken->override_abscissa = column(&overrides, 28, "override_abscissa", FLOAT8OID);
+  taken->override_ordinality = column(&overrides, 29, "override_ordinality", INT4OID);
+  taken->override_direction = column(&overrides, 30, "override_direction", TEXTOID);
+  taken->override_width = column(&overrides, 31, "override_width", FLOAT8OID);
+  taken->override_count = overrides.count;
+  taken->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(32));
+  taken->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(33));
+  taken->lane_width_minimal = PG_GETARG_FLOAT8(34);
+  taken->cycle_lane_width = PG_GETARG_FLOAT8(35);
+  taken->parking_lane_width = PG_GETARG_FLOAT8(36);
+  taken->edge_lines = PG_GETARG_BOOL(37);
+  taken->speed = column(&axes, 38, "speed", FLOAT8OID);
+  taken->restriction_from = column(&restrictions, 39, "restriction_from", INT8OID);
+  taken->restriction_to = column(&restrictions, 40, "restriction_to", INT8OID);
+  taken->restriction_x = column(&restrictions, 41, "restriction_x", FLOAT8OID);
+  taken->restriction_y = column(&restrictions, 42, "restriction_y", FLOAT8OID);
+  taken->restriction_kind = column(&restrictions, 43, "restriction_kind", TEXTOID);
+  taken->restriction_turn = column(&restrictions, 44, "restriction_turn", TEXTOID);
+  taken->restriction_count = restrictions.count;
+  taken->u_turn = PG_GETARG_BOOL(45);
+  taken->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(46));
+  taken->trajectory_tolerance = PG_GETARG_FLOAT8(47);
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {
@@ -260,8 +513,8 @@ void give(const Rows& rows, ReturnSetInfo* result) {
       AllocSetContextCreate(CurrentMemoryContext, "streetgen row", ALLOCSET_DEFAULT_SIZES);
   for (const Row& row : rows) {
     MemoryContext outer = MemoryContextSwitchTo(per_row);
-    Datum values[17];
-    bool nulls[17] = {false};
+    Datum values[22];
+    bool nulls[22] = {false};
     values[0] = CStringGetTextDatum(row.relation);
     values[1] = Int32GetDatum(row.row_index);
     values[2] = Int64GetDatum(row.axis_id);
@@ -290,6 +543,15 @@ void give(const Rows& rows, ReturnSetInfo* result) {
     values[15] = PointerGetDatum(construct_array(
         of_abscissas, row.anchor_abscissa.empty() ? 0 : anchors, FLOAT8OID, 8, true, 'd'));
     values[16] = CStringGetTextDatum(row.method);
+    values[17] = Int32GetDatum(row.lane_position);
+    nulls[17] = row.lane_position < 0;
+    values[18] = Int32GetDatum(row.ordinality);
+    nulls[18] = row.ordinality < 0;
+    const std::string* words[3] = {&row.side, &row.kind, &row.turn};
+    for (int i = 0; i < 3; ++i) {
+      nulls[19 + i] = words[i]->empty();
+      if (!nulls[19 + i]) values[19 + i] = CStringGetTextDatum(words[i]->c_str());
+    }
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
     MemoryContextSwitchTo(outer);
     MemoryContextReset(per_row);

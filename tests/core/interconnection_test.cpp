@@ -34,13 +34,14 @@ Road road(std::int64_t id, const Line& line, int forward, int backward) {
 
 class Town {
  public:
-  explicit Town(std::vector<Road> roads, double radius = 8) : roads_(std::move(roads)) {
-    for (const Road& r : roads_) {
+  explicit Town(const std::vector<Road>& roads, double radius = 8) {
+    std::vector<LanesOfAxis> wishes;
+    for (const Road& r : roads) {
       axes_.push_back({r.id, r.line, 0, r.width, r.width, radius, 5, r.speed});
-      road_of_[r.id] = &r;
+      wishes.push_back({r.id, {r.forward, r.backward}});
     }
     streets_ = streets(axes_, {});
-    for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) add_lanes(e);
+    lanes_ = streetgen::lanes(streets_, wishes, {}, {}).lanes;
   }
 
   std::vector<Interconnection> join(const std::vector<TurnRestriction>& restrictions = {},
@@ -49,8 +50,6 @@ class Town {
   }
 
   const Lane& lane(int index) const { return lanes_[index]; }
-  const std::vector<Lane>& lanes() const { return lanes_; }
-  const Network& network() const { return streets_.network; }
   std::int64_t axis_of(int lane) const { return streets_.network.edges[lanes_[lane].edge].axis_id; }
   // From 1, from left to right in the driving direction.
   int rank(int index) const {
@@ -64,31 +63,6 @@ class Town {
   }
 
  private:
-  void add_lanes(int e) {
-    const Edge& edge = streets_.network.edges[e];
-    const Road& r = *road_of_.at(edge.axis_id);
-    std::vector<LaneWish> all(r.backward.rbegin(), r.backward.rend());
-    for (LaneWish& wish : all) wish.along_axis = false;
-    all.insert(all.end(), r.forward.begin(), r.forward.end());
-    const int n = static_cast<int>(all.size());
-    const Line middle =
-        substring(edge.line, streets_.limits[2 * e].abscissa, streets_.limits[2 * e + 1].abscissa);
-    const Point across = left_normal(unit(edge.line.back() - edge.line.front()));
-    for (int i = 0; i < n; ++i) {
-      Lane lane;
-      lane.edge = e;
-      lane.position = i + 1;
-      lane.along_axis = all[i].along_axis;
-      lane.kind = all[i].kind;
-      lane.turns = all[i].turns;
-      for (const Point& p : middle)
-        lane.line.push_back(p + across * (r.width * (0.5 - (i + 0.5) / n)));
-      lanes_.push_back(lane);
-    }
-  }
-
-  std::vector<Road> roads_;
-  std::map<std::int64_t, const Road*> road_of_;
   std::vector<StreetAxis> axes_;
   Streets streets_;
   std::vector<Lane> lanes_;

@@ -52,7 +52,11 @@ CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
         ('axis_id', '''{7,8}'''), ('geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(0 0,0 50)''::geometry::bytea]'),
         ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
         ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
-        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce''')) v(name, value) $$;
+        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce'''),
+        ('lanes_forward', '''{1,2}'''), ('lanes_backward', '''{1,0}'''), ('kind_forward', '''{"",general|bus}'''), ('kind_backward', '''{"",""}'''),
+        ('lane_width_forward', '''{"",3|}'''), ('lane_width_backward', '''{"",""}'''), ('turn_forward', '''{left;through,""}'''), ('turn_backward', '''{"",""}'''),
+        ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
+        ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true')) v(name, value) $$;
 SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
@@ -65,6 +69,11 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"axis_id": "''{7,7}''"}', '22023', 'axis 7 stands more than once'), ('{"axis_id": "''{7,8,9}''"}', '2202E', 'geom has 2 elements for 3 axes'),
         ('{"width": "''{7,NaN}''"}', '22023', 'width of axis 8 is nan'), ('{"width_end": "''{7,201}''"}', '22023', 'width_end of axis 8 is 201, expected 0.001 to 200'),
         ('{"radius": "''{Infinity,3}''"}', '22023', 'radius of axis 7 is inf'), ('{"width": "''{7,NULL}''"}', '22004', 'width is NULL at position 2'),
+        ('{"lanes_forward": "''{1,-1}''"}', '22023', 'lanes of axis 8 is -1'), ('{"kind_forward": "''{tram,general}''"}', '22023', 'unknown lane of axis 7 "tram"'),
+        ('{"lane_width_forward": "''{3m,3|3}''"}', '22023', 'lane width of axis 7'), ('{"turn_forward": "''{up,left}''"}', '22023', '"up"'),
+        ('{"override_width": "''{-1}''"}', '22023', 'width of a lane override is -1'), ('{"override_abscissa": "''{1,2}''"}', '2202E', 'override_abscissa has 2 elements for 1 lane overrides'),
+        ('{"override_direction": "''{up}''"}', '22023', 'unknown direction of a lane override "up"'), ('{"lane_order": "''any''"}', '22023', 'unknown lane_order'),
+        ('{"driving_side": "''both''"}', '22023', 'unknown driving_side'), ('{"lane_width_minimal": "''NaN''"}', '22023', 'lane_width_minimal is nan'),
         ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
