@@ -51,7 +51,7 @@ FROM pair p JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
 CROSS JOIN LATERAL (SELECT streetgen.max_corner_radius(line_a, line_b, 2 * half_a, 2 * half_b) AS largest) m
 WHERE method = 'no_arc' AND phi < radians(160);
 
--- Flat buffers of the axes (cut where a transition begins), and the corners' fillets.
+-- Flat buffers of the axes (cut where a transition begins), and the corners' fillets: the ground between two borders and their arc.
 CREATE TEMPORARY TABLE change AS SELECT node_id FROM pair WHERE degree = 2 GROUP BY node_id HAVING bool_or(abs(half_a - half_b) > 0.005);
 CREATE TEMPORARY TABLE axis_buffer AS
 SELECT axis_id, ST_Buffer(ST_MakeLine(line ORDER BY start_abscissa), min(half), 'endcap=flat join=round quad_segs=16') AS buffer
@@ -70,6 +70,15 @@ CROSS JOIN LATERAL (SELECT ST_CurveToLine(arc, 16) AS kerb) c
 CROSS JOIN LATERAL (SELECT ST_MakeLine(ARRAY[kerb,
     ST_Reverse(ST_LineSubstring(line_b, 0, ST_LineLocatePoint(line_b, ST_EndPoint(kerb)))), ST_LineSubstring(line_a, 0, ST_LineLocatePoint(line_a, ST_StartPoint(kerb)))]) AS ring) r
 WHERE arc IS NOT NULL
+UNION ALL -- an arc that touches the round end of a border behind the node: the end up to there
+SELECT node_id, ST_Intersection(ST_Buffer(node, half, 64), ST_MakePolygon(ST_MakeLine(ARRAY[node, ST_Translate(node, 3 * kx, 3 * ky),
+           ST_Translate(node, 3 * (kx + tx), 3 * (ky + ty)), ST_Translate(node, 3 * tx, 3 * ty), node])))
+FROM (SELECT node_id, node, half, half * sin(kerb) AS kx, half * cos(kerb) AS ky, ST_X(touch) - ST_X(node) AS tx, ST_Y(touch) - ST_Y(node) AS ty
+      FROM :"model".corner k JOIN pair p USING (node_id, edge_a, end_a, edge_b, end_b)
+      CROSS JOIN LATERAL (VALUES (line_a, half_a, azimuth_a - pi() / 2, ST_StartPoint(arc)), (line_b, half_b, azimuth_b + pi() / 2, ST_EndPoint(arc))) v(line, half, kerb, touch)
+      CROSS JOIN LATERAL (SELECT ST_StartPoint(line) AS node) n
+      WHERE arc IS NOT NULL AND ST_LineLocatePoint(line, touch) = 0) t
+WHERE kx * tx + ky * ty < half * half * (1 - 1e-6)
 UNION ALL
 SELECT node_id, ST_Buffer(ST_StartPoint(line_a), least(half_a, half_b), 64) FROM pair WHERE degree = 2 AND node_id NOT IN (SELECT node_id FROM change);
 CREATE INDEX ON fillet USING gist (ground);

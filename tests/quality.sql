@@ -2,8 +2,8 @@
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
-CREATE TEMPORARY TABLE surface AS SELECT 'section' AS kind, s.edge_id AS id, s.level, s.surface, s.method FROM :"model".section s WHERE NOT ST_IsEmpty(surface)
-    UNION ALL SELECT 'intersection', node_id, level, surface, method FROM :"model".intersection WHERE NOT ST_IsEmpty(surface);
+CREATE TEMPORARY TABLE surface AS SELECT 'section' AS kind, s.edge_id AS id, s.level, s.surface, s.method, from_node AS node_a, to_node AS node_b FROM :"model".section s JOIN :"model".edge USING (edge_id) WHERE NOT ST_IsEmpty(surface)
+    UNION ALL SELECT 'intersection', node_id, level, surface, method, node_id, node_id FROM :"model".intersection WHERE NOT ST_IsEmpty(surface);
 CREATE INDEX ON surface USING gist (surface);
 ANALYZE surface;
 CREATE TEMPORARY TABLE degree AS SELECT node_id, count(*) AS degree FROM (SELECT from_node AS node_id FROM :"model".edge UNION ALL SELECT to_node FROM :"model".edge) e GROUP BY node_id;
@@ -11,7 +11,7 @@ SELECT 'figures | ' || :'model', (SELECT count(*) FROM :"model".axis),
     (SELECT round(100.0 * count(*) FILTER (WHERE NOT ST_IsEmpty(i.surface) AND ST_IsValid(i.surface)) / nullif(count(*), 0), 2) FROM degree d LEFT JOIN :"model".intersection i USING (node_id) WHERE degree >= 3),
     (SELECT round(100.0 * count(*) FILTER (WHERE ST_IsValid(surface)) / count(*), 2) FROM surface),
     (SELECT round((100 * coalesce(sum(ST_Area(ST_Intersection(a.surface, b.surface))), 0) / (SELECT sum(ST_Area(surface)) FROM surface))::numeric, 5)
-        FROM surface a JOIN surface b ON a.surface && b.surface AND a.level = b.level AND (a.kind, a.id) < (b.kind, b.id)),
+        FROM surface a JOIN surface b ON a.surface && b.surface AND (a.level = b.level OR a.kind <> b.kind AND b.id IN (a.node_a, a.node_b)) AND (a.kind, a.id) > (b.kind, b.id)),
     (SELECT round((100 * sum(ST_Length(ST_Intersection(e.geom, c.ground))) / sum(ST_Length(e.geom)))::numeric, 3)
         FROM (SELECT edge_id, ST_Force2D(geom) AS geom, level FROM :"model".edge) e
         CROSS JOIN LATERAL (SELECT ST_Union(s.surface) AS ground FROM surface s WHERE s.surface && e.geom) c),

@@ -128,25 +128,6 @@ WITH s AS (
     SELECT jsonb_object_agg(name, value) AS v,
            hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
     FROM %1$I.setting
-), known AS (
-    SELECT a.*, coalesce(streetgen.driving_lanes(a.kind_forward), nullif(a.lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(a.kind_backward), nullif(a.lanes_backward, 0)) AS stated_backward,
-           s.v, s.setting_hash, c.width AS class_width, c.speed AS class_speed, c.importance AS class_importance,
-           streetgen.believed_width(a.width, a.lane_count, CASE WHEN a.kind IN ('runway', 'taxiway') THEN NULL ELSE (s.v ->> 'max_width_per_lane')::float8 END) AS believed
-    FROM %1$I.axis a CROSS JOIN s LEFT JOIN %1$I.axis_class c ON c.class = a.kind
-), with_width AS (
-    SELECT k.*, coalesce(k.believed, streetgen.estimated_width(coalesce(k.lane_count, k.stated_forward + k.stated_backward), k.class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)) AS width_used,
-           coalesce(k.importance, k.class_importance) AS importance_known
-    FROM known k
-), with_speed AS (
-    SELECT w.*, coalesce(w.speed, w.class_speed, streetgen.estimated_speed(w.importance_known, w.width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used
-    FROM with_width w
-), with_count AS (
-    SELECT w.*, coalesce(lane_count, greatest(streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8), CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used
-    FROM with_speed w
-), with_lanes AS (
-    SELECT c.*, streetgen.lanes_of_way(direction = 'both', direction <> 'reverse', stated_forward, stated_backward, kind_forward IS NOT NULL, count_used, count_used / 2) AS forward_used,
-           streetgen.lanes_of_way(direction = 'both', direction <> 'direct', stated_backward, stated_forward, kind_backward IS NOT NULL, count_used, (count_used + 1) / 2) AS backward_used
-    FROM with_count c
 )
 SELECT axis_id, geom, level, width_used AS width, coalesce(width_end, width_used) AS width_end,
        forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
@@ -158,7 +139,22 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(width_end, width_used
        hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance)
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM with_lanes
+FROM %1$I.axis a CROSS JOIN s
+LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+-- OFFSET 0: each step is computed once, not again in every expression that names it.
+CROSS JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
+           coalesce(importance, class_importance) AS importance_known OFFSET 0) known
+CROSS JOIN LATERAL (
+    SELECT coalesce(believed, streetgen.estimated_width(coalesce(lane_count, stated_forward + stated_backward), class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)) AS width_used OFFSET 0) w
+CROSS JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
+CROSS JOIN LATERAL (
+    SELECT coalesce(lane_count, greatest(streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8), CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
+CROSS JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction = 'both', direction <> 'reverse', stated_forward, stated_backward, kind_forward IS NOT NULL, count_used, count_used / 2) AS forward_used,
+           streetgen.lanes_of_way(direction = 'both', direction <> 'direct', stated_backward, stated_forward, kind_backward IS NOT NULL, count_used, (count_used + 1) / 2) AS backward_used OFFSET 0) l
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$

@@ -107,6 +107,12 @@ MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second
   return geos.polygons(geos.intersection(shared, ground.get()).get());
 }
 
+// Levels overlap freely, but an intersection tiles with all its sections.
+bool tile(const Claim& a, const Claim& b) {
+  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
+                                                  b.edges.end()) != a.edges.end();
+}
+
 std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
@@ -124,7 +130,7 @@ std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& cla
     for (const int j : active) {
       if (boxes[j].max_x < boxes[i].min_x) continue;
       active[kept++] = j;
-      if (claims[i].level == claims[j].level && boxes[i].meets(boxes[j], -1e-6))
+      if (tile(claims[i], claims[j]) && boxes[i].meets(boxes[j], -1e-6))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
     active.resize(kept);

@@ -24,12 +24,14 @@ struct Claim {
   double width = 0;               // of its widest axis, metres
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t place = 0;         // distinct within one axis_id, to break ties
+  std::vector<int> edges;         // that the surface covers or ends on
   double contested_area = 0;      // out: square metres left to others
 };
 
-// Where two surfaces of one level overlap, each point goes to the one whose axis is nearer;
-// where their axes cross, to the more important (then the wider, then the smaller axis_id).
-// Pairs are judged on the surfaces as they come in, so that the order does not matter.
+// Where two surfaces of one level overlap, or two that share an edge (an intersection and its
+// sections), each point goes to the one whose axis is nearer; where their axes cross, to the more
+// important (then the wider, then the smaller axis_id). Pairs are judged on the surfaces as they
+// come in, so that the order does not matter.
 void settle_ownership(Geos& geos, std::vector<Claim>& claims);
 
 }  // namespace streetgen

@@ -49,6 +49,7 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
   const Point in = from - node, out = to - node;
   if (cross(in, out) > 1e-9 || dot(in, out) < 0)
     append_arc(ring, node, from, to, true, join_quarter);
+  ring.push_back(to);
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {

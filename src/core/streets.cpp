@@ -300,11 +300,13 @@ class Pipeline {
       const Arm& arm = arms_[2 * section.edge];
       Claim claim;
       claim.surface = &section.surface;
-      claim.level = out_.network.edges[section.edge].level;
+      const Edge& edge = out_.network.edges[section.edge];
+      claim.level = edge.level;
+      claim.edges = {section.edge};
       if (start.abscissa < end.abscissa)
         claim.skeleton.push_back({&arm.line, start.abscissa, end.abscissa});
       claim.axis_id = axis_of(section.edge).axis_id;
-      claim.place = 2 * std::llround(1000 * out_.network.edges[section.edge].start_abscissa) + 1;
+      claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
       add_axis(claim, section.edge);
       claims.push_back(std::move(claim));
     }
@@ -321,6 +323,7 @@ class Pipeline {
         if (limit > 0)
           claim.skeleton.push_back(
               {&along.line, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+        claim.edges.push_back(end.edge);
         add_axis(claim, end.edge);
       }
       claims.push_back(std::move(claim));

@@ -57,6 +57,23 @@ TEST(Streets, SurfacesAreValidAndTileWhateverTheTown) {
   }
 }
 
+// A wide street of another level that forks at a bridge's end: the flat ends of the fork lie on it.
+TEST(Streets, AnIntersectionTilesWithItsSectionsOfEveryLevel) {
+  const std::vector<StreetAxis> fork = {{1, {{0, 0, 0}, {-80, 0, 0}}, 1, 12, 12, 3, 3},
+                                        {2, {{0, 0, 0}, {80, 0, 0}}, 0, 6, 6, 3, 3},
+                                        {3, {{0, 0, 0}, {80, 40, 0}}, 0, 6, 6, 3, 3}};
+  const Streets town = streets(fork, {});
+  ASSERT_EQ(town.intersections.size(), 1u);
+  const Intersection& intersection = town.intersections.front();
+  Geos geos;
+  const Geos::Geometry ground = geos.surface(intersection.surface);
+  for (const Section& section : town.sections)
+    EXPECT_LE(area(geos.polygons(
+                  geos.intersection(geos.surface(section.surface).get(), ground.get()).get())),
+              1e-6)
+        << "axis " << town.network.edges[section.edge].axis_id;
+}
+
 // East and north from the origin, 10 m wide; a side street cuts the first 3 m off the one east.
 std::vector<StreetAxis> cut_short(double cut, double radius) {
   return {{1, {{0, 0, 0}, {100, 0, 0}}, 0, 10, 10, radius, 3},

@@ -125,6 +125,21 @@ TEST(IntersectionSurface, OfATLeavesTheFarKerbStraight) {
 }
 
 // Whatever the bend, the intersection stays within its arms, their bends and their corners.
+TEST(IntersectionSurface, OfAForkIsAsSymmetricAsItsAxes) {
+  constexpr double half_fork = 25 * M_PI / 180, half_width = 10;
+  for (const double turned : {0.0, 1.0, 2.5}) {
+    const MultiPolygon surface = intersection_surface(
+        {ray(turned, 80), ray(turned + M_PI - half_fork, 80), ray(turned + M_PI + half_fork, 80)},
+        {2 * half_width, 8, 8}, {6, 6, 6});
+    const Point out = ray(turned, 1)[1], across = left_normal(out);
+    for (double at = 0.01; at < half_width; at += 0.25)
+      for (double behind = 0.05; behind < half_width; behind += 0.25)
+        EXPECT_EQ(inside(across * at - out * behind, surface.front()),
+                  inside(across * -at - out * behind, surface.front()))
+            << at << ' ' << behind;
+  }
+}
+
 TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
   for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
     Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);
