@@ -34,3 +34,14 @@ SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 
 FROM (SELECT count(*) AS total FROM :"model".corner) k;
 SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
 FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 3 ORDER BY measure, rank;
+
+\ir traffic.sql
+SELECT 'traffic | ' || :'model', (SELECT count(*) FROM :"model".interconnection), (SELECT round(100.0 * count(*) FILTER (WHERE plausible) / nullif(count(*), 0), 1) FROM :"model".interconnection),
+    count(*) FILTER (WHERE abs(angle) > 20), round(100.0 * (SELECT count(*) FROM tight) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2), round(100.0 * (SELECT count(*) FROM tight WHERE allowed) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2),
+    (SELECT lanes_in - sinks || ' of ' || lanes_in FROM dead), (SELECT lanes_out - sources || ' of ' || lanes_out FROM dead),
+    (SELECT round((100 * sum(inside) / nullif(sum(length), 0))::numeric, 3) FROM inside) || ' |'
+FROM path;
+SELECT 'turns | ' || :'model', count(DISTINCT lane_in), count(*) FILTER (WHERE marked), count(*) FILTER (WHERE guessed),
+    coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE guessed), 0), 1)::text, '-'),
+    coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE marked), 0), 1)::text, '-') || ' |'
+FROM guess;
