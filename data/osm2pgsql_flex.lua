@@ -5,7 +5,17 @@ local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
 local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'width', 'oneway', 'junction',
-               'layer', 'bridge', 'tunnel', 'maxspeed', 'area' }
+               'layer', 'bridge', 'tunnel', 'maxspeed', 'area',
+               'turn:lanes', 'turn:lanes:forward', 'turn:lanes:backward',
+               'width:lanes', 'width:lanes:forward', 'width:lanes:backward',
+               'bus:lanes', 'bus:lanes:forward', 'bus:lanes:backward',
+               'psv:lanes', 'psv:lanes:forward', 'psv:lanes:backward',
+               'lanes:bus', 'lanes:psv', 'lanes:bus:forward', 'lanes:bus:backward',
+               'busway', 'busway:left', 'busway:right', 'busway:both',
+               'cycleway', 'cycleway:left', 'cycleway:right', 'cycleway:both',
+               'cycleway:left:oneway', 'cycleway:right:oneway',
+               'parking:left', 'parking:right', 'parking:both',
+               'parking:lane:left', 'parking:lane:right', 'parking:lane:both' }
 
 local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do

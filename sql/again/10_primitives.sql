@@ -48,6 +48,28 @@ CREATE OR REPLACE FUNCTION streetgen.section_surface(axis geometry, width float8
     AS $$ SELECT streetgen._section_surface(axis::bytea, width, start_abscissa, end_abscissa)::geometry $$;
 COMMENT ON FUNCTION streetgen.section_surface(geometry, float8, float8, float8) IS 'The roadway (POLYGON) of an axis between two abscissas, metres: flat ends, round outer bends, mitred inner ones. Empty where the abscissas cross.';
 
+CREATE OR REPLACE FUNCTION streetgen._offset_line(bytea, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_offset_line';
+COMMENT ON FUNCTION streetgen._offset_line(bytea, float8, float8) IS 'EWKB twin of streetgen.offset_line';
+CREATE OR REPLACE FUNCTION streetgen.offset_line(axis geometry, axis_offset float8, offset_end float8 DEFAULT NULL) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._offset_line(axis::bytea, axis_offset, coalesce(offset_end, axis_offset))::geometry $$;
+COMMENT ON FUNCTION streetgen.offset_line(geometry, float8, float8) IS 'The line (LINESTRING, in the point order of the axis) at an offset, metres to the left of the axis (negative: to the right, up to 200), changing linearly to offset_end: mitred in inner bends, round about outer ones, without the loops of bends tighter than the offset. Bad geometry or numbers: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes(axis bytea, width float8, width_end float8, lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text, lane_width_forward text, lane_width_backward text, lane_order text, driving_side text)
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom bytea, surface bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 4 AS 'MODULE_PATHNAME', 'streetgen_lanes';
+COMMENT ON FUNCTION streetgen._lanes(bytea, float8, float8, integer, integer, text, text, text, text, text, text) IS 'EWKB twin of streetgen.lanes';
+CREATE OR REPLACE FUNCTION streetgen.lanes(axis geometry, width float8, lanes_forward integer DEFAULT 1, lanes_backward integer DEFAULT 1, kind_forward text DEFAULT '', kind_backward text DEFAULT '',
+        lane_width_forward text DEFAULT '', lane_width_backward text DEFAULT '', width_end float8 DEFAULT NULL, lane_order text DEFAULT 'left_first', driving_side text DEFAULT 'right')
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom geometry, surface geometry)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 1000 ROWS 4
+    SET search_path = pg_catalog, public
+    AS $$ SELECT l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.lane_width, l.axis_offset, l.geom::geometry, l.surface::geometry
+          FROM streetgen._lanes(axis::bytea, width, coalesce(width_end, width), lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, lane_order, driving_side) l $$;
+COMMENT ON FUNCTION streetgen.lanes(geometry, float8, integer, integer, text, text, text, text, float8, text, text) IS 'The lanes of an axis (LINESTRING) of a width in metres kerb to kerb, from the left kerb to the right one: counts along and against it, or lists of kinds and widths as in axis.kind_forward and axis.lane_width_forward; no lane at all: one along it. lane_width and axis_offset (metres to the left of the axis) hold at its start; geom in its point order; the surfaces (MULTIPOLYGON) tile the roadway. Bad geometry, numbers, words or lists: 22023. StreetGen paper, 2.5 and 2.7.2.';
+
 CREATE OR REPLACE FUNCTION streetgen._clean(bytea, boolean[], float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_clean';
 COMMENT ON FUNCTION streetgen._clean(bytea, boolean[], float8, float8) IS 'EWKB twin of streetgen.clean';

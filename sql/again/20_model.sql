@@ -147,7 +147,10 @@ CROSS JOIN LATERAL (
            streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
            coalesce(importance, class_importance) AS importance_known OFFSET 0) known
 CROSS JOIN LATERAL (
-    SELECT coalesce(believed, streetgen.estimated_width(coalesce(lane_count, stated_forward + stated_backward), class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)) AS width_used OFFSET 0) w
+    SELECT coalesce(believed, least(200, streetgen.estimated_width(lanes_stated, class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)
+               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used
+    FROM (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) k OFFSET 0) w
 CROSS JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
 CROSS JOIN LATERAL (

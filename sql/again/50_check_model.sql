@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     AS $$
 BEGIN
     RETURN QUERY EXECUTE format($sql$
-WITH used AS MATERIALIZED (SELECT axis_id, geom, input_hash, setting_hash FROM %1$I.axis_used),
+WITH used AS MATERIALIZED (SELECT * FROM %1$I.axis_used),
 surface AS MATERIALIZED (
     SELECT 'section' AS relation, edge_id AS id, level, surface FROM %1$I.section WHERE NOT ST_IsEmpty(surface)
     UNION ALL SELECT 'intersection', node_id, level, surface FROM %1$I.intersection WHERE NOT ST_IsEmpty(surface)),
@@ -37,6 +37,18 @@ decided AS MATERIALIZED (
     JOIN %1$I.edge b ON b.axis_id = d.axis_out JOIN %1$I.lane o ON (o.edge_id, o.ordinality) = (b.edge_id, d.lane_out)
     JOIN %1$I.interconnection c ON (c.lane_in, c.lane_out) = (i.lane_id, o.lane_id) JOIN %1$I.node n USING (node_id) CROSS JOIN tolerance t
     WHERE ST_DWithin(d.geom, n.geom, 3 * t.value) ORDER BY c.interconnection_id, d.interconnection_override_id DESC),
+-- What of a lane lies outside its section, where nothing was contested.
+astray AS MATERIALIZED (
+    SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN %1$I.section s USING (edge_id)
+    WHERE s.contested_area = 0 AND s.method <> 'crossed_limits' AND ST_IsValid(s.surface)),
+overridden AS MATERIALIZED (
+    SELECT o.*, l.lane_id, l.geom, l.along_axis AS runs_along, l.method FROM %1$I.lane_override o
+    LEFT JOIN (%1$I.edge e JOIN %1$I.lane l USING (edge_id)) ON e.axis_id = o.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality),
+listed AS MATERIALIZED (
+    SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u JOIN %1$I.axis a USING (axis_id),
+    LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward, a.direction = 'reverse'),
+                    (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward, a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
+    WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL),
 degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
 SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM surface WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap WHERE ST_Area(shared) > 0.001
@@ -74,6 +86,23 @@ UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom)
 UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
 UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
+UNION ALL SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)
+UNION ALL SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane WHERE NOT ST_IsValid(surface)
+UNION ALL SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray WHERE ST_Length(outside) > 0.1
+UNION ALL SELECT 'warning', 'lane override without its lane', 'lane_override', lane_override_id, abscissa, NULL FROM overridden WHERE lane_id IS NULL
+UNION ALL SELECT 'warning', 'stale: lane override since', 'lane_override', lane_override_id, abscissa, geom FROM overridden WHERE method <> 'by_hand' OR along_axis <> runs_along
+UNION ALL SELECT 'warning', 'stale: lane override is gone', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l WHERE l.method = 'by_hand' AND NOT EXISTS (SELECT FROM overridden o WHERE o.lane_id = l.lane_id)
+UNION ALL SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
+    WHERE l.kind IN ('general', 'bus') AND l.width < s.least - 1e-6
+UNION ALL SELECT 'notice', 'one lane for both directions, taken as two', 'axis', axis_id, lane_count, geom FROM %1$I.axis WHERE direction = 'both' AND lane_count = 1
+UNION ALL SELECT 'notice', 'lane_count is not that of the directions, which count', 'axis', a.axis_id, a.lane_count, a.geom FROM %1$I.axis a JOIN used u USING (axis_id)
+    WHERE a.lane_count <> u.lane_count AND NOT (a.direction = 'both' AND a.lane_count = 1)
+UNION ALL SELECT 'notice', 'lanes against a one-way street, not taken', 'axis', axis_id, stated, geom FROM listed WHERE closed AND stated > 0 AND kinds IS NULL
+UNION ALL SELECT 'notice', 'number of lanes is not that of their kinds, which count', 'axis', axis_id, stated, geom FROM listed WHERE stated <> of_kinds
+UNION ALL SELECT 'notice', 'widths are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(widths, '|')), geom FROM listed
+    WHERE cardinality(string_to_array(widths, '|')) <> coalesce(cardinality(string_to_array(kinds, '|')), used)
+UNION ALL SELECT 'notice', 'turns are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(turns, '|')), geom FROM listed
+    WHERE cardinality(string_to_array(turns, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')), used))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
 END $$;

@@ -80,10 +80,10 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
     if (lane.kind == LaneKind::general || lane.kind == LaneKind::bus) driving.push_back(&lane);
   }
   if (turns.empty()) return lanes;
-  const bool to_all = each_turn.size() == lanes.size();
-  if (!to_all && each_turn.size() != driving.size()) return lanes;
+  const bool to_driving = each_turn.size() == driving.size();
+  if (!to_driving && each_turn.size() != lanes.size()) return lanes;
   for (std::size_t i = 0; i < each_turn.size(); ++i)
-    (to_all ? lanes[i] : *driving[i]).turns = turns_of(each_turn[i], what);
+    (to_driving ? *driving[i] : lanes[i]).turns = turns_of(each_turn[i], what);
   return lanes;
 }
 
@@ -92,6 +92,29 @@ std::string turn_text(unsigned turns) {
   for (const auto& [name, bit] : turn_words)
     if (turns & bit) text += (text.empty() ? "" : ";") + std::string(name);
   return text;
+}
+
+const char* lane_side_name(LaneSide side) {
+  switch (side) {
+    case LaneSide::left:
+      return "left";
+    case LaneSide::centre:
+      return "centre";
+    case LaneSide::right:
+      return "right";
+  }
+  return "";
+}
+
+LaneSettings read_lane_settings(const char* order, const char* driving_side, double narrowest) {
+  LaneSettings settings;
+  settings.order = word_of<LaneOrder>(
+      order, "lane_order",
+      {{"left_first", LaneOrder::left_first}, {"right_first", LaneOrder::right_first}});
+  settings.driving_side = word_of<DrivingSide>(
+      driving_side, "driving_side", {{"right", DrivingSide::right}, {"left", DrivingSide::left}});
+  settings.narrowest = in_range(narrowest, 0.01, 1000, "lane_width_minimal");
+  return settings;
 }
 
 const char* lane_kind_name(LaneKind kind) {

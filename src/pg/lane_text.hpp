@@ -25,5 +25,8 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
 std::string turn_text(unsigned turns);
 
 const char* lane_kind_name(LaneKind kind);
+const char* lane_side_name(LaneSide side);
+
+LaneSettings read_lane_settings(const char* order, const char* driving_side, double narrowest);
 
 }  // namespace streetgen::pg

@@ -6,6 +6,7 @@
 #include "border.hpp"
 #include "streetgen/clean.hpp"
 #include "streetgen/corner.hpp"
+#include "streetgen/lane.hpp"
 #include "streetgen/surface.hpp"
 #include "streetgen/trajectory.hpp"
 #include "wkb.hpp"
@@ -151,6 +152,17 @@ STREETGEN_FUNCTION(streetgen_section_surface) {
                                                   finite(start, "start_abscissa"),
                                                   finite(end, "end_abscissa")),
                                   {read.srid, false})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_offset_line) {
+  const Bytes axis = take_bytes(fcinfo, 0);
+  const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
+  return geometry_result(fcinfo, [&](Result& result) {
+    const ReadLine read = read_line(axis, "axis");
+    result = {true, write_line(offset_line(read.line, in_range(start, -200, 200, "axis_offset"),
+                                           in_range(end, -200, 200, "offset_end")),
+                               {read.srid, false})};
   });
 }
 

@@ -170,14 +170,8 @@ std::vector<LaneOverride> overrides_of(const Taken& taken) {
 }
 
 LaneSettings lane_settings_of(const Taken& taken) {
-  LaneSettings settings;
-  settings.order = word_of<LaneOrder>(
-      taken.lane_order, "lane_order",
-      {{"left_first", LaneOrder::left_first}, {"right_first", LaneOrder::right_first}});
-  settings.driving_side =
-      word_of<DrivingSide>(taken.driving_side, "driving_side",
-                           {{"right", DrivingSide::right}, {"left", DrivingSide::left}});
-  settings.narrowest = in_range(taken.lane_width_minimal, 0.01, 1000, "setting lane_width_minimal");
+  LaneSettings settings =
+      read_lane_settings(taken.lane_order, taken.driving_side, taken.lane_width_minimal);
   settings.edge_lines = taken.edge_lines;
   return settings;
 }
@@ -311,18 +305,6 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
   }
 }
 
-const char* side_name(LaneSide side) {
-  switch (side) {
-    case LaneSide::left:
-      return "left";
-    case LaneSide::centre:
-      return "centre";
-    case LaneSide::right:
-      return "right";
-  }
-  return "";
-}
-
 const char* separator_kind_name(SeparatorKind kind) {
   switch (kind) {
     case SeparatorKind::centre:
@@ -361,7 +343,7 @@ void append_lanes(const Lanes& lanes, Form flat, Rows& rows) {
     row.method = method_name(lane.method);
     row.lane_position = lane.position;
     row.ordinality = lane.ordinality;
-    row.side = side_name(lane.side);
+    row.side = lane_side_name(lane.side);
     row.kind = lane_kind_name(lane.kind);
     row.turn = turn_text(lane.turns);
   }
