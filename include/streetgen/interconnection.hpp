@@ -45,6 +45,7 @@ struct TurnRestriction {
 struct InterconnectionSettings {
   bool u_turn = false;  // also between lanes of one edge
   TrajectoryRule rule = TrajectoryRule::bezier;
+  double least_radius = 3;      // metres, see trajectory
   double tolerance = 0.05;      // metres, of the trajectories' chords
   double node_tolerance = 0.5;  // metres, of the network
 };

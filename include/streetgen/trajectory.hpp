@@ -25,10 +25,13 @@ struct Trajectory {
 //   not parallel           half way from the crossing of the lanes' straight continuations to
 //   `centre` parallel               the middle of start and end: the path is straight parallel and
 //   opposite  half way from that middle to `centre`
-// A given `control` makes the path the Bezier curve with that control point, by either rule.
-// tolerance > 0, metres; a curve has at most 1000 chords.
+// Where that path is tighter than `least_radius` by quarter_radius and the continuations meet
+// ahead, the control point slides from half way towards their crossing, by eighths, until the path
+// is wide enough, else to where it is widest; least_radius 0: the paper's rule everywhere. A given
+// `control` makes the path the Bezier curve with that control point, by either rule. tolerance > 0,
+// metres; a curve has at most 1000 chords.
 Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& centre,
-                      TrajectoryRule rule, double tolerance,
+                      TrajectoryRule rule, double tolerance, double least_radius = 0,
                       const std::optional<Point>& control = {});
 
 // The least radius of the circles through successive quarter points of the path; infinite for a

@@ -31,6 +31,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL, ARRAY['true', 'false']),
     ('trajectory', 'bezier', NULL, 'path between two lanes: bezier, arcs or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
+    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper everywhere', 0, 100, NULL),
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10, NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),

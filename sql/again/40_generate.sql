@@ -143,7 +143,7 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, t.from_axis, t.to_axis, t.x, t.y, t.kind, t.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8) s),
+        u.speed, t.from_axis, t.to_axis, t.x, t.y, t.kind, t.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8) s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),

@@ -208,7 +208,8 @@ class Builder {
                                                                          : turn_of(pair.angle);
         Trajectory path =
             trajectory({in.place - in.direction, in.place}, {out.place, out.place + out.direction},
-                       streets_.network.nodes[node].point, settings_.rule, settings_.tolerance);
+                       streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
+                       settings_.least_radius);
         pair.control = path.control;
         pair.line = std::move(path.line);
         movement.radius.push_back(quarter_radius(pair.line));

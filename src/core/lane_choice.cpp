@@ -12,7 +12,8 @@ namespace streetgen {
 
 namespace {
 
-constexpr double noticeable = 20;         // degrees: a path that turns less has no tight radius
+constexpr double sharp = 100;      // degrees: beyond it a tight movement is one that none takes
+constexpr double noticeable = 20;  // degrees: a path that turns less has no tight radius
 constexpr double importance_weight = 10;  // degrees that a step of importance is worth
 
 struct MarkedTurn {
@@ -370,15 +371,15 @@ class Choice {
           });
   }
 
-  // A tight path goes where both its lanes and its movement have another.
+  // A tight path goes where both its lanes have another; of an ordinary turn, its movement too.
   void drop_tight() {
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
           Verdict& verdict = at(way, i, o);
           if (verdict.plausible && verdict.reason != Reason::turn_lanes && tight(way, i, o) &&
-              taken(*way.movement, &verdict) && leads_on(way.movement->from, i, &verdict) &&
-              reached(way.movement->to, o, &verdict))
+              (std::abs(way.angle) > sharp || taken(*way.movement, &verdict)) &&
+              leads_on(way.movement->from, i, &verdict) && reached(way.movement->to, o, &verdict))
             verdict = {false, Reason::radius};
         }
   }

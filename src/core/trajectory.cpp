@@ -108,6 +108,26 @@ Trajectory tangent_arcs(const Passage& way, double tolerance) {
   return path;
 }
 
+// The control point slides towards the crossing of the lanes until the path is wide enough.
+template <class ByControl>
+Trajectory widened(const Passage& way, const Trajectory& path, double least_radius,
+                   ByControl by_control) {
+  const auto [ahead, behind] = way.reach();
+  const double cosine = dot(way.start_direction, way.end_direction);
+  if (!(ahead > 0 && behind > 0) || std::abs(cosine) >= parallel_cosine) return path;
+  const Point crossing = way.start + way.start_direction * ahead;
+  Trajectory widest = path;
+  double radius = quarter_radius(path.line);
+  for (int step = 1; step <= 8 && radius < least_radius; ++step) {
+    Trajectory next = by_control(path.control + (crossing - path.control) * (step / 8.0));
+    const double wider = quarter_radius(next.line);
+    if (wider <= radius) continue;
+    radius = wider;
+    widest = std::move(next);
+  }
+  return widest;
+}
+
 double circumradius(const Point& a, const Point& b, const Point& c) {
   const double twice_area = std::abs(cross(b - a, c - a));
   const double sides = distance(a, b) * distance(b, c) * distance(c, a);
@@ -117,11 +137,16 @@ double circumradius(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& centre,
-                      TrajectoryRule rule, double tolerance, const std::optional<Point>& control) {
+                      TrajectoryRule rule, double tolerance, double least_radius,
+                      const std::optional<Point>& control) {
   const Passage way = passage(lane_in, lane_out);
-  if (rule == TrajectoryRule::arcs && !control) return tangent_arcs(way, tolerance);
-  const Point used = control ? planar(*control) : paper_control(way, centre);
-  return {used, bezier(way.start, used, way.end, tolerance)};
+  const auto by_control = [&](const Point& point) {
+    return Trajectory{point, bezier(way.start, point, way.end, tolerance)};
+  };
+  if (control) return by_control(planar(*control));
+  if (rule == TrajectoryRule::arcs) return tangent_arcs(way, tolerance);
+  const Trajectory path = by_control(paper_control(way, centre));
+  return least_radius > 0 ? widened(way, path, least_radius, by_control) : path;
 }
 
 double quarter_radius(const Line& path) {

@@ -258,7 +258,7 @@ STREETGEN_FUNCTION(streetgen_interconnection) {
     const Trajectory path =
         trajectory(lane_in.line, lane_out.line, centre.point,
                    wanted == Rule::arcs ? TrajectoryRule::arcs : TrajectoryRule::bezier,
-                   in_range(tolerance, 1e-3, 10, "tolerance"),
+                   in_range(tolerance, 1e-3, 10, "tolerance"), 0,
                    wanted == Rule::control ? std::optional<Point>(centre.point) : std::nullopt);
     result = {true, write_line(path.line, {lane_in.srid, false})};
   });

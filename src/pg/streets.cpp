@@ -65,7 +65,7 @@ struct Taken {
   Datum *restriction_kind, *restriction_turn;
   bool u_turn;
   const char* trajectory;
-  double trajectory_tolerance;
+  double trajectory_tolerance, trajectory_radius;
 };
 
 std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
@@ -208,6 +208,7 @@ InterconnectionSettings interconnection_settings_of(const Taken& taken) {
                               {{"bezier", TrajectoryRule::bezier}, {"arcs", TrajectoryRule::arcs}});
   settings.tolerance =
       in_range(taken.trajectory_tolerance, 1e-3, 1000, "setting trajectory_tolerance");
+  settings.least_radius = in_range(taken.trajectory_radius, 0, 1000, "setting trajectory_radius");
   settings.node_tolerance = taken.tolerance;
   return settings;
 }
@@ -488,6 +489,7 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->u_turn = PG_GETARG_BOOL(45);
   taken->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(46));
   taken->trajectory_tolerance = PG_GETARG_FLOAT8(47);
+  taken->trajectory_radius = PG_GETARG_FLOAT8(48);
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {

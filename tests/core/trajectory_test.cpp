@@ -52,7 +52,7 @@ TEST(Trajectory, AGivenControlPointMakesABezierCurveByEitherRule) {
   const Point control{5, 3, 0};
   for (const TrajectoryRule rule : {TrajectoryRule::bezier, TrajectoryRule::arcs}) {
     const Trajectory path =
-        trajectory(northwards, ray({10, -2, 0}, 0, 50), centre, rule, tolerance, control);
+        trajectory(northwards, ray({10, -2, 0}, 0, 50), centre, rule, tolerance, 3, control);
     expect_point(path.control, control);
     for (const double t : {0.25, 0.5, 0.75})
       EXPECT_LE(distance_to_line(at({2, -10, 0}, control, {10, -2, 0}, t), path.line), tolerance);
@@ -69,6 +69,30 @@ class Random {
  private:
   std::mt19937_64 engine_{20261121};
 };
+
+// A right turn about a kerb of 3 m: the lanes cross at (2, -2).
+TEST(Trajectory, ATightBezierPathBendsNearerToTheCrossingOfItsLanes) {
+  const Line in{{2, -60, 0}, {2, -7, 0}}, out{{7, -2, 0}, {60, -2, 0}};
+  const Trajectory paper = trajectory(in, out, centre, TrajectoryRule::bezier, 1e-3);
+  const Trajectory wider = trajectory(in, out, centre, TrajectoryRule::bezier, 1e-3, 3);
+  ASSERT_LT(quarter_radius(paper.line), 3);
+  EXPECT_GE(quarter_radius(wider.line), 3);
+  // On the way from the paper's control point to the crossing.
+  EXPECT_NEAR(distance_to_line(wider.control, {paper.control, {2, -2, 0}}), 0, 1e-9);
+}
+
+TEST(Trajectory, ABezierPathThatIsWideEnoughIsThePapers) {
+  Random random;
+  for (int i = 0; i < 2000; ++i) {
+    const Line in = random.lane(), out = random.lane();
+    const Trajectory paper = trajectory(in, out, centre, TrajectoryRule::bezier, tolerance);
+    const Trajectory other = trajectory(in, out, centre, TrajectoryRule::bezier, tolerance, 3);
+    EXPECT_GE(quarter_radius(other.line), quarter_radius(paper.line));
+    if (quarter_radius(paper.line) >= 3) {
+      EXPECT_EQ(distance(other.control, paper.control), 0);
+    }
+  }
+}
 
 TEST(Trajectory, EndsLieOnTheLanesExactly) {
   Random random;

@@ -58,7 +58,7 @@ CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
         ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
         ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
         ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
-        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05')) v(name, value) $$;
+        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3')) v(name, value) $$;
 SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
@@ -78,7 +78,7 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"driving_side": "''both''"}', '22023', 'unknown driving_side'), ('{"lane_width_minimal": "''NaN''"}', '22023', 'lane_width_minimal is nan'),
         ('{"speed": "''{50,NaN}''"}', '22023', 'speed of axis 8 is nan'), ('{"restriction_x": "''{NaN}''"}', '22023', 'x of a turn restriction is nan'),
         ('{"restriction_to": "''{}''"}', '2202E', 'restriction_to has 0 elements for 1 turn restrictions'), ('{"restriction_kind": "''{maybe}''"}', '22023', 'unknown kind of a turn restriction "maybe"'),
-        ('{"restriction_turn": "''{up}''"}', '22023', 'unknown turn of a turn restriction "up"'), ('{"trajectory": "''spline''"}', '22023', 'unknown trajectory'), ('{"trajectory_tolerance": "0"}', '22023', 'trajectory_tolerance is 0'),
+        ('{"restriction_turn": "''{up}''"}', '22023', 'unknown turn of a turn restriction "up"'), ('{"trajectory": "''spline''"}', '22023', 'unknown trajectory'), ('{"trajectory_tolerance": "0"}', '22023', 'trajectory_tolerance is 0'), ('{"trajectory_radius": "''NaN''"}', '22023', 'trajectory_radius is nan'),
         ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
