@@ -12,6 +12,7 @@ namespace streetgen {
 
 namespace {
 
+constexpr double slight = 0.9;     // of the angle of a slight turn: parallel lanes
 constexpr double sharp = 100;      // degrees: beyond it a tight movement is one that none takes
 constexpr double noticeable = 20;  // degrees: a path that turns less has no tight radius
 constexpr double importance_weight = 10;  // degrees that a step of importance is worth
@@ -31,6 +32,7 @@ struct Way {
   Movement* movement;
   const Leg* to;
   double angle;  // of the movement; one that turns back is the outermost on its side
+  double order;  // the greater, the farther to the left: by the angle and by where it leads
 };
 
 // The lanes of one kind of a leg, by their index among all.
@@ -57,6 +59,12 @@ double movement_angle(const Leg& from, const Leg& to) {
   return to_the_left ? std::abs(angle) : -std::abs(angle);
 }
 
+double movement_order(const Leg& from, const Leg& to) {
+  const LaneEnd &in = from.in.front(), &out = to.out.front();
+  const Point way = out.place - in.place;
+  return movement_angle(from, to) + (norm(way) > 0 ? turn_angle(in.direction, way) : 0);
+}
+
 class Choice {
  public:
   Choice(const std::vector<Leg>& legs, std::vector<Movement>& movements)
@@ -66,7 +74,7 @@ class Choice {
     for (Movement& movement : movements_) {
       const Leg &from = legs_[movement.from], &to = legs_[movement.to];
       movement.verdicts.resize(from.in.size() * to.out.size());
-      ways_.push_back({&movement, &to, movement_angle(from, to)});
+      ways_.push_back({&movement, &to, movement_angle(from, to), movement_order(from, to)});
     }
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg) approach(leg);
     reach_every_lane();
@@ -105,7 +113,7 @@ class Choice {
         open.push_back(way);
     }
     std::stable_sort(open.begin(), open.end(),
-                     [](const Way& a, const Way& b) { return a.angle > b.angle; });
+                     [](const Way& a, const Way& b) { return a.order > b.order; });
     for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle}) {
       const Group lanes = group_of(legs_[leg].in, kind);
       if (!lanes.empty()) assign(lanes, kind, open);
@@ -130,7 +138,8 @@ class Choice {
       if (!goals.empty()) ways.push_back(way);
     }
     if (ways.empty()) return;
-    const auto served = marked ? serve_marked(lanes, ways) : serve_in_order(lanes, kind, ways);
+    const auto served =
+        marked ? serve_marked(lanes, kind, ways) : serve_in_order(lanes, kind, ways);
     for (std::size_t j = 0; j < ways.size(); ++j)
       if (!served[j].empty()) connect(ways[j], served[j], targets(*ways[j].to, kind), reason);
   }
@@ -141,41 +150,71 @@ class Choice {
   }
 
   // For each way, the lanes that take it: by what is marked on them.
-  std::vector<Group> serve_marked(const Group& lanes, const std::vector<Way>& ways) const {
-    std::vector<const MarkedTurn*> said;
+  std::vector<Group> serve_marked(const Group& lanes, LaneKind kind,
+                                  const std::vector<Way>& ways) const {
+    std::vector<double> said;  // angles, from left to right
     std::vector<std::size_t> onwards;
+    const auto bears = [&](int lane, double angle) {
+      const unsigned turns = from_lane(ways, lane).turns;
+      if (turns == 0) return angle == 0;
+      return std::any_of(std::begin(marked_turns), std::end(marked_turns),
+                         [&](const MarkedTurn& m) { return turns & m.bit && m.angle == angle; });
+    };
     for (const MarkedTurn& mark : marked_turns)
-      for (const int i : lanes)
-        if (from_lane(ways, i).turns & mark.bit) {
-          if (said.empty() || said.back()->angle != mark.angle) said.push_back(&mark);
-          break;
-        }
+      if ((said.empty() || said.back() != mark.angle) &&
+          std::any_of(lanes.begin(), lanes.end(), [&](int i) { return bears(i, mark.angle); }))
+        said.push_back(mark.angle);
     for (std::size_t j = 0; j < ways.size(); ++j)
       if (!turns_back(ways[j])) onwards.push_back(j);
-    // As many marks as ways: one to one from left to right; else each the way nearest to it.
-    const auto way_of = [&](double angle) {
-      if (said.size() == onwards.size())
-        for (std::size_t k = 0; k < said.size(); ++k)
-          if (said[k]->angle == angle) return onwards[k];
-      std::size_t best = 0;
-      for (std::size_t j = 1; j < ways.size(); ++j)
-        if (std::abs(ways[j].angle - angle) < std::abs(ways[best].angle - angle)) best = j;
-      return best;
-    };
     std::vector<Group> served(ways.size());
-    const auto serve = [&](std::size_t j, int lane) {
-      if (served[j].empty() || served[j].back() != lane) served[j].push_back(lane);
-    };
-    for (const int i : lanes) {
-      const unsigned turns = from_lane(ways, i).turns;
-      if (turns == 0) serve(way_of(0), i);
-      for (const MarkedTurn& mark : marked_turns)
-        if (turns & mark.bit) serve(way_of(mark.angle), i);
-      if (turns & turn::reverse)
-        for (std::size_t j = 0; j < ways.size(); ++j)
-          if (turns_back(ways[j])) serve(j, i);
+    for (std::size_t k = 0; k < said.size(); ++k) {
+      // As many marks as ways: one to one from left to right; else the way nearest to the mark,
+      // and those of its kind that no mark is nearer to.
+      std::vector<std::size_t> meant;
+      if (said.size() == onwards.size()) {
+        meant = {onwards[k]};
+      } else {
+        meant = {nearest_way(ways, said[k])};
+        for (const std::size_t j : onwards)
+          if (j != meant.front() && nearest_mark(said, ways[j].angle) == k &&
+              turn_of(ways[j].angle) == turn_of(said[k] * slight))
+            meant.push_back(j);
+        std::sort(meant.begin(), meant.end());
+      }
+      Group bearing;
+      std::vector<Way> subset;
+      for (const int i : lanes)
+        if (bears(i, said[k])) bearing.push_back(i);
+      for (const std::size_t j : meant) subset.push_back(ways[j]);
+      const std::vector<Group> shared = serve_in_order(bearing, kind, subset);
+      for (std::size_t j = 0; j < meant.size(); ++j) add(served[meant[j]], shared[j]);
     }
+    for (std::size_t j = 0; j < ways.size(); ++j)
+      if (turns_back(ways[j]))
+        for (const int i : lanes)
+          if (from_lane(ways, i).turns & turn::reverse) add(served[j], {i});
     return served;
+  }
+
+  static void add(Group& group, const Group& more) {
+    group.insert(group.end(), more.begin(), more.end());
+    std::sort(group.begin(), group.end());
+    group.erase(std::unique(group.begin(), group.end()), group.end());
+  }
+
+  static std::size_t nearest_way(const std::vector<Way>& ways, double angle) {
+    return std::min_element(ways.begin(), ways.end(),
+                            [&](const Way& a, const Way& b) {
+                              return std::abs(a.angle - angle) < std::abs(b.angle - angle);
+                            }) -
+           ways.begin();
+  }
+
+  static std::size_t nearest_mark(const std::vector<double>& said, double angle) {
+    return std::min_element(
+               said.begin(), said.end(),
+               [&](double a, double b) { return std::abs(a - angle) < std::abs(b - angle); }) -
+           said.begin();
   }
 
   // For each way, the lanes that take it: from left to right, the way straight on first.
@@ -263,7 +302,7 @@ class Choice {
       for (const Way& other : ways_)
         if (other.to == way.to && other.movement != way.movement && !other.movement->restricted &&
             !turns_back(other))
-          (other.angle > way.angle ? from_left : from_right) = true;
+          (other.order > way.order ? from_left : from_right) = true;
       if (from_left != from_right) return from_left ? high : 0;
     }
     const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());

@@ -24,8 +24,6 @@ SELECT 'turn and angle: ' || turn, (SELECT bool_and(p.turn = e.turn AND abs(p.an
 SELECT 'a path runs from the end of a lane to the start of the other',
   (SELECT bool_and(ST_StartPoint(geom) = CASE WHEN along_in THEN ST_EndPoint(geom_in) ELSE ST_StartPoint(geom_in) END
                AND ST_EndPoint(geom) = CASE WHEN along_out THEN ST_StartPoint(geom_out) ELSE ST_EndPoint(geom_out) END) FROM pair);
-SELECT 'the path of the primitive', (SELECT bool_and(ST_Equals(p.geom, streetgen.interconnection(CASE WHEN along_in THEN geom_in ELSE ST_Reverse(geom_in) END, CASE WHEN along_out THEN geom_out ELSE ST_Reverse(geom_out) END, n.geom)))
-  FROM pair p JOIN crossing.node n USING (node_id));
 SELECT 'connecting is as plausible', (SELECT bool_and(connecting = plausible) FROM pair);
 SELECT 'by the order of lanes', (SELECT array_agg(ordinality_in || '>' || ordinality_out ORDER BY ordinality_in, ordinality_out) FROM pair WHERE axis_in = 3 AND axis_out = 2 AND plausible) = '{1>1}';
 
@@ -73,6 +71,12 @@ SELECT 'these turn back', (SELECT bool_and(turn = 'u_turn') FROM pair WHERE axis
 SELECT 'which is plausible at dead ends alone', (SELECT bool_and(plausible = (node_id IN (SELECT node_id FROM crossing.intersection)) IS FALSE) FROM pair WHERE axis_in = axis_out AND axis_in <> 3);
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'u_turn', 'false')$q$) \g /dev/null
 SELECT 'without it they go', test.same('crossing', 'ruled');
+SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory_radius', '0')$q$) \g /dev/null
+SELECT 'without a radius every path is that of the primitive', (SELECT bool_and(ST_Equals(p.geom, streetgen.interconnection(CASE WHEN along_in THEN geom_in ELSE ST_Reverse(geom_in) END, CASE WHEN along_out THEN geom_out ELSE ST_Reverse(geom_out) END, n.geom)))
+  FROM pair p JOIN crossing.node n USING (node_id));
+SELECT 'with a radius tight paths bend nearer to the crossing of their lanes', (SELECT count(*) FILTER (WHERE NOT ST_Equals(a.geom, b.geom)) > 0 AND bool_and(ST_Length(b.geom) <= ST_Length(a.geom) + 1e-6)
+  FROM crossing.interconnection a JOIN ruled.interconnection b USING (lane_in, lane_out));
+SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory_radius', '3')$q$) \g /dev/null
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory', 'arcs')$q$) \g /dev/null
 SELECT 'by arcs the path is that of the primitive', (SELECT bool_and(ST_Equals(p.geom, streetgen.interconnection(CASE WHEN along_in THEN geom_in ELSE ST_Reverse(geom_in) END, CASE WHEN along_out THEN geom_out ELSE ST_Reverse(geom_out) END, n.geom, 'arcs')))
   FROM pair p JOIN crossing.node n USING (node_id));
