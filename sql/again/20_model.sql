@@ -153,8 +153,10 @@ CROSS JOIN LATERAL (
 CROSS JOIN LATERAL (
     SELECT coalesce(lane_count, greatest(streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8), CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
 CROSS JOIN LATERAL (
-    SELECT streetgen.lanes_of_way(direction = 'both', direction <> 'reverse', stated_forward, stated_backward, kind_forward IS NOT NULL, count_used, count_used / 2) AS forward_used,
-           streetgen.lanes_of_way(direction = 'both', direction <> 'direct', stated_backward, stated_forward, kind_backward IS NOT NULL, count_used, (count_used + 1) / 2) AS backward_used OFFSET 0) l
+    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,
+           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used OFFSET 0) l
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$

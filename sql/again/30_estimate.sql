@@ -35,12 +35,10 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
     AS $$ SELECT coalesce(sum(CASE kind WHEN 'cycle' THEN cycle_lane_width WHEN 'parking' THEN parking_lane_width END), 0) FROM unnest(string_to_array(kinds, '|')) kind $$;
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
 
-CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(two_way boolean, open boolean, stated integer, stated_against integer, listed boolean, lane_count integer, usually_against integer) RETURNS integer
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated
-                      WHEN two_way THEN greatest(lane_count - coalesce(stated_against, usually_against), 1)
-                      ELSE lane_count END $$;
-COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, boolean, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction leaves of lane_count, at least one. A direction that is closed to traffic has none, but for those that a list of kinds names (a bus lane against the traffic).';
+    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END $$;
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic).';
 
 CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text, near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
