@@ -212,9 +212,9 @@ BEGIN
             name text, level integer NOT NULL DEFAULT 0 CHECK (level BETWEEN -50 AND 50), kind text,
             radius float8 CHECK (radius BETWEEN 0 AND 200),
             lanes_forward integer CHECK (lanes_forward BETWEEN 0 AND 30), lanes_backward integer CHECK (lanes_backward BETWEEN 0 AND 30),
-            kind_forward text CHECK (streetgen.is_lane_list(kind_forward, 'kind')), kind_backward text CHECK (streetgen.is_lane_list(kind_backward, 'kind')),
-            lane_width_forward text CHECK (streetgen.is_lane_list(lane_width_forward, 'width')), lane_width_backward text CHECK (streetgen.is_lane_list(lane_width_backward, 'width')),
-            turn_forward text CHECK (streetgen.is_lane_list(turn_forward, 'turn')), turn_backward text CHECK (streetgen.is_lane_list(turn_backward, 'turn')),
+            kind_forward text CHECK (kind_forward ~ %4$L), kind_backward text CHECK (kind_backward ~ %4$L),
+            lane_width_forward text CHECK (lane_width_forward ~ %5$L), lane_width_backward text CHECK (lane_width_backward ~ %5$L),
+            turn_forward text CHECK (turn_forward ~ %6$L), turn_backward text CHECK (turn_backward ~ %6$L),
             source text, source_ref text, source_geom geometry,
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$,
@@ -266,7 +266,7 @@ BEGIN
         $t$CREATE INDEX report_axis ON %1$I.report (axis_a)$t$,
         $t$COMMENT ON TABLE %1$I.report IS 'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it'$t$
     ] LOOP
-        EXECUTE format(statement, model, z, srid);
+        EXECUTE format(statement, model, z, srid, streetgen._lane_list_pattern('kind'), streetgen._lane_list_pattern('width'), streetgen._lane_list_pattern('turn'));
     END LOOP;
     PERFORM streetgen._make_lane_tables(model, srid);
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);

@@ -57,14 +57,16 @@ CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus
                     array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END], NULL) AS far_inwards) k $$;
 COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general.';
 
+CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width' THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}',
+        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none') END) $$;
+COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS 'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
+
 CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT length(list) <= 600 AND CASE kind
-        WHEN 'kind' THEN list ~ '^(general|bus|cycle|parking)(\|(general|bus|cycle|parking)){0,39}$'
-        WHEN 'width' THEN list ~ '^(\d{1,2}(\.\d{1,6})?)?(\|(\d{1,2}(\.\d{1,6})?)?){0,39}$'
-        WHEN 'turn' THEN list ~ '^(reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none|[;|])*$' AND length(translate(list, translate(list, '|', ''), '')) < 40
-        END $$;
-COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kinds (general, bus, cycle, parking), widths (metres, empty: unknown), or turns (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+    AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
 
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
