@@ -110,11 +110,16 @@ SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off)
     SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
 GROUP BY section_limit_id, border_line HAVING max(off) > 1e-3;
 
+-- A level's ground: its surfaces and those of other levels that tile with them at a node; 1e-6 m2 is the noise of coordinates.
 INSERT INTO finding
 SELECT 'hole', 'level', level, ST_Area(hole), hole FROM (
     SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
-    FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM surface GROUP BY level) u) r
-WHERE ring > 0 AND ST_Area(hole) < 0.5;
+    FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM (
+              SELECT level, surface FROM surface
+              UNION ALL SELECT a.level, b.surface FROM surface a JOIN surface b ON a.kind <> b.kind AND a.level <> b.level
+                  AND CASE a.kind WHEN 'section' THEN b.id IN (a.node_a, a.node_b) ELSE a.id IN (b.node_a, b.node_b) END) g
+          GROUP BY level) u) r
+WHERE ring > 0 AND ST_Area(hole) BETWEEN 1e-6 AND 0.5;
 
 -- T junctions on a straight street: how far the kerb opposite to the side street leaves its line.
 CREATE TEMPORARY TABLE tee AS

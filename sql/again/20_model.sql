@@ -157,8 +157,10 @@ CROSS JOIN LATERAL (
 CROSS JOIN LATERAL (
     SELECT coalesce(lane_count, greatest(streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8), CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
 CROSS JOIN LATERAL (
-    SELECT streetgen.lanes_of_way(direction = 'both', direction <> 'reverse', stated_forward, stated_backward, kind_forward IS NOT NULL, count_used, count_used / 2) AS forward_used,
-           streetgen.lanes_of_way(direction = 'both', direction <> 'direct', stated_backward, stated_forward, kind_backward IS NOT NULL, count_used, (count_used + 1) / 2) AS backward_used OFFSET 0) l
+    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,
+           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used OFFSET 0) l
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$
@@ -223,9 +225,9 @@ BEGIN
             name text, level integer NOT NULL DEFAULT 0 CHECK (level BETWEEN -50 AND 50), kind text,
             radius float8 CHECK (radius BETWEEN 0 AND 200),
             lanes_forward integer CHECK (lanes_forward BETWEEN 0 AND 30), lanes_backward integer CHECK (lanes_backward BETWEEN 0 AND 30),
-            kind_forward text CHECK (streetgen.is_lane_list(kind_forward, 'kind')), kind_backward text CHECK (streetgen.is_lane_list(kind_backward, 'kind')),
-            lane_width_forward text CHECK (streetgen.is_lane_list(lane_width_forward, 'width')), lane_width_backward text CHECK (streetgen.is_lane_list(lane_width_backward, 'width')),
-            turn_forward text CHECK (streetgen.is_lane_list(turn_forward, 'turn')), turn_backward text CHECK (streetgen.is_lane_list(turn_backward, 'turn')),
+            kind_forward text CHECK (kind_forward ~ %4$L), kind_backward text CHECK (kind_backward ~ %4$L),
+            lane_width_forward text CHECK (lane_width_forward ~ %5$L), lane_width_backward text CHECK (lane_width_backward ~ %5$L),
+            turn_forward text CHECK (turn_forward ~ %6$L), turn_backward text CHECK (turn_backward ~ %6$L),
             source text, source_ref text, source_geom geometry,
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$,
@@ -277,7 +279,7 @@ BEGIN
         $t$CREATE INDEX report_axis ON %1$I.report (axis_a)$t$,
         $t$COMMENT ON TABLE %1$I.report IS 'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it'$t$
     ] LOOP
-        EXECUTE format(statement, model, z, srid);
+        EXECUTE format(statement, model, z, srid, streetgen._lane_list_pattern('kind'), streetgen._lane_list_pattern('width'), streetgen._lane_list_pattern('turn'));
     END LOOP;
     PERFORM streetgen._make_lane_tables(model, srid);
     PERFORM streetgen._make_interconnection_tables(model, srid);

@@ -35,12 +35,10 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
     AS $$ SELECT coalesce(sum(CASE kind WHEN 'cycle' THEN cycle_lane_width WHEN 'parking' THEN parking_lane_width END), 0) FROM unnest(string_to_array(kinds, '|')) kind $$;
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
 
-CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(two_way boolean, open boolean, stated integer, stated_against integer, listed boolean, lane_count integer, usually_against integer) RETURNS integer
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated
-                      WHEN two_way THEN greatest(lane_count - coalesce(stated_against, usually_against), 1)
-                      ELSE lane_count END $$;
-COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, boolean, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction leaves of lane_count, at least one. A direction that is closed to traffic has none, but for those that a list of kinds names (a bus lane against the traffic).';
+    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END $$;
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic).';
 
 CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text, near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -59,14 +57,16 @@ CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus
                     array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END], NULL) AS far_inwards) k $$;
 COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general.';
 
+CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width' THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}',
+        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none') END) $$;
+COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS 'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
+
 CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT length(list) <= 600 AND CASE kind
-        WHEN 'kind' THEN list ~ '^(general|bus|cycle|parking)(\|(general|bus|cycle|parking)){0,39}$'
-        WHEN 'width' THEN list ~ '^(\d{1,2}(\.\d{1,6})?)?(\|(\d{1,2}(\.\d{1,6})?)?){0,39}$'
-        WHEN 'turn' THEN list ~ '^(reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none|[;|])*$' AND length(translate(list, translate(list, '|', ''), '')) < 40
-        END $$;
-COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kinds (general, bus, cycle, parking), widths (metres, empty: unknown), or turns (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+    AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
 
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

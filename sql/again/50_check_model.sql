@@ -99,10 +99,8 @@ UNION ALL SELECT 'notice', 'lane_count is not that of the directions, which coun
     WHERE a.lane_count <> u.lane_count AND NOT (a.direction = 'both' AND a.lane_count = 1)
 UNION ALL SELECT 'notice', 'lanes against a one-way street, not taken', 'axis', axis_id, stated, geom FROM listed WHERE closed AND stated > 0 AND kinds IS NULL
 UNION ALL SELECT 'notice', 'number of lanes is not that of their kinds, which count', 'axis', axis_id, stated, geom FROM listed WHERE stated <> of_kinds
-UNION ALL SELECT 'notice', 'widths are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(widths, '|')), geom FROM listed
-    WHERE cardinality(string_to_array(widths, '|')) <> coalesce(cardinality(string_to_array(kinds, '|')), used)
-UNION ALL SELECT 'notice', 'turns are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(turns, '|')), geom FROM listed
-    WHERE cardinality(string_to_array(turns, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')), used))
+UNION ALL SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(list, '|')), geom FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
+    WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')), used))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
 END $$;

@@ -113,7 +113,7 @@ bool tile(const Claim& a, const Claim& b) {
                                                   b.edges.end()) != a.edges.end();
 }
 
-std::vector<std::pair<int, int>> overlapping_pairs(const std::vector<Claim>& claims) {
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
   for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -151,7 +151,20 @@ MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPo
 
 }  // namespace
 
-void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
+std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
+  std::vector<std::pair<int, int>> pairs = overlapping_boxes(claims);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const auto& pair) {
+                               poll_cancel();
+                               return !overlap(*claims[pair.first].surface,
+                                               *claims[pair.second].surface);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
+void settle_ownership(Geos& geos, std::vector<Claim>& claims,
+                      const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
   std::map<int, std::vector<MultiPolygon>> lost;
   const auto geometry = [&](int i) {
@@ -159,9 +172,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims) {
     if (!slot) slot = geos.surface(*claims[i].surface);
     return slot.get();
   };
-  for (const auto& [i, j] : overlapping_pairs(claims)) {
+  for (const auto& [i, j] : disputes) {
     poll_cancel();
-    if (!overlap(*claims[i].surface, *claims[j].surface)) continue;
     const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
     const MultiPolygon ground = geos.polygons(shared.get());
     if (area(ground) <= negligible) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geos.hpp"
@@ -28,10 +29,14 @@ struct Claim {
   double contested_area = 0;      // out: square metres left to others
 };
 
-// Where two surfaces of one level overlap, or two that share an edge (an intersection and its
-// sections), each point goes to the one whose axis is nearer; where their axes cross, to the more
-// important (then the wider, then the smaller axis_id). Pairs are judged on the surfaces as they
-// come in, so that the order does not matter.
-void settle_ownership(Geos& geos, std::vector<Claim>& claims);
+// The pairs of claims that overlap and may not: those of one level, and those that share an edge
+// (an intersection and its sections).
+std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims);
+
+// Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
+// axes cross, to the more important (then the wider, then the smaller axis_id). Pairs are judged on
+// the surfaces as they come in, so that the order does not matter.
+void settle_ownership(Geos& geos, std::vector<Claim>& claims,
+                      const std::vector<std::pair<int, int>>& disputes);
 
 }  // namespace streetgen

@@ -7,6 +7,7 @@
 
 #include "around.hpp"
 #include "geos.hpp"
+#include "hole.hpp"
 #include "ownership.hpp"
 #include "polyline.hpp"
 #include "ring.hpp"
@@ -52,7 +53,6 @@ class Pipeline {
     solve_corners();
     settle_limits();
     build_surfaces();
-    fill_holes();
     settle_owners();
     return std::move(out_);
   }
@@ -241,6 +241,7 @@ class Pipeline {
               section.surface =
                   with_round_end(geos_, section.surface, arms_[2 * e + (at_start ? 0 : 1)]);
       }
+      fill_holes(section.surface, settings_.max_hole_area);
       out_.sections.push_back(std::move(section));
     }
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
@@ -260,20 +261,9 @@ class Pipeline {
         intersection.method = built.by_union ? Method::robust_fallback : Method::hypothesis;
         intersection.surface = std::move(built.surface);
       }
+      fill_holes(intersection.surface, settings_.max_hole_area);
       out_.intersections.push_back(std::move(intersection));
     }
-  }
-
-  // Slivers between an intersection's pieces are roadway.
-  void fill_holes() {
-    const auto fill = [&](MultiPolygon& surface) {
-      for (Polygon& polygon : surface)
-        for (std::size_t i = polygon.size() - 1; i > 0; --i)
-          if (std::abs(signed_area(polygon[i])) < settings_.max_hole_area)
-            polygon.erase(polygon.begin() + i);
-    };
-    for (Section& section : out_.sections) fill(section.surface);
-    for (Intersection& intersection : out_.intersections) fill(intersection.surface);
   }
 
   // The level with most of the node's edges; ties: the lowest.
@@ -328,7 +318,10 @@ class Pipeline {
       }
       claims.push_back(std::move(claim));
     }
-    settle_ownership(geos_, claims);
+    const auto pairs = disputes(claims);
+    const auto holes = holes_between(geos_, claims, pairs, settings_.max_hole_area);
+    settle_ownership(geos_, claims, pairs);
+    give_holes(geos_, claims, holes);
     std::size_t i = 0;
     const auto read = [&](auto& rows) {
       for (auto& row : rows) {

@@ -69,21 +69,25 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
                                      {"parking", LaneKind::parking}});
       lanes.push_back(lane);
     }
-  const std::vector<std::string> each_width = parted(widths, '|'), each_turn = parted(turns, '|');
-  const bool with_widths = !widths.empty() && each_width.size() == lanes.size();
-  std::vector<LaneWish*> driving;
-  for (std::size_t i = 0; i < lanes.size(); ++i) {
-    LaneWish& lane = lanes[i];
-    if (with_widths) lane.width = width_of(each_width[i], what);
-    if (lane.width == 0 && lane.kind == LaneKind::cycle) lane.width = defaults.cycle;
-    if (lane.width == 0 && lane.kind == LaneKind::parking) lane.width = defaults.parking;
+  std::vector<LaneWish*> all, driving;
+  for (LaneWish& lane : lanes) {
+    all.push_back(&lane);
     if (lane.kind == LaneKind::general || lane.kind == LaneKind::bus) driving.push_back(&lane);
   }
-  if (turns.empty()) return lanes;
-  const bool to_driving = each_turn.size() == driving.size();
-  if (!to_driving && each_turn.size() != lanes.size()) return lanes;
-  for (std::size_t i = 0; i < each_turn.size(); ++i)
-    (to_driving ? *driving[i] : lanes[i]).turns = turns_of(each_turn[i], what);
+  // The lanes that a list speaks of, a word each.
+  const auto each = [&](const std::string& list, const auto& read) {
+    if (list.empty()) return;
+    const std::vector<std::string> words = parted(list, '|');
+    if (words.size() != driving.size() && words.size() != all.size()) return;
+    const std::vector<LaneWish*>& named = words.size() == driving.size() ? driving : all;
+    for (std::size_t i = 0; i < words.size(); ++i) read(*named[i], words[i]);
+  };
+  each(widths, [&](LaneWish& lane, const std::string& word) { lane.width = width_of(word, what); });
+  each(turns, [&](LaneWish& lane, const std::string& word) { lane.turns = turns_of(word, what); });
+  for (LaneWish& lane : lanes) {
+    if (lane.width == 0 && lane.kind == LaneKind::cycle) lane.width = defaults.cycle;
+    if (lane.width == 0 && lane.kind == LaneKind::parking) lane.width = defaults.parking;
+  }
   return lanes;
 }
 

@@ -15,8 +15,8 @@ struct KindWidths {
 };
 
 // `count` general lanes, or those of `kinds`.  `widths` and `turns` that name another number of
-// lanes are left out; turns may leave out cycle and parking lanes.  `what` ends each message of
-// Error{invalid_input}.
+// lanes are not read; they may speak of the general and bus lanes only.  `what` ends each message
+// of Error{invalid_input}.
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
                                  const std::string& what);

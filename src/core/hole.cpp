@@ -1,0 +1,129 @@
+#include "hole.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+
+#include "overlap.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double least_hole = 1e-6;  // square metres: below it is the noise of coordinates
+constexpr double touching = 1e-6;    // metres
+
+std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
+  std::vector<Ring> holes;
+  for (const Polygon& polygon : ground)
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+      const double size = std::abs(signed_area(polygon[i]));
+      if (size >= least_hole && size < max_area) holes.push_back(polygon[i]);
+    }
+  return holes;
+}
+
+// Metres of the hole's ring that run along the surface.
+double shared_border(const Ring& hole, const MultiPolygon& surface) {
+  double shared = 0;
+  for (std::size_t i = 1; i < hole.size(); ++i) {
+    const Point middle = (hole[i - 1] + hole[i]) * 0.5;
+    const auto along = [&](const Polygon& polygon) {
+      return std::any_of(polygon.begin(), polygon.end(),
+                         [&](const Ring& ring) { return comes_within(middle, ring, touching); });
+    };
+    if (std::any_of(surface.begin(), surface.end(), along))
+      shared += distance(hole[i - 1], hole[i]);
+  }
+  return shared;
+}
+
+// Claims joined by disputes, with those of their level that share an edge with them: without a
+// dispute there is no small hole.
+std::vector<std::set<int>> groups(const std::vector<Claim>& claims,
+                                  const std::vector<std::pair<int, int>>& disputes) {
+  std::vector<int> parent(claims.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& [i, j] : disputes) parent[root(i)] = root(j);
+  std::unordered_map<int, std::vector<int>> on_edge;
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i)
+    for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
+  std::map<int, std::set<int>> by_root;
+  for (const auto& [i, j] : disputes)
+    for (const int claim : {i, j}) {
+      std::set<int>& group = by_root[root(claim)];
+      group.insert(claim);
+      for (const int edge : claims[claim].edges)
+        for (const int neighbour : on_edge[edge])
+          if (claims[neighbour].level == claims[claim].level) group.insert(neighbour);
+    }
+  std::vector<std::set<int>> all;
+  for (auto& [of, group] : by_root) all.push_back(std::move(group));
+  return all;
+}
+
+}  // namespace
+
+void fill_holes(MultiPolygon& surface, double max_area) {
+  for (Polygon& polygon : surface)
+    for (std::size_t i = polygon.size() - 1; i > 0; --i)
+      if (std::abs(signed_area(polygon[i])) < max_area) polygon.erase(polygon.begin() + i);
+}
+
+std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
+                                const std::vector<std::pair<int, int>>& disputes, double max_area) {
+  const auto united = [&](const auto& members) {
+    std::vector<MultiPolygon> parts;
+    for (const int i : members) parts.push_back(*claims[i].surface);
+    return geos.polygons(geos.unite(parts).get());
+  };
+  std::vector<Hole> holes;
+  std::set<std::pair<double, double>> seen;
+  for (const std::set<int>& group : groups(claims, disputes)) {
+    poll_cancel();
+    for (const Ring& found : small_holes(united(group), max_area)) {
+      const Box box = box_of({{found}});
+      std::vector<int> around;
+      for (const int i : group)
+        if (box_of(*claims[i].surface).meets(box, touching)) around.push_back(i);
+      std::sort(around.begin(), around.end(), [&](int i, int j) {
+        return std::tie(claims[i].axis_id, claims[i].place) <
+               std::tie(claims[j].axis_id, claims[j].place);
+      });
+      // Once more from its neighbours alone: the same whatever else was united.
+      for (const Ring& ring : small_holes(united(around), max_area))
+        if (box.holds(ring.front(), touching) &&
+            seen.insert({ring.front().x, ring.front().y}).second)
+          holes.push_back({ring, around});
+    }
+  }
+  return holes;
+}
+
+void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>& holes) {
+  for (const Hole& hole : holes) {
+    MultiPolygon* owner = nullptr;
+    double longest = 0;
+    for (const int i : hole.around) {
+      const double shared = shared_border(hole.ring, *claims[i].surface);
+      if (shared <= longest) continue;
+      longest = shared;
+      owner = claims[i].surface;
+    }
+    if (owner == nullptr) continue;
+    *owner = geos.polygons(geos.unite({*owner, {{hole.ring}}}).get());
+    fill_holes(*owner, 2 * std::abs(signed_area(hole.ring)));
+  }
+}
+
+}  // namespace streetgen

@@ -1,0 +1,30 @@
+// Small holes are roadway: within a surface, and between surfaces that tile.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "geos.hpp"
+#include "ownership.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// Interior rings under `max_area` square metres go.
+void fill_holes(MultiPolygon& surface, double max_area);
+
+struct Hole {
+  Ring ring;
+  std::vector<int> around;  // the claims near it
+};
+
+// Holes under `max_area` square metres in the union of a level's surfaces. Only surfaces in a
+// dispute and those that share an edge with them are looked at: without a dispute there is no such
+// hole.
+std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
+                                const std::vector<std::pair<int, int>>& disputes, double max_area);
+
+// Each hole goes to the surface with the longest border on it; ties: the smaller (axis_id, place).
+void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>& holes);
+
+}  // namespace streetgen
