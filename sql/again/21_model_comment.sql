@@ -143,7 +143,7 @@ BEGIN
         ('interconnection', 'connecting', 'the user''s choice, else as plausible'),
         ('interconnection', 'control', 'control point of the path: of the Bezier curve, or where the tangents of the arcs meet; NULL by a function of the user''s'),
         ('interconnection', 'geom', 'path from the end of lane_in to the start of lane_out; where these touch, a line of two equal points'),
-        ('interconnection', 'method', 'hypothesis, or override where a user decided something'),
+        ('interconnection', 'method', 'hypothesis, or by_hand where a user decided something'),
         ('interconnection_override', 'interconnection_override_id', 'key'),
         ('interconnection_override', 'geom', 'place of the node, within three tolerances of it'),
         ('interconnection_override', 'axis_in', 'axis of the lane that comes in'),

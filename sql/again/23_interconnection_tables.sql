@@ -19,7 +19,7 @@ BEGIN
             node_id bigint NOT NULL, lane_in bigint NOT NULL REFERENCES %1$I.lane ON DELETE CASCADE, lane_out bigint NOT NULL REFERENCES %1$I.lane ON DELETE CASCADE,
             turn text NOT NULL CHECK (turn IN ('through', 'left', 'right', 'u_turn')), angle float8 NOT NULL,
             plausible boolean NOT NULL, reason text NOT NULL, connecting boolean NOT NULL,
-            control geometry(Point, %2$s), geom geometry(LineString, %2$s) NOT NULL, method text NOT NULL CHECK (method IN ('hypothesis', 'override')),
+            control geometry(Point, %2$s), geom geometry(LineString, %2$s) NOT NULL, method text NOT NULL CHECK (method IN ('hypothesis', 'by_hand')),
             UNIQUE (lane_in, lane_out))$t$,
         $t$CREATE INDEX interconnection_node ON %1$I.interconnection (node_id)$t$, $t$CREATE INDEX interconnection_lane_out ON %1$I.interconnection (lane_out)$t$,
         $t$CREATE INDEX interconnection_geom ON %1$I.interconnection USING gist (geom)$t$,

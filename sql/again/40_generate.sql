@@ -286,7 +286,7 @@ new_interconnection AS MATERIALIZED (
            CASE WHEN d.control IS NOT NULL THEN d.control::bytea WHEN drawn THEN r.geom_2 END AS control,
            CASE WHEN d.control IS NULL AND drawn THEN r.geom_1
                 ELSE streetgen._trajectory(v ->> 'trajectory', i.geom::geometry, i.along_axis, o.geom::geometry, o.along_axis, n.geom::geometry, d.control, (v ->> 'trajectory_tolerance')::float8)::bytea END AS geom,
-           CASE WHEN d.row_index IS NULL THEN 'hypothesis' ELSE 'override' END AS method
+           CASE WHEN d.row_index IS NULL THEN 'hypothesis' ELSE 'by_hand' END AS method
     FROM result r CROSS JOIN (SELECT v, v ->> 'trajectory' IN ('bezier', 'arcs') AS drawn FROM setting) s
     JOIN node_id_of n ON n.row_index = r.node_a JOIN new_lane i ON i.row_index = r.edge_a JOIN new_lane o ON o.row_index = r.edge_b
     LEFT JOIN interconnection_decided d ON d.row_index = r.row_index LEFT JOIN %1$I.interconnection k ON (k.lane_in, k.lane_out) = (i.lane_id, o.lane_id)

@@ -77,7 +77,7 @@ UNION ALL SELECT 'warning', 'interconnection override without a place', 'interco
         JOIN %1$I.edge b ON b.edge_id = o.edge_id JOIN %1$I.node n ON n.node_id = c.node_id CROSS JOIN tolerance t
         WHERE (a.axis_id, i.ordinality, b.axis_id, o.ordinality) = (d.axis_in, d.lane_in, d.axis_out, d.lane_out) AND ST_DWithin(d.geom, n.geom, 3 * t.value))
 UNION ALL SELECT 'warning', 'stale: an interconnection override changed since', 'interconnection_override', interconnection_override_id, 0, geom FROM decided
-    WHERE was_method <> 'override' OR was_connecting <> coalesce(connecting, plausible) OR control IS NOT NULL AND control::bytea IS DISTINCT FROM was_control::bytea
+    WHERE was_method <> 'by_hand' OR was_connecting <> coalesce(connecting, plausible) OR control IS NOT NULL AND control::bytea IS DISTINCT FROM was_control::bytea
 UNION ALL SELECT 'warning', 'stale: the axis changed since', 'axis', u.axis_id, 0, u.geom FROM used u WHERE EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)
 UNION ALL SELECT 'warning', 'stale: the axis is gone', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = e.axis_id)
 UNION ALL SELECT 'warning', 'stale: settings changed since, edges', 'setting', NULL, count(*), NULL FROM %1$I.edge e JOIN used u USING (axis_id) WHERE e.setting_hash <> u.setting_hash HAVING count(*) > 0

@@ -43,7 +43,7 @@ SELECT pg_temp.again('DELETE FROM crossing.turn_restriction') \g /dev/null
 
 -- Overrides.
 SELECT pg_temp.again($q$INSERT INTO crossing.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) VALUES ('SRID=2154;POINT(650000 6860000)', 1, 2, 4, 2, false)$q$) \g /dev/null
-SELECT 'a user disconnects', (SELECT plausible AND NOT connecting AND method = 'override' FROM pair WHERE axis_in = 1 AND axis_out = 4);
+SELECT 'a user disconnects', (SELECT plausible AND NOT connecting AND method = 'by_hand' FROM pair WHERE axis_in = 1 AND axis_out = 4);
 SELECT pg_temp.again($q$UPDATE crossing.interconnection_override SET connecting = NULL, control = 'SRID=2154;POINT(649999 6860005)'$q$) \g /dev/null
 SELECT 'a user draws the control point', (SELECT ST_Equals(control, 'SRID=2154;POINT(649999 6860005)') AND connecting = plausible
   AND ST_DWithin(geom, ST_SetSRID(ST_MakePoint((ST_X(ST_StartPoint(geom)) + 2 * 649999 + ST_X(ST_EndPoint(geom))) / 4, (ST_Y(ST_StartPoint(geom)) + 2 * 6860005 + ST_Y(ST_EndPoint(geom))) / 4), 2154), 0.05)
