@@ -70,7 +70,9 @@ struct Lane {
   double width = 0;        // metres, at the start limit of the edge
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
-  MultiPolygon surface;    // the lanes of an edge tile its section; empty where the limits crossed
+  // The lanes of an edge tile its section; where a ring would not be simple, the buffer of the
+  // centre line.  Empty where the limits crossed.
+  MultiPolygon surface;
   unsigned turns = 0;
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand
 };

@@ -40,14 +40,21 @@ LaneStrip strip_of(const Streets& streets, int e) {
   return strip;
 }
 
+// A quadrilateral that turns left at each corner needs no proof of validity.
+bool convex(const Ring& ring) {
+  if (ring.size() != 5) return false;
+  for (int i = 0; i < 4; ++i)
+    if (cross(ring[i + 1] - ring[i], ring[(i + 2) % 4] - ring[i + 1]) <= 0) return false;
+  return true;
+}
+
 // Between the lines along its two sides.
 MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const Line& middle,
                           double width) {
   Ring ring = right;
   ring.insert(ring.end(), left.rbegin(), left.rend());
   ring.push_back(ring.front());
-  const bool quad = left.size() == 2 && right.size() == 2;
-  if (quad || geos.valid(geos.polygon({ring}).get())) return {{ring}};
+  if (convex(ring) || geos.valid(geos.polygon({ring}).get())) return {{ring}};
   const std::vector<double> half(middle.size(), width / 2);
   return variable_buffer(middle, half);
 }

@@ -60,14 +60,34 @@ std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double widt
   return shares;
 }
 
+namespace {
+
+// A bend beside the limit may lie behind the border line, which is normal to the axis about it.
+void drop_behind(Line& line, const Line& border, double reach) {
+  const Point onwards = left_normal(border[1] - border[0]);
+  auto first = line.begin() + 1;
+  while (first + 1 != line.end() && distance(*first, line.front()) < reach &&
+         dot(*first - line.front(), onwards) <= 0)
+    ++first;
+  line.erase(line.begin() + 1, first);
+}
+
+}  // namespace
+
 Line line_at_share(const LaneStrip& strip, double share) {
   const double of_half = 1 - 2 * share;
   Line line = offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
                           of_half * strip.half_end);
   if (line.size() < 2) line.push_back(line.front());
-  line.front() = strip.from_border[0] + (strip.from_border[1] - strip.from_border[0]) * share;
-  line.back() = strip.to_border[0] + (strip.to_border[1] - strip.to_border[0]) * share;
-  return line;
+  const auto on = [&](const Line& border) { return border[0] + (border[1] - border[0]) * share; };
+  line.front() = on(strip.from_border);
+  line.back() = on(strip.to_border);
+  if (share <= 0 || share >= 1) return line;  // a kerb is that of the section
+  const double reach = strip.half_at(strip.from);
+  drop_behind(line, strip.from_border, reach);
+  line = reversed(std::move(line));
+  drop_behind(line, reversed(strip.to_border), reach);
+  return reversed(std::move(line));
 }
 
 }  // namespace streetgen

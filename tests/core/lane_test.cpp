@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "../../src/core/geos.hpp"
@@ -187,19 +189,24 @@ struct Town {
   Lanes lanes;
 };
 
-Town town(unsigned seed) {
+constexpr unsigned towns = 3;
+
+const Town& town(unsigned seed) {
+  static std::map<unsigned, Town> made;
+  const auto found = made.find(seed);
+  if (found != made.end()) return found->second;
   StreetSettings settings;
   settings.crossing = Crossing::split;
-  Town town{streetgen::streets(random_town(seed, 40), settings), {}};
+  Town town{streetgen::streets(random_town(seed, 30), settings), {}};
   LaneSettings with_edges;
   with_edges.edge_lines = true;
-  town.lanes = lanes(town.streets, random_lanes(seed, 40), {}, with_edges);
-  return town;
+  town.lanes = lanes(town.streets, random_lanes(seed, 30), {}, with_edges);
+  return made.emplace(seed, std::move(town)).first->second;
 }
 
 TEST(Lanes, TileTheirSection) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Town made = town(seed);
+  for (unsigned seed = 1; seed <= towns; ++seed) {
+    const Town& made = town(seed);
     Geos geos;
     std::vector<double> sum(made.streets.sections.size());
     for (const Lane& lane : made.lanes.lanes) {
@@ -218,8 +225,8 @@ TEST(Lanes, TileTheirSection) {
 }
 
 TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Town made = town(seed);
+  for (unsigned seed = 1; seed <= towns; ++seed) {
+    const Town& made = town(seed);
     for (const Lane& lane : made.lanes.lanes) {
       const SectionLimit &start = made.streets.limits[2 * lane.edge],
                          &end = made.streets.limits[2 * lane.edge + 1];
@@ -240,7 +247,7 @@ TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
 }
 
 TEST(Lanes, AreNumberedOncePerEdge) {
-  const Town made = town(9);
+  const Town& made = town(3);
   std::vector<std::vector<int>> seen(made.streets.network.edges.size());
   for (const Lane& lane : made.lanes.lanes) seen[lane.edge].push_back(lane.ordinality);
   for (std::vector<int>& ordinality : seen) {
@@ -252,8 +259,8 @@ TEST(Lanes, AreNumberedOncePerEdge) {
 }
 
 TEST(Lanes, DoNotDependOnTheOrderOfWishes) {
-  const Streets streets = streetgen::streets(random_town(4, 40), {});
-  std::vector<LanesOfAxis> axes = random_lanes(4, 40);
+  const Streets streets = streetgen::streets(random_town(4, 20), {});
+  std::vector<LanesOfAxis> axes = random_lanes(4, 20);
   const Lanes first = lanes(streets, axes, {}, {});
   std::reverse(axes.begin(), axes.end());
   const Lanes second = lanes(streets, axes, {}, {});
@@ -265,7 +272,7 @@ TEST(Lanes, DoNotDependOnTheOrderOfWishes) {
 
 TEST(Lanes, MarkingsAreValidSurfaces) {
   Geos geos;
-  const Town made = town(2);
+  const Town& made = town(2);
   ASSERT_FALSE(made.lanes.markings.empty());
   for (const Marking& marking : made.lanes.markings) {
     EXPECT_GT(area(marking.surface), 0);
