@@ -108,10 +108,11 @@ Trajectory tangent_arcs(const Passage& way, double tolerance) {
   return path;
 }
 
-// The control point slides towards the crossing of the lanes until the path is wide enough.
+// The control point slides towards the crossing of the lanes until the path is wide enough; where
+// no such path is, arcs may be wider.
 template <class ByControl>
 Trajectory widened(const Passage& way, const Trajectory& path, double least_radius,
-                   ByControl by_control) {
+                   double tolerance, ByControl by_control) {
   const auto [ahead, behind] = way.reach();
   const double cosine = dot(way.start_direction, way.end_direction);
   if (!(ahead > 0 && behind > 0) || std::abs(cosine) >= parallel_cosine) return path;
@@ -125,7 +126,9 @@ Trajectory widened(const Passage& way, const Trajectory& path, double least_radi
     radius = wider;
     widest = std::move(next);
   }
-  return widest;
+  if (radius >= least_radius) return widest;
+  Trajectory arcs = tangent_arcs(way, tolerance);
+  return quarter_radius(arcs.line) > radius ? arcs : widest;
 }
 
 double circumradius(const Point& a, const Point& b, const Point& c) {
@@ -146,7 +149,7 @@ Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& ce
   if (control) return by_control(planar(*control));
   if (rule == TrajectoryRule::arcs) return tangent_arcs(way, tolerance);
   const Trajectory path = by_control(paper_control(way, centre));
-  return least_radius > 0 ? widened(way, path, least_radius, by_control) : path;
+  return least_radius > 0 ? widened(way, path, least_radius, tolerance, by_control) : path;
 }
 
 double quarter_radius(const Line& path) {

@@ -81,6 +81,13 @@ TEST(Trajectory, ATightBezierPathBendsNearerToTheCrossingOfItsLanes) {
   EXPECT_NEAR(distance_to_line(wider.control, {paper.control, {2, -2, 0}}), 0, 1e-9);
 }
 
+// About a kerb of 3 m with lanes of 1.5 m even the curve about the crossing is tighter than 3 m.
+TEST(Trajectory, WhereNoBezierPathIsWideEnoughArcsAre) {
+  const Line in{{0.75, -60, 0}, {0.75, -4.5, 0}}, out{{4.5, -0.75, 0}, {60, -0.75, 0}};
+  const Line wider = trajectory(in, out, centre, TrajectoryRule::bezier, 1e-3, 3).line;
+  for (const Point& p : wider) EXPECT_NEAR(distance(p, {4.5, -4.5, 0}), 3.75, 1e-9);
+}
+
 TEST(Trajectory, ABezierPathThatIsWideEnoughIsThePapers) {
   Random random;
   for (int i = 0; i < 2000; ++i) {
