@@ -5,6 +5,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${STREETGEN_BUILD:-$root/build}
 home=${STREETGEN_HOME:-$build/cluster}
 stage=$build/stage
+checkout=$(printf %s "$root" | cksum | cut -d' ' -f1)
+sign_in=/var/lib/streetgen
 
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "streetgen: $*"; exit 1; }
@@ -43,6 +45,13 @@ build_extension() {
   DESTDIR=$stage cmake --install "$build/release" >/dev/null
 }
 
+# The core, its tests and the fuzz program under ASan and UBSan.
+build_sanitized() {
+  mkdir -p "$build"
+  cmake -S "$root" -B "$build/sanitized" -DSTREETGEN_SANITIZE=ON >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake --build "$build/sanitized" -j"$(nproc)" >"$build/sanitized.log" 2>&1 || { tail -20 "$build/sanitized.log" >&2; fail "the sanitized build failed"; }
+}
+
 pg_bin() { pg_config --bindir; }
 
 # A free port of the loopback interface.
@@ -57,10 +66,13 @@ free_port() {
 settle_home() {
   if [ "$(id -u)" = 0 ]; then
     id streetgen >/dev/null 2>&1 || useradd --system --home-dir /nonexistent --shell /usr/sbin/nologin streetgen
+    # Each checkout signs in, so that the last one to be removed takes the user with it.
+    mkdir -p "$sign_in"
+    ln -sfn "$build" "$sign_in/$checkout"
     # A checkout under a closed folder cannot be read by that user: then the files go to /var/lib.
     mkdir -p "$build"
     if ! runuser -u streetgen -- test -x "$build"; then
-      home=${STREETGEN_HOME:-/var/lib/streetgen-$(printf %s "$root" | cksum | cut -d' ' -f1)}
+      home=${STREETGEN_HOME:-/var/lib/streetgen-$checkout}
       stage=$home/stage
     fi
   fi
@@ -94,6 +106,20 @@ EOF
   PGPORT=$(sed -n 4p "$home/data/postmaster.pid")
   PGUSER=gis
   export PGHOST PGPORT PGUSER
+}
+
+# The cluster and the build; the system user goes with the last checkout that uses it.
+remove_all() {
+  stop_cluster
+  rm -rf "$home" "$build"
+  [ "$(id -u)" = 0 ] || return 0
+  rm -f "$sign_in/$checkout"
+  if [ -n "$(find -L "$sign_in" -mindepth 1 -maxdepth 1 -type d -print -quit 2>/dev/null)" ] || pgrep -u streetgen >/dev/null 2>&1; then
+    say "the system user streetgen stays: another checkout uses it"
+    return 0
+  fi
+  rm -rf "$sign_in"
+  if id streetgen >/dev/null 2>&1; then userdel streetgen; fi
 }
 
 stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -m fast -w stop >/dev/null; fi; }

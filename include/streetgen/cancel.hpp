@@ -7,6 +7,9 @@ namespace streetgen {
 using CancelCheck = bool (*)() noexcept;
 void set_cancel_check(CancelCheck check) noexcept;
 
+// Whether the caller asks to stop.
+bool cancel_wanted() noexcept;
+
 // Throws Error{cancelled} when the caller asks to stop.  Costs a few nanoseconds.
 void poll_cancel();
 

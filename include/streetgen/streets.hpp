@@ -11,6 +11,15 @@
 
 namespace streetgen {
 
+// The kerbs that change linearly where two axes of different width meet, seen along an axis;
+// the other one steps at the node.
+enum class TransitionKind { symmetric, left, right };
+
+struct Transition {
+  TransitionKind kind = TransitionKind::symmetric;
+  double length = 5;  // metres
+};
+
 struct StreetAxis {
   std::int64_t axis_id = 0;
   Line line;
@@ -20,10 +29,11 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
+  // Wanted at its ends instead of StreetSettings::transition.
+  std::optional<Transition> transition_start{}, transition_end{};
 };
 
-enum class TransitionKind { symmetric, left, right };  // the kerbs that change linearly
-enum class RadiusRule { min, max, mean };              // of the radii of a corner's two axes
+enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axes
 // What happens first where an axis is too short for the wanted radius; the other comes second.
 enum class ShortAxis { reduce, follow };
 
@@ -36,8 +46,9 @@ struct StreetSettings {
   double radius_minimal = 0.15;  // metres, the kerb stone's radius
   double reach = 60;             // metres along the network: how far a corner follows its axes
   ShortAxis short_axis = ShortAxis::reduce;
-  double transition_length = 5;  // metres, where two axes of different width meet
-  TransitionKind transition_kind = TransitionKind::symmetric;
+  // Where two axes of different width meet and neither wants its own; where both do, that of the
+  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller axis_id.
+  Transition transition;
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres

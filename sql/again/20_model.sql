@@ -18,7 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance, the last entry for all beyond it; null: no arc; empty: turning_radius', NULL, NULL, NULL),
     ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
     ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
-    ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
+    ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
     ('max_width_per_lane', '5.5', 'm', 'a source width beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
@@ -68,7 +68,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_owner(name) IS 'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
 
 CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
     AS $$
 BEGIN
     -- Inside a definer function current_user is the function's owner: ask for the caller's role.
@@ -102,22 +102,40 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_srid(integer) IS 'Raises 22023 for spatial references that are unknown, geographic, not in metres or more than 1 % off in scale.';
 
-CREATE OR REPLACE FUNCTION streetgen._warn_scale(place geometry) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._check_scale(lines text) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    centre geometry := ST_Transform(place, 4326);
-    -- Metres of ground for one metre of map.
-    east float8 := ST_Distance(centre::geography, ST_Transform(ST_Translate(place, 100, 0), 4326)::geography) / 100;
-    north float8 := ST_Distance(centre::geography, ST_Transform(ST_Translate(place, 0, 100), 4326)::geography) / 100;
+    place record;
+    centre geometry;
+    -- Metres of ground for 100 m of map.
+    east float8;
+    north float8;
 BEGIN
-    IF NOT (east BETWEEN 0.99 AND 1.01 AND north BETWEEN 0.99 AND 1.01) THEN
-        RAISE WARNING 'the scale of SRID % is more than 1 %% off at %', ST_SRID(place), ST_AsText(place, 0) USING ERRCODE = '22023',
-            DETAIL = format('100 m of map are %s m and %s m of ground.', round((100 * east)::numeric, 1), round((100 * north)::numeric, 1)),
-            HINT = format('Use the UTM zone of this place: EPSG:%s.', CASE WHEN ST_Y(centre) < 0 THEN 32700 ELSE 32600 END + least(60, floor((ST_X(centre) + 180) / 6)::integer + 1));
-    END IF;
+    -- A scale grows or shrinks towards the rim: the ends of the lines that touch it are looked at.
+    FOR place IN EXECUTE format($sql$
+WITH line AS MATERIALIZED (%s),
+rim AS (SELECT min(ST_XMin(geom)) AS west, max(ST_XMax(geom)) AS east, min(ST_YMin(geom)) AS south, max(ST_YMax(geom)) AS north FROM line)
+SELECT label, ST_Force2D(v.point) AS point FROM line, rim, LATERAL (VALUES (ST_StartPoint(geom)), (ST_EndPoint(geom))) v(point)
+WHERE (ST_XMin(geom) = west OR ST_XMax(geom) = rim.east OR ST_YMin(geom) = south OR ST_YMax(geom) = rim.north)
+    AND ST_X(v.point) BETWEEN -1e12 AND 1e12 AND ST_Y(v.point) BETWEEN -1e12 AND 1e12 $sql$, lines)
+    LOOP
+        BEGIN
+            centre := ST_Transform(place.point, 4326);
+            east := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 100, 0), 4326)::geography);
+            north := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 0, 100), 4326)::geography);
+        EXCEPTION WHEN internal_error THEN
+            RAISE EXCEPTION '%, %, lies where SRID % is not defined', place.label, ST_AsText(place.point, 0), ST_SRID(place.point) USING ERRCODE = '22023',
+                DETAIL = SQLERRM, HINT = 'Mend its coordinates, or make the model in the reference that they are in.';
+        END;
+        IF NOT (east BETWEEN 99 AND 101 AND north BETWEEN 99 AND 101) THEN
+            RAISE EXCEPTION 'the scale of SRID % is more than 1 %% off at %, %', ST_SRID(place.point), place.label, ST_AsText(place.point, 0) USING ERRCODE = '22023',
+                DETAIL = format('100 m of map are %s m east and %s m north on the ground.', round(east::numeric, 1), round(north::numeric, 1)),
+                HINT = format('Make the model in the UTM zone of this place: EPSG:%s.', CASE WHEN ST_Y(centre) < 0 THEN 32700 ELSE 32600 END + least(60, floor((ST_X(centre) + 180) / 6)::integer + 1));
+        END IF;
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._warn_scale(geometry) IS 'Warns, naming the UTM zone, where the projection of a point is more than 1 % off in scale.';
+COMMENT ON FUNCTION streetgen._check_scale(text) IS 'Raises 22023, naming the place, the scale and the UTM zone, where the projection of lines, given as a query of label and geom, is more than 1 % off in scale or not defined.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -137,7 +155,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(width_end, width_used
        streetgen.wanted_radius(radius, importance_known, speed_used, width_used, v ->> 'radius_by_importance', v ->> 'turning_mode') AS radius,
        array_remove(ARRAY[CASE WHEN believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
-       hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance)
+       hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance,
+           (SELECT string_agg(format('%%s %%s %%s', which, o.kind, length), '|' ORDER BY which) FROM %1$I.transition_override o WHERE o.axis_id = a.axis_id))
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
 FROM %1$I.axis a CROSS JOIN s
@@ -165,14 +184,16 @@ $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
-SELECT i.node_id, i.level, min(e.group_id) AS group_id
-FROM %1$I.intersection i
-CROSS JOIN LATERAL (
-    SELECT least(i.node_id, g.from_node, g.to_node) AS group_id
-    FROM %1$I.edge g JOIN %1$I.section s USING (edge_id)
-    WHERE i.node_id IN (g.from_node, g.to_node) AND s.method = 'crossed_limits'
-    UNION ALL SELECT i.node_id) e
-GROUP BY i.node_id, i.level
+WITH RECURSIVE crossed AS (
+    SELECT from_node, to_node FROM %1$I.edge JOIN %1$I.section s USING (edge_id)
+    WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM %1$I.intersection) AND to_node IN (SELECT node_id FROM %1$I.intersection)
+), touching AS (
+    SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+), joined AS (
+    SELECT node_id, node_id AS other FROM %1$I.intersection
+    UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+)
+SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id) GROUP BY node_id, i.level
 $sql$, model);
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
@@ -183,7 +204,7 @@ FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id
 WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between: the smallest node of each and its neighbours over crossed limits'$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
 
@@ -206,6 +227,7 @@ BEGIN
             HINT = format('Choose another name, or SELECT streetgen.drop_model(%L) if it is a model that may go.', model);
     END IF;
     EXECUTE format('CREATE SCHEMA %I', model);
+    EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     FOREACH statement IN ARRAY ARRAY[
         $t$CREATE TABLE %1$I.setting (name text PRIMARY KEY, value text, unit text, description text NOT NULL, minimum float8, maximum float8, choice text[])$t$,
         $t$COMMENT ON TABLE %1$I.setting IS 'Settings of the model; streetgen.set changes one, within its range'$t$,
@@ -232,6 +254,13 @@ BEGIN
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$,
         $t$COMMENT ON TABLE %1$I.axis IS 'Input: road axes. Only geom is obligatory. width, width_end, radius in metres (width kerb to kerb), speed km/h, importance 1 highest, direction along the line; what is known of single lanes stands in lists with |, from left to right in driving direction; source_geom is the line before cleaning'$t$,
+        $t$CREATE TABLE %1$I.transition_override (
+            transition_override_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+            axis_id bigint NOT NULL, -- no foreign key: an override whose axis is gone stays
+            which text NOT NULL CHECK (which IN ('start', 'end')),
+            kind text CHECK (kind IN ('symmetric', 'left', 'right')), length float8 CHECK (length BETWEEN 0 AND 200),
+            UNIQUE (axis_id, which))$t$,
+        $t$COMMENT ON TABLE %1$I.transition_override IS 'Input: change of width at one end of an axis, instead of the settings transition_kind and transition_length; streetgen.set_transition writes it by node'$t$,
         $t$CREATE TABLE %1$I.node (node_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY, geom geometry(Point%2$s, %3$s) NOT NULL)$t$,
         $t$CREATE INDEX node_geom ON %1$I.node USING gist (geom)$t$,
         $t$COMMENT ON TABLE %1$I.node IS 'Where axes meet or end'$t$,
@@ -256,7 +285,7 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.section_limit IS 'Where the constant part of an edge begins and ends, abscissas in metres along the edge; border_line runs from the left to the right kerb'$t$,
         $t$CREATE TABLE %1$I.section (
             edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE, level integer NOT NULL,
-            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+            surface geometry(MultiPolygon, %3$s) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)), method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
         $t$CREATE INDEX section_surface ON %1$I.section USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.section IS 'Roadway of the constant part of an edge; empty where its limits crossed; contested_area (m2) went to another surface'$t$,
         $t$CREATE TABLE %1$I.corner (
@@ -271,7 +300,7 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.corner IS 'Kerb of a corner, counter-clockwise from edge_a to edge_b: true arc, centre, radius wanted and used (metres, 0 without an arc)'$t$,
         $t$CREATE TABLE %1$I.intersection (
             node_id bigint PRIMARY KEY REFERENCES %1$I.node ON DELETE CASCADE, level integer NOT NULL,
-            surface geometry(MultiPolygon, %3$s) NOT NULL, method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+            surface geometry(MultiPolygon, %3$s) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)), method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
         $t$CREATE INDEX intersection_surface ON %1$I.intersection USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.intersection IS 'Roadway about a node, out to the section limits'$t$,
         $t$CREATE TABLE %1$I.report (
@@ -302,7 +331,7 @@ END $$;
 COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
-    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
     AS $$ DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name) $$;
 COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
 
@@ -312,22 +341,38 @@ CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
 DECLARE
     srid integer;
     dimension integer;
+    missing text[];
+    reader regrole;
 BEGIN
-    IF to_regclass(format('%I.axis', schema)) IS NULL OR to_regclass(format('%I.setting', schema)) IS NULL THEN
-        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its tables axis and setting are missing.';
+    missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
+        WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
+    IF missing <> '{}' THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = format('Its tables %s are missing.', array_to_string(missing, ', '));
     END IF;
     SELECT g.srid, g.coord_dimension INTO srid, dimension FROM geometry_columns g
         WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
+    IF NOT FOUND OR srid = 0 THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its table axis has no column geom with an SRID.';
+    END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._make_views(schema);
+    PERFORM streetgen._comment_model(schema);
+    -- Who may read the axes may read the views that were lost.
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee NOT IN (0, relowner) LOOP
+        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group TO %2$s', schema, reader);
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ BEGIN RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model); END $$;
-COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model.';
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
+END $$;
+COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
@@ -396,7 +441,7 @@ BEGIN
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
     IF kind = 'editor' THEN
-        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.lane_override, %1$I.interconnection_override TO %2$I', model, role);
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, %1$I.lane_override, %1$I.interconnection_override TO %2$I', model, role);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor).';

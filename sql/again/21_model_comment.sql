@@ -1,4 +1,4 @@
--- What each column of a model is.
+-- What each column of a model's tables and views is.
 CREATE OR REPLACE FUNCTION streetgen._comment_model(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -49,6 +49,11 @@ BEGIN
         ('turn_restriction', 'turn', 'through, left, right or u_turn: which edges are meant where an axis goes on beyond the node; NULL: all'),
         ('turn_restriction', 'source', 'table that it was imported from'),
         ('turn_restriction', 'source_ref', 'its identity in the source'),
+        ('transition_override', 'transition_override_id', 'key'),
+        ('transition_override', 'axis_id', 'the axis'),
+        ('transition_override', 'which', 'its start or end, where the width changes'),
+        ('transition_override', 'kind', 'kerbs that change linearly, seen along this axis: symmetric, left or right; NULL: setting transition_kind'),
+        ('transition_override', 'length', 'length of the change, metres; NULL: setting transition_length'),
         ('node', 'node_id', 'key; kept while one of the axis ends or shared vertices that made it is there'),
         ('node', 'geom', 'place'),
         ('edge', 'edge_id', 'key; kept while the edge starts at the same node of the same axis'),
@@ -156,9 +161,24 @@ BEGIN
         ('report', 'axis_a', 'the axis'),
         ('report', 'axis_b', 'the other axis, or the same'),
         ('report', 'measure', 'width of the cluster or length of the axis, metres'),
-        ('report', 'geom', 'place')) v(relation, attribute, text)
+        ('report', 'geom', 'place'),
+        ('axis_used', 'axis_id', 'the axis'),
+        ('axis_used', 'geom', 'the axis of the road'),
+        ('axis_used', 'level', 'level of the axis'),
+        ('axis_used', 'width', 'width kerb to kerb at the start, metres'),
+        ('axis_used', 'width_end', 'width kerb to kerb at the end, metres'),
+        ('axis_used', 'lane_count', 'number of lanes of both directions'),
+        ('axis_used', 'speed', 'speed of the traffic, km/h'),
+        ('axis_used', 'importance', 'importance, 1 the highest'),
+        ('axis_used', 'radius', 'wanted radius of its corners, metres, 0: none'),
+        ('axis_used', 'estimated', 'which of these values are estimated'),
+        ('axis_used', 'input_hash', 'hash of the axis and the values used'),
+        ('axis_used', 'setting_hash', 'hash of the settings'),
+        ('intersection_group', 'node_id', 'the node of the intersection'),
+        ('intersection_group', 'level', 'level of the intersection'),
+        ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours')) v(relation, attribute, text)
     LOOP
         EXECUTE format('COMMENT ON COLUMN %I.%I.%I IS %L', model, remark.relation, remark.attribute, remark.text);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._comment_model(name) IS 'Comments every column of a model''s tables.';
+COMMENT ON FUNCTION streetgen._comment_model(name) IS 'Comments every column of a model''s tables and views.';

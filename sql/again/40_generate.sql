@@ -11,22 +11,80 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8) RETURNS SETOF integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        -- Of four times as many places as cells hardly a cell is free.
+        SELECT generate_series(1, 1024) WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
+        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
+            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x, generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
+            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <= 4096;
+    END;
+COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS 'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
+
+CREATE OR REPLACE FUNCTION streetgen._cells(model name, axes bigint[], far float8) RETURNS integer[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    cells integer[];
+BEGIN
+    -- A run for an axis writes every axis near it whole, ends included: 10 m is more than ends can be apart.
+    EXECUTE format($sql$
+WITH asked AS MATERIALIZED (
+    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
+written AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)),
+line AS (
+    SELECT geom, $2 AS reach FROM asked
+    UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id IN (SELECT axis_id FROM written)
+    UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id IN (SELECT axis_id FROM written))
+SELECT coalesce(array_agg(DISTINCT cell ORDER BY cell), '{}')
+FROM line, (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s,
+     streetgen._cell(ST_XMin(geom) - reach, ST_YMin(geom) - reach, ST_XMax(geom) + reach, ST_YMax(geom) + reach, size) cell $sql$, model) INTO cells USING axes, far;
+    RETURN cells;
+END $$;
+COMMENT ON FUNCTION streetgen._cells(name, bigint[], float8) IS 'The cells of all that a run for the axes reads or writes, ascending.';
+
+CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], cells integer[], far float8) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    outside bigint[];
+BEGIN
+    EXECUTE format($sql$
+WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
+size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+held AS (
+    SELECT DISTINCT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)),
+inside AS (
+    SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
+    WHERE axis_id = ANY ($1) AND cell = ANY ($2)
+    UNION ALL SELECT a.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.axis a ON ST_DWithin(a.geom, e.geom, $3)
+    UNION ALL SELECT f.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.edge f ON ST_DWithin(f.geom, e.geom, $3))
+SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, cells, far;
+    RETURN outside;
+END $$;
+COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[], float8) IS 'Those of the axes for which a run reads or writes nothing in the cells.';
+
 CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, far float8) RETURNS bigint[]
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    -- More cells than this are not worth their locks.
+    most_cells constant integer := 64;
     -- The first key of each lock: the model; 0 as second key: the whole model.
-    model_key integer := hashtext('streetgen.' || model);
+    model_key constant integer := hashtext('streetgen.' || model);
     held integer[] := '{}';
     missed integer[] := '{}';
+    whole constant boolean := axes IS NULL;
+    wanted integer[];
     cell integer;
-    granted bigint[];
 BEGIN
     IF current_setting('transaction_isolation') <> 'read committed' THEN
         RAISE EXCEPTION 'generate needs isolation level read committed, this transaction has %', current_setting('transaction_isolation')
             USING ERRCODE = '0A000', HINT = 'Under a higher level it would compute from a snapshot older than its locks.';
     END IF;
-    IF axes IS NULL THEN
+    IF whole THEN
         IF wait THEN
             PERFORM pg_advisory_xact_lock(model_key, 0);
             RETURN NULL;
@@ -36,38 +94,36 @@ BEGIN
         -- Another session edits: go on axis by axis with the places that are free.
         EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO axes;
     END IF;
-    IF wait THEN
-        PERFORM pg_advisory_xact_lock_shared(model_key, 0);
-    ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
-        RETURN '{}';
-    END IF;
-    FOR cell IN EXECUTE format($sql$
-        SELECT DISTINCT 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) AS cell
-        FROM (SELECT value::float8 AS size, $2 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
-             (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
-              UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) g,
-             generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
-             generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
-        ORDER BY 1 $sql$, model) USING axes, far
     LOOP
-        IF wait THEN
-            PERFORM pg_advisory_xact_lock(model_key, cell);
-        ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
-            missed := missed || cell;
+        wanted := ARRAY(SELECT c FROM unnest(CASE WHEN whole THEN ARRAY(SELECT generate_series(1, 1024)) ELSE streetgen._cells(model, axes, far) END) c WHERE c <> ALL (held || missed));
+        -- Once nothing new is found under the locks, no other session can add to it.
+        EXIT WHEN wanted = '{}';
+        IF cardinality(held || missed) = 0 THEN
+            IF cardinality(wanted) > most_cells THEN
+                IF wait THEN
+                    PERFORM pg_advisory_xact_lock(model_key, 0);
+                    RETURN axes;
+                ELSIF pg_try_advisory_xact_lock(model_key, 0) THEN
+                    RETURN axes;
+                END IF;
+            END IF;
+            IF wait THEN
+                PERFORM pg_advisory_xact_lock_shared(model_key, 0);
+            ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
+                RETURN '{}';
+            END IF;
         END IF;
+        FOREACH cell IN ARRAY wanted LOOP
+            IF wait THEN
+                PERFORM pg_advisory_xact_lock(model_key, cell);
+            ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
+                missed := missed || cell;
+                CONTINUE;
+            END IF;
+            held := held || cell;
+        END LOOP;
     END LOOP;
-    IF missed = '{}' THEN
-        RETURN axes;
-    END IF;
-    EXECUTE format($sql$
-        SELECT coalesce(array_agg(id), '{}') FROM unnest($1) id WHERE NOT EXISTS (
-            SELECT FROM (SELECT value::float8 AS size, $3 AS reach FROM %1$I.setting WHERE name = 'cell_size') s,
-                 (SELECT geom FROM %1$I.axis WHERE axis_id = id UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = id) g,
-                 generate_series(floor((ST_XMin(geom) - reach) / size)::bigint, floor((ST_XMax(geom) + reach) / size)::bigint) x,
-                 generate_series(floor((ST_YMin(geom) - reach) / size)::bigint, floor((ST_YMax(geom) + reach) / size)::bigint) y
-            WHERE 1 + (hashint8(x::bigint * 1000003 + y::bigint) & 1023) = ANY ($2)) $sql$, model)
-        INTO granted USING axes, missed, far;
-    RETURN granted;
+    RETURN CASE missed WHEN '{}' THEN axes ELSE streetgen._outside(model, axes, missed, far) END;
 END $$;
 COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
 
@@ -85,10 +141,14 @@ DECLARE
     gathered bigint[];
     far float8;
     place text;
+    lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
+    IF wait IS NOT TRUE THEN
+        PERFORM set_config('lock_timeout', '1ms', true);
+    END IF;
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
-    EXECUTE format('SELECT streetgen._warn_scale(ST_Force2D(ST_StartPoint(geom))) FROM (SELECT geom FROM %I.axis ORDER BY axis_id LIMIT 1) a', model);
+    PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
     -- How far an axis can change others: along the network, and by its roadway.
     EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
     IF axes IS NULL THEN
@@ -129,9 +189,12 @@ result AS MATERIALIZED (
                array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
                array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
                array_agg(coalesce(turn_forward, '') ORDER BY axis_id) AS turn_forward, array_agg(coalesce(turn_backward, '') ORDER BY axis_id) AS turn_backward FROM used) u, (
+        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
+               coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
+        FROM %1$I.transition_override, setting WHERE $2 IS NULL OR axis_id = ANY ($2)) t, (
         SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(abscissa), '{}') AS abscissa, coalesce(array_agg(ordinality), '{}') AS ordinality,
                coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END), '{}') AS direction, coalesce(array_agg(coalesce(width, 0)), '{}') AS width
-        FROM %1$I.lane_override) o, (
+        FROM %1$I.lane_override WHERE $2 IS NULL OR axis_id = ANY ($2)) o, (
         SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
                coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
@@ -139,7 +202,7 @@ result AS MATERIALIZED (
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
-        (v ->> 'reach')::float8, v ->> 'short_axis',
+        (v ->> 'reach')::float8, v ->> 'short_axis', t.axis_id, t.which, t.kind, t.length,
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
@@ -327,5 +390,9 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
     replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
+    PERFORM set_config('lock_timeout', lock_timeout_before, true);
+EXCEPTION WHEN lock_not_available THEN
+    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03',
+        HINT = CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.' ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another session holds (wait => true waits for them). Needs read committed (0A000). A setting that is missing: 22004; out of its range: 22023.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023.';

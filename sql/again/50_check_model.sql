@@ -3,6 +3,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 BEGIN
+    PERFORM streetgen._check_model(model);
     RETURN QUERY EXECUTE format($sql$
 WITH used AS MATERIALIZED (SELECT * FROM %1$I.axis_used),
 surface AS MATERIALIZED (
@@ -86,6 +87,11 @@ UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom)
 UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
 UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
+UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'transition_override', o.transition_override_id, 0, u.geom
+    FROM %1$I.transition_override o LEFT JOIN used u USING (axis_id) WHERE NOT EXISTS (
+        SELECT FROM %1$I.edge e JOIN %1$I.intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node ELSE e.to_node END JOIN degree d USING (node_id)
+        WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested')
+            AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start' THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
 UNION ALL SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)
 UNION ALL SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray WHERE ST_Length(outside) > 0.1
@@ -103,5 +109,8 @@ UNION ALL SELECT 'notice', what || ' are not those of all lanes, not taken', 'ax
     WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')), used))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
+EXCEPTION WHEN internal_error THEN
+    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';

@@ -53,7 +53,7 @@ $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
 
 CREATE OR REPLACE FUNCTION streetgen._transformed(source_ref text, geom geometry, srid integer) RETURNS geometry
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     RETURN ST_Transform(geom, srid);
@@ -78,6 +78,8 @@ CREATE TEMPORARY TABLE _import_segment ON COMMIT DROP AS
 SELECT a.axis_id, a.level, s.geom, ST_Azimuth(ST_StartPoint(s.geom), ST_EndPoint(s.geom)) AS direction FROM %I.axis a, ST_DumpSegments(ST_Force2D(a.geom)) s $sql$, model);
     CREATE INDEX ON _import_segment USING gist (geom);
     ANALYZE _import_segment;
+    -- The index of a table that was just analysed; a hash join of a whole level would be quadratic.
+    PERFORM set_config('enable_nestloop', 'on', true);
     -- Axes that meet at an angle are near each other at their node only: segments within 10 degrees are looked at.
     RETURN QUERY EXECUTE format($sql$
 WITH epsilon AS (SELECT value::float8 AS near FROM %1$I.setting WHERE name = 'clean_epsilon'),
@@ -92,12 +94,15 @@ SELECT CASE WHEN metres > 0.99 * ST_Length(a.geom) THEN 'lies on another axis' E
        array_agg(coalesce(a.source_ref, a.axis_id::text) ORDER BY a.source_ref)
 FROM shared JOIN %1$I.axis a USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(a.geom)) GROUP BY 1 ORDER BY 1 $sql$, model);
     DROP TABLE _import_segment;
+EXCEPTION WHEN internal_error THEN
+    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen._suspects(name) IS 'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis within clean_epsilon of another axis of its level.';
 
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 DECLARE
     target_srid integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
@@ -184,6 +189,8 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source_ref % stands in more than one source row', bad.source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
     END IF;
+
+    PERFORM streetgen._check_scale('SELECT ''source row '' || coalesce(source_ref, ''?'') AS label, line AS geom FROM _import_part');
 
     RETURN QUERY EXECUTE format($sql$
 WITH gone AS (

@@ -23,17 +23,26 @@ class BoxIndex {
   // Indices of the boxes that meet `box` grown by `margin`, ascending.
   std::vector<int> near(const Box& box, double margin) const {
     std::vector<Entry> found;
-    tree_.query(
-        boost::geometry::index::intersects(Extent{{box.min_x - margin, box.min_y - margin},
-                                                  {box.max_x + margin, box.max_y + margin}}),
-        std::back_inserter(found));
+    tree_.query(boost::geometry::index::intersects(grown(box, margin)), std::back_inserter(found));
     std::vector<int> indices;
     for (const Entry& entry : found) indices.push_back(entry.second);
     std::sort(indices.begin(), indices.end());
     return indices;
   }
 
+  // Whether `holds` is true of any of them; asked in no order, and only until it is.
+  template <class Holds>
+  bool any_near(const Box& box, double margin, Holds holds) const {
+    for (auto found = tree_.qbegin(boost::geometry::index::intersects(grown(box, margin)));
+         found != tree_.qend(); ++found)
+      if (holds(found->second)) return true;
+    return false;
+  }
+
  private:
+  static Extent grown(const Box& box, double margin) {
+    return {{box.min_x - margin, box.min_y - margin}, {box.max_x + margin, box.max_y + margin}};
+  }
   static std::vector<Entry> entries(const std::vector<Box>& boxes) {
     std::vector<Entry> all;
     all.reserve(boxes.size());

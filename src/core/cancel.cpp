@@ -10,9 +10,10 @@ thread_local CancelCheck cancel_check = nullptr;
 
 void set_cancel_check(CancelCheck check) noexcept { cancel_check = check; }
 
+bool cancel_wanted() noexcept { return cancel_check != nullptr && cancel_check(); }
+
 void poll_cancel() {
-  if (cancel_check != nullptr && cancel_check())
-    throw Error(ErrorKind::cancelled, "canceling statement due to user request");
+  if (cancel_wanted()) throw Error(ErrorKind::cancelled, "canceling statement due to user request");
 }
 
 }  // namespace streetgen

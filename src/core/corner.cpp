@@ -90,9 +90,7 @@ double piece_distance(const OffsetPiece& piece, const Point& p) {
 }
 
 Box box_of(const OffsetPiece& piece) {
-  Box box;
-  box.add(piece.start);
-  box.add(piece.end);
+  const Box box = box_of(piece.start, piece.end);
   if (!piece.arc) return box;
   const double radius = distance(piece.start, piece.centre);
   const double half_chord = distance(piece.start, piece.end) / 2;
@@ -100,14 +98,43 @@ Box box_of(const OffsetPiece& piece) {
   return box.grown(rise);
 }
 
+constexpr std::size_t worth_an_index = 64;
+
+// One axis and, where it is long, its segments by place.
+class Axis {
+ public:
+  explicit Axis(const Line& line) : line_(line) {
+    if (line.size() <= worth_an_index) return;
+    std::vector<Box> boxes(line.size() - 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(line[i], line[i + 1]);
+    segments_.emplace(boxes);
+  }
+
+  const Line& line() const { return line_; }
+
+  // Whether it is anywhere nearer to p than `reach`.
+  bool comes_within(const Point& p, double reach) const {
+    if (!segments_) return streetgen::comes_within(p, line_, reach);
+    poll_cancel();
+    Box box;
+    box.add(p);
+    return segments_->any_near(
+        box, reach, [&](int i) { return distance_to_segment(p, line_[i], line_[i + 1]) < reach; });
+  }
+
+ private:
+  const Line& line_;
+  std::optional<BoxIndex> segments_;
+};
+
 // The offset border with the quarter of its round end behind the node: where a wide axis meets a
 // narrow one nearly straight on, the circle touches the wide one's end.
 class Border {
  public:
-  Border(const Line& axis, double offset, int side)
-      : axis_(axis), offset_(offset), pieces_(offset_pieces(axis, offset, side)) {
-    const Point node = planar(axis.front());
-    const Point behind = node - place_at(axis, 0).direction * offset;
+  Border(const Axis& axis, double offset, int side)
+      : axis_(axis), offset_(offset), pieces_(offset_pieces(axis.line(), offset, side)) {
+    const Point node = planar(axis.line().front());
+    const Point behind = node - place_at(axis.line(), 0).direction * offset;
     pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0});
     boxes_.reserve(pieces_.size());
     for (const OffsetPiece& piece : pieces_) boxes_.push_back(box_of(piece));
@@ -128,23 +155,22 @@ class Border {
   }
 
   // Nearer to the axis than the border is: no place for a centre.
-  bool too_near(const Point& p) const { return comes_within(p, axis_, offset_ - slack); }
+  bool too_near(const Point& p) const { return axis_.comes_within(p, offset_ - slack); }
 
  private:
-  static constexpr std::size_t worth_an_index = 64;
   static constexpr double touch = 1e-5;  // metres, more than the slack of a meeting
 
-  const Line& axis_;
+  const Axis& axis_;
   double offset_;
   std::vector<OffsetPiece> pieces_;
   std::vector<Box> boxes_;
   std::optional<BoxIndex> index_;
 };
 
-std::optional<Meeting> nearest_meeting(const Line& axis_a, const Line& axis_b, double offset_a,
+std::optional<Meeting> nearest_meeting(const Axis& axis_a, const Axis& axis_b, double offset_a,
                                        double offset_b) {
   const Border border_a(axis_a, offset_a, +1), border_b(axis_b, offset_b, -1);
-  const Point node = planar(axis_a.front());
+  const Point node = planar(axis_a.line().front());
   std::optional<Meeting> best;
   double best_distance = std::numeric_limits<double>::infinity();
   for (const OffsetPiece& a : border_a.pieces()) {
@@ -182,7 +208,8 @@ Point towards(const Line& axis, double abscissa, const Point& centre, double hal
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
                                     double width_b, double radius) {
   const double half_a = width_a / 2, half_b = width_b / 2;
-  const auto meeting = nearest_meeting(axis_a, axis_b, half_a + radius, half_b + radius);
+  const auto meeting =
+      nearest_meeting(Axis(axis_a), Axis(axis_b), half_a + radius, half_b + radius);
   if (!meeting) return std::nullopt;
   CornerArc corner;
   corner.centre = planar(meeting->centre);
@@ -210,8 +237,9 @@ std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double w
 
 std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, double width_a,
                                         double width_b, double radius_limit) {
+  const Axis a(axis_a), b(axis_b);
   const auto fits = [&](double radius) {
-    return nearest_meeting(axis_a, axis_b, width_a / 2 + radius, width_b / 2 + radius).has_value();
+    return nearest_meeting(a, b, width_a / 2 + radius, width_b / 2 + radius).has_value();
   };
   if (!fits(0)) return std::nullopt;
   if (fits(radius_limit)) return radius_limit;

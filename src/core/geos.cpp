@@ -9,12 +9,21 @@ namespace streetgen {
 
 namespace {
 constexpr double coarse_grid = 1e-6;  // metres, where an overlay of doubles fails
+
+// An overlay that is interrupted once tries again by other means: it is interrupted each time.
+void interrupt_if_wanted() {
+  if (cancel_wanted()) GEOS_interruptRequest();
 }
+}  // namespace
 
 Geos::Geos() : handle_(GEOS_init_r()) {
   if (handle_ == nullptr) throw std::bad_alloc();
+  callback_before_ = GEOS_interruptRegisterCallback(interrupt_if_wanted);
 }
-Geos::~Geos() { GEOS_finish_r(handle_); }
+Geos::~Geos() {
+  GEOS_interruptRegisterCallback(callback_before_);
+  GEOS_finish_r(handle_);
+}
 
 Geos::Geometry Geos::own(GEOSGeometry* geometry) {
   if (geometry == nullptr) {
@@ -87,6 +96,10 @@ Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGe
                              const GEOSGeometry* b) {
   if (GEOSGeometry* result = exact(handle_, a, b)) return own(result);
   poll_cancel();
+  return on_grid(snapped, a, b);
+}
+
+Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b) {
   const Geometry valid_a = own(GEOSMakeValid_r(handle_, a)),
                  valid_b = own(GEOSMakeValid_r(handle_, b));
   return own(snapped(handle_, valid_a.get(), valid_b.get(), coarse_grid));
@@ -98,6 +111,10 @@ Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) 
 
 Geos::Geometry Geos::difference(const GEOSGeometry* a, const GEOSGeometry* b) {
   return overlay(GEOSDifference_r, GEOSDifferencePrec_r, a, b);
+}
+
+Geos::Geometry Geos::difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b) {
+  return on_grid(GEOSDifferencePrec_r, a, b);
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {

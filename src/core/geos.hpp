@@ -1,5 +1,6 @@
 // The one door to GEOS: owned geometries, conversions, the few operations we use.
-// Every result is checked; GEOS' process-wide interrupt callback is left alone.
+// Every result is checked.  While one lives, GEOS' process-wide interrupt callback asks cancel.hpp;
+// the one before comes back after.
 #pragma once
 
 #include <geos_c.h>
@@ -32,6 +33,8 @@ class Geos {
   bool valid(const GEOSGeometry* geometry);
   Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
+  // On a grid of a micrometre: exact overlay may drop parts beside edges that nearly coincide.
+  Geometry difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);
 
  private:
@@ -39,10 +42,12 @@ class Geos {
   using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
   Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                    const GEOSGeometry* b);
+  Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;
+  GEOSInterruptCallback* callback_before_ = nullptr;
 };
 
 }  // namespace streetgen

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -30,6 +31,30 @@ struct Vertex {
 struct Cut {
   double abscissa;
   int group;
+  bool operator<(const Cut& other) const {
+    return std::tie(abscissa, group) < std::tie(other.abscissa, other.group);
+  }
+};
+
+// The cuts of one axis, in order.
+class Cuts {
+ public:
+  void add(const Cut& cut) { cuts_.insert(cut); }
+  auto begin() const { return cuts_.begin(); }
+  auto end() const { return cuts_.end(); }
+
+  // The first cut within `reach` of an abscissa for which `wanted` is true.
+  template <class Wanted>
+  const Cut* near(double abscissa, double reach, Wanted wanted) const {
+    const int any = std::numeric_limits<int>::min();
+    for (auto cut = cuts_.lower_bound({abscissa - reach, any});
+         cut != cuts_.end() && cut->abscissa <= abscissa + reach; ++cut)
+      if (wanted(*cut)) return &*cut;
+    return nullptr;
+  }
+
+ private:
+  std::multiset<Cut> cuts_;
 };
 
 class Groups {
@@ -161,7 +186,7 @@ class Builder {
     for (const auto& [group, all] : members) {
       const bool node = all.size() > 1 || vertices_[all.front()].end;
       if (!node) continue;
-      for (const int i : all) cuts_[vertices_[i].axis].push_back({vertices_[i].abscissa, group});
+      for (const int i : all) cuts_[vertices_[i].axis].add({vertices_[i].abscissa, group});
     }
   }
 
@@ -185,9 +210,8 @@ class Builder {
   }
 
   bool cut_near(int axis, double abscissa, int group) const {
-    for (const Cut& cut : cuts_[axis])
-      if (cut.group == group && std::abs(cut.abscissa - abscissa) <= 4 * tolerance_) return true;
-    return false;
+    return cuts_[axis].near(abscissa, 4 * tolerance_,
+                            [&](const Cut& cut) { return cut.group == group; }) != nullptr;
   }
 
   void cut_at_ends_on_segments() {
@@ -219,14 +243,12 @@ class Builder {
         if (!cut_near(axis, place.second, groups_.of(v)))
           found.push_back({axis, {place.second, groups_.of(v)}});
     }
-    for (const auto& [axis, cut] : found) cuts_[axis].push_back(cut);
+    for (const auto& [axis, cut] : found) cuts_[axis].add(cut);
   }
 
   bool meet_near(int a, double at_a, int b, double at_b) const {
-    for (const Cut& cut : cuts_[a])
-      if (std::abs(cut.abscissa - at_a) <= 4 * tolerance_ && cut_near(b, at_b, cut.group))
-        return true;
-    return false;
+    return cuts_[a].near(at_a, 4 * tolerance_,
+                         [&](const Cut& cut) { return cut_near(b, at_b, cut.group); }) != nullptr;
   }
 
   void cut_at_crossings() {
@@ -265,14 +287,15 @@ class Builder {
       // A node that one of the two already has there is the node of the crossing.
       int group = -1;
       for (const auto& [axis, at] : {std::pair(f.a, f.at_a), std::pair(f.b, f.at_b)})
-        for (const Cut& cut : cuts_[axis])
-          if (group < 0 && std::abs(cut.abscissa - at) <= tolerance_) group = cut.group;
+        if (group < 0)
+          if (const Cut* cut = cuts_[axis].near(at, tolerance_, [](const Cut&) { return true; }))
+            group = cut->group;
       if (group < 0) {
         group = groups_.add();
         crossing_points_[group] = f.point;
       }
-      if (!cut_near(f.a, f.at_a, group)) cuts_[f.a].push_back({f.at_a, group});
-      if (!cut_near(f.b, f.at_b, group)) cuts_[f.b].push_back({f.at_b, group});
+      if (!cut_near(f.a, f.at_a, group)) cuts_[f.a].add({f.at_a, group});
+      if (!cut_near(f.b, f.at_b, group)) cuts_[f.b].add({f.at_b, group});
     }
   }
 
@@ -282,23 +305,21 @@ class Builder {
   }
 
   void make_nodes() {
-    for (int a = 0; a < static_cast<int>(axes_.size()); ++a) {
-      std::sort(cuts_[a].begin(), cuts_[a].end(), [](const Cut& x, const Cut& y) {
-        return std::tie(x.abscissa, x.group) < std::tie(y.abscissa, y.group);
-      });
+    for (int a = 0; a < static_cast<int>(axes_.size()); ++a)
       for (const Cut& cut : cuts_[a]) {
         const auto [slot, fresh] = node_of_.try_emplace(cut.group, out_.nodes.size());
         if (fresh) out_.nodes.push_back({place_of(cut.group), {}});
         out_.nodes[slot->second].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
       }
-    }
   }
 
   void make_edges() {
     for (int a = 0; a < static_cast<int>(axes_.size()); ++a) {
       const std::size_t before = out_.edges.size();
-      for (std::size_t k = 0; k + 1 < cuts_[a].size(); ++k) {
-        const Cut &from = cuts_[a][k], &to = cuts_[a][k + 1];
+      for (auto next = cuts_[a].begin(); next != cuts_[a].end();) {
+        const Cut& from = *next++;
+        if (next == cuts_[a].end()) break;
+        const Cut& to = *next;
         const bool back = from.group == to.group;
         if (to.abscissa - from.abscissa <= (back ? 4 * tolerance_ : 0)) continue;
         Edge edge;
@@ -309,10 +330,12 @@ class Builder {
         edge.start_abscissa = from.abscissa;
         edge.end_abscissa = to.abscissa;
         edge.line.push_back(out_.nodes[edge.from_node].point);
-        for (int v = first_[a]; v < first_[a + 1]; ++v)
-          if (vertices_[v].abscissa > from.abscissa && vertices_[v].abscissa < to.abscissa)
-            if (distance(vertices_[v].point, edge.line.back()) > 0)
-              edge.line.push_back(vertices_[v].point);
+        auto vertex = std::upper_bound(
+            vertices_.begin() + first_[a], vertices_.begin() + first_[a + 1], from.abscissa,
+            [](double abscissa, const Vertex& v) { return abscissa < v.abscissa; });
+        for (; vertex != vertices_.begin() + first_[a + 1] && vertex->abscissa < to.abscissa;
+             ++vertex)
+          if (distance(vertex->point, edge.line.back()) > 0) edge.line.push_back(vertex->point);
         const Point& last = out_.nodes[edge.to_node].point;
         while (edge.line.size() > 1 && distance(edge.line.back(), last) == 0) edge.line.pop_back();
         edge.line.push_back(last);
@@ -361,7 +384,7 @@ class Builder {
   std::vector<Vertex> vertices_;  // by (axis_id, index): a group's smallest is its place
   std::vector<int> first_;
   Groups groups_;
-  std::vector<std::vector<Cut>> cuts_;
+  std::vector<Cuts> cuts_;
   std::vector<Segment> segments_;
   std::vector<Box> segment_boxes_;
   std::map<int, Point> crossing_points_;

@@ -1,7 +1,9 @@
 #include "overlap.hpp"
 
 #include <cmath>
+#include <optional>
 
+#include "box_index.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -10,18 +12,7 @@ namespace streetgen {
 namespace {
 
 constexpr double depth = 1e-6;
-
-double distance_to_boundary(const Point& p, const Polygon& polygon) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : polygon) best = std::min(best, distance_to_line(p, ring));
-  return best;
-}
-
-bool deep_inside(const Point& p, const MultiPolygon& surface) {
-  for (const Polygon& polygon : surface)
-    if (inside(p, polygon)) return distance_to_boundary(p, polygon) > depth;
-  return false;
-}
+constexpr std::size_t worth_an_index = 64;
 
 bool cross_deeply(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point u = b - a, v = d - c;
@@ -32,36 +23,101 @@ bool cross_deeply(const Point& a, const Point& b, const Point& c, const Point& d
   return o3 * o4 < 0 && std::min(std::abs(o3), std::abs(o4)) > depth * nv;
 }
 
-template <class Use>
-bool any_segment(const MultiPolygon& surface, const Box& within, Use use) {
-  for (const Polygon& polygon : surface)
-    for (const Ring& ring : polygon)
-      for (std::size_t i = 1; i < ring.size(); ++i) {
-        Box box;
-        box.add(ring[i - 1]);
-        box.add(ring[i]);
-        if (box.meets(within, depth) && use(ring[i - 1], ring[i], box)) return true;
-      }
-  return false;
+// Whether the segment from a to b passes the height of p on its right.
+bool passes(const Point& p, const Point& a, const Point& b) {
+  return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y);
 }
 
-// A vertex of a, or a place just inside one of its edges, lies inside b.
-bool reaches_into(const MultiPolygon& a, const MultiPolygon& b, const Box& shared) {
-  constexpr double step = 1e-4;
-  return any_segment(a, shared, [&](const Point& p, const Point& q, const Box&) {
+}  // namespace
+
+// The segments of a surface's rings, by place where they are many.
+class Ground::Boundary {
+ public:
+  explicit Boundary(const MultiPolygon& surface) {
+    for (const Polygon& polygon : surface)
+      for (const Ring& ring : polygon)
+        for (std::size_t i = 1; i < ring.size(); ++i) {
+          segments_.push_back({&ring[i - 1], &ring[i]});
+          boxes_.push_back(box_of(ring[i - 1], ring[i]));
+        }
+    if (segments_.size() > worth_an_index) index_.emplace(boxes_);
+  }
+
+  // Whether `holds` is true of any segment that comes near the box.
+  template <class Holds>
+  bool any(const Box& within, Holds holds) const {
+    const auto use = [&](std::size_t i) {
+      return holds(*segments_[i].from, *segments_[i].to, boxes_[i]);
+    };
+    if (index_) return index_->any_near(within, depth, use);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (boxes_[i].meets(within, depth) && use(i)) return true;
+    return false;
+  }
+
+ private:
+  struct Segment {
+    const Point *from, *to;
+  };
+  std::vector<Segment> segments_;
+  std::vector<Box> boxes_;
+  std::optional<BoxIndex> index_;
+};
+
+Ground::Ground(const MultiPolygon& surface)
+    : surface_(&surface), box_(streetgen::box_of(surface)) {}
+Ground::Ground(Ground&&) noexcept = default;
+Ground::~Ground() = default;
+
+const Ground::Boundary& Ground::boundary() const {
+  if (!boundary_) boundary_ = std::make_unique<Boundary>(*surface_);
+  return *boundary_;
+}
+
+bool Ground::holds_deeply(const Point& p) const {
+  if (!box_.holds(p, 0)) return false;
+  bool odd = false;
+  Box right = box_of(p, p);
+  right.max_x = box_.max_x;
+  boundary().any(right, [&](const Point& a, const Point& b, const Box&) {
+    odd ^= passes(p, a, b);
+    return false;
+  });
+  return odd && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
+    return distance_to_segment(p, a, b) <= depth;
+  });
+}
+
+bool Ground::crosses(const Ground& other, const Box& shared) const {
+  return boundary().any(shared, [&](const Point& p, const Point& q, const Box& box) {
     poll_cancel();
-    if (shared.holds(p, 0) && deep_inside(p, b)) return true;
+    return other.boundary().any(
+        box, [&](const Point& r, const Point& s, const Box&) { return cross_deeply(p, q, r, s); });
+  });
+}
+
+// A vertex, or a place just inside of the boundary, lies inside the other.
+bool Ground::reaches_into(const Ground& other, const Box& shared) const {
+  constexpr double step = 1e-4;
+  return boundary().any(shared, [&](const Point& p, const Point& q, const Box&) {
+    poll_cancel();
+    if (shared.holds(p, 0) && other.holds_deeply(p)) return true;
     if (distance(p, q) <= 20 * step) return false;
     const Point inwards = left_normal(unit(q - p)) * step;
     for (const double t : {0.1, 0.5, 0.9}) {
       const Point place = p + (q - p) * t + inwards;
-      if (shared.holds(place, 0) && deep_inside(place, b)) return true;
+      if (shared.holds(place, 0) && other.holds_deeply(place)) return true;
     }
     return false;
   });
 }
 
-}  // namespace
+Box box_of(const Point& a, const Point& b) {
+  Box box;
+  box.add(a);
+  box.add(b);
+  return box;
+}
 
 Box box_of(const MultiPolygon& surface) {
   Box box;
@@ -73,28 +129,19 @@ Box box_of(const MultiPolygon& surface) {
 bool inside(const Point& p, const Polygon& polygon) {
   bool odd = false;
   for (const Ring& ring : polygon)
-    for (std::size_t i = 1; i < ring.size(); ++i) {
-      const Point &a = ring[i - 1], &b = ring[i];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
-        odd = !odd;
-    }
+    for (std::size_t i = 1; i < ring.size(); ++i) odd ^= passes(p, ring[i - 1], ring[i]);
   return odd;
 }
 
-bool overlap(const MultiPolygon& a, const MultiPolygon& b) {
-  const Box box_a = box_of(a), box_b = box_of(b);
+bool overlap(const Ground& a, const Ground& b) {
+  const Box &box_a = a.box(), &box_b = b.box();
   if (!box_a.meets(box_b, 0)) return false;
   Box shared;
   shared.min_x = std::max(box_a.min_x, box_b.min_x);
   shared.min_y = std::max(box_a.min_y, box_b.min_y);
   shared.max_x = std::min(box_a.max_x, box_b.max_x);
   shared.max_y = std::min(box_a.max_y, box_b.max_y);
-  const bool crossing = any_segment(a, shared, [&](const Point& p, const Point& q, const Box& box) {
-    return any_segment(b, box, [&](const Point& r, const Point& s, const Box&) {
-      return cross_deeply(p, q, r, s);
-    });
-  });
-  return crossing || reaches_into(a, b, shared) || reaches_into(b, a, shared);
+  return a.crosses(b, shared) || a.reaches_into(b, shared) || b.reaches_into(a, shared);
 }
 
 }  // namespace streetgen

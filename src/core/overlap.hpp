@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "streetgen/geometry.hpp"
 
@@ -29,11 +30,36 @@ struct Box {
            p.y <= max_y + margin;
   }
 };
+Box box_of(const Point& a, const Point& b);
 Box box_of(const MultiPolygon& surface);
 
 bool inside(const Point& p, const Polygon& polygon);
 
+// A surface that is asked about others; it keeps what it finds out about its boundary, and the
+// surface must outlive it unchanged.
+class Ground {
+ public:
+  explicit Ground(const MultiPolygon& surface);
+  Ground(Ground&&) noexcept;
+  ~Ground();
+
+  const Box& box() const { return box_; }
+
+ private:
+  friend bool overlap(const Ground& a, const Ground& b);
+  class Boundary;
+  bool crosses(const Ground& other, const Box& shared) const;
+  bool reaches_into(const Ground& other, const Box& shared) const;
+  const Boundary& boundary() const;
+  // Deeper than a micrometre.
+  bool holds_deeply(const Point& p) const;
+
+  const MultiPolygon* surface_;
+  Box box_;
+  mutable std::unique_ptr<Boundary> boundary_;
+};
+
 // True when the surfaces share ground deeper than a micrometre; touching ones do not.
-bool overlap(const MultiPolygon& a, const MultiPolygon& b);
+bool overlap(const Ground& a, const Ground& b);
 
 }  // namespace streetgen

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "box_index.hpp"
 #include "nearest.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
@@ -30,32 +31,42 @@ bool segments_cross(const Point& a, const Point& b, const Point& c, const Point&
   return o1 * o2 < 0 && o3 * o4 < 0;
 }
 
+// A segment of a claim's skeleton, with the ends of the stretch that it belongs to.
+struct SkeletonSegment {
+  Point from, to, first, last;
+};
+
+std::vector<SkeletonSegment> skeleton_within(const Claim& claim, const Box& within) {
+  std::vector<SkeletonSegment> segments;
+  for (const Stretch& stretch : claim.skeleton) {
+    if (stretch.from >= stretch.to) continue;
+    const Line line = substring(*stretch.line, stretch.from, stretch.to);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (box_of(line[i - 1], line[i]).meets(within, 0))
+        segments.push_back({line[i - 1], line[i], line.front(), line.back()});
+  }
+  return segments;
+}
+
 // Inside both, not at an end that they share.
 bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
-  const auto lines = [](const Claim& claim) {
-    std::vector<Line> lines;
-    for (const Stretch& stretch : claim.skeleton)
-      if (stretch.from < stretch.to)
-        lines.push_back(substring(*stretch.line, stretch.from, stretch.to));
-    return lines;
-  };
-  const std::vector<Line> lines_b = lines(b);
-  for (const Line& la : lines(a))
-    for (std::size_t i = 1; i < la.size(); ++i) {
-      Box segment;
-      segment.add(la[i - 1]);
-      segment.add(la[i]);
-      if (!segment.meets(within, 0)) continue;
-      for (const Line& lb : lines_b)
-        for (std::size_t j = 1; j < lb.size(); ++j) {
-          if (!segments_cross(la[i - 1], la[i], lb[j - 1], lb[j])) continue;
-          const Point u = la[i] - la[i - 1], v = lb[j] - lb[j - 1];
-          const Point at = la[i - 1] + u * (cross(lb[j - 1] - la[i - 1], v) / cross(u, v));
-          const double from_ends = std::min({distance(at, la.front()), distance(at, la.back()),
-                                             distance(at, lb.front()), distance(at, lb.back())});
-          if (from_ends > 0.01) return true;
-        }
-    }
+  const std::vector<SkeletonSegment> of_a = skeleton_within(a, within),
+                                     of_b = skeleton_within(b, within);
+  std::vector<Box> boxes;
+  for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
+  const BoxIndex index(boxes);
+  for (const SkeletonSegment& s : of_a) {
+    poll_cancel();
+    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](int i) {
+      const SkeletonSegment& t = of_b[i];
+      if (!segments_cross(s.from, s.to, t.from, t.to)) return false;
+      const Point u = s.to - s.from, v = t.to - t.from;
+      const Point at = s.from + u * (cross(t.from - s.from, v) / cross(u, v));
+      return std::min({distance(at, s.first), distance(at, s.last), distance(at, t.first),
+                       distance(at, t.last)}) > 0.01;
+    });
+    if (crossed) return true;
+  }
   return false;
 }
 
@@ -113,12 +124,13 @@ bool tile(const Claim& a, const Claim& b) {
                                                   b.edges.end()) != a.edges.end();
 }
 
-std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims) {
+std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
+                                                   const std::vector<Ground>& grounds) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
   for (std::size_t i = 0; i < claims.size(); ++i) {
     if (claims[i].surface->empty()) continue;
-    boxes[i] = box_of(*claims[i].surface);
+    boxes[i] = grounds[i].box();
     order.push_back(static_cast<int>(i));
   }
   std::sort(order.begin(), order.end(),
@@ -149,17 +161,51 @@ MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPo
   return surface;
 }
 
+// Ground won where axes cross.
+struct Won {
+  int winner = 0, loser = 0;
+  MultiPolygon ground;
+};
+
+// A crossing wins ground by rank, all else by distance: between three surfaces each may have lost
+// the same ground to the next. What nobody holds goes back to the winner at the crossing.
+void return_lost_ground(Geos& geos, std::vector<Claim>& claims, std::vector<Won> won,
+                        const std::vector<std::pair<int, int>>& disputes) {
+  if (won.empty()) return;
+  std::map<int, std::vector<int>> rivals;
+  for (const auto& [i, j] : disputes) {
+    rivals[i].push_back(j);
+    rivals[j].push_back(i);
+  }
+  std::sort(won.begin(), won.end(), [&](const Won& a, const Won& b) {
+    if (a.winner != b.winner) return before(claims[a.winner], claims[b.winner]);
+    return before(claims[a.loser], claims[b.loser]);
+  });
+  for (const Won& each : won) {
+    poll_cancel();
+    MultiPolygon rest = each.ground;
+    const auto take_off = [&](int holder) {
+      const Geos::Geometry open = geos.surface(rest), held = geos.surface(*claims[holder].surface);
+      rest = geos.polygons(geos.difference_on_grid(open.get(), held.get()).get());
+    };
+    take_off(each.winner);
+    for (const int rival : rivals[each.winner]) take_off(rival);
+    if (area(rest) <= negligible) continue;
+    MultiPolygon& surface = *claims[each.winner].surface;
+    surface = geos.polygons(geos.unite({surface, rest}).get());
+  }
+}
+
 }  // namespace
 
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
-  std::vector<std::pair<int, int>> pairs = overlapping_boxes(claims);
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                             [&](const auto& pair) {
-                               poll_cancel();
-                               return !overlap(*claims[pair.first].surface,
-                                               *claims[pair.second].surface);
-                             }),
-              pairs.end());
+  std::vector<Ground> grounds;
+  for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& pair : overlapping_boxes(claims, grounds)) {
+    poll_cancel();
+    if (overlap(grounds[pair.first], grounds[pair.second])) pairs.push_back(pair);
+  }
   return pairs;
 }
 
@@ -167,6 +213,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
   std::map<int, std::vector<MultiPolygon>> lost;
+  std::map<int, double> whole;
+  std::vector<Won> won;
   const auto geometry = [&](int i) {
     auto& slot = raw[i];
     if (!slot) slot = geos.surface(*claims[i].surface);
@@ -179,7 +227,9 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     if (area(ground) <= negligible) continue;
     const Box box = box_of(ground);
     if (skeletons_cross(claims[i], claims[j], box)) {
-      lost[before(claims[i], claims[j]) ? j : i].push_back(ground);
+      const auto [winner, loser] = before(claims[i], claims[j]) ? std::pair(i, j) : std::pair(j, i);
+      lost[loser].push_back(ground);
+      won.push_back({winner, loser, ground});
       continue;
     }
     const Geos::Geometry clean = geos.surface(ground);
@@ -191,14 +241,16 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
   }
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
-    const double whole = area(*claims[i].surface);
+    whole[i] = area(*claims[i].surface);
     MultiPolygon rest = without(geos, *claims[i].surface, grounds);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
     *claims[i].surface = std::move(rest);
-    claims[i].contested_area = std::max(0.0, whole - area(*claims[i].surface));
   }
+  return_lost_ground(geos, claims, std::move(won), disputes);
+  for (const auto& [i, size] : whole)
+    claims[i].contested_area = std::max(0.0, size - area(*claims[i].surface));
 }
 
 }  // namespace streetgen

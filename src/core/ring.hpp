@@ -23,7 +23,7 @@ struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
   double angle = 0;  // counter-clockwise about the node, radians; over pi outside a bend
-  Polygon beyond;    // the ground between both kerbs and an arc that lies beyond an arm's end
+  Polygon beyond{};  // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
 double half_at(const Arm& arm, double abscissa);

@@ -34,7 +34,8 @@ int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
 struct Around {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
-  bool transition = false;
+  std::optional<Transition> transition;
+  int along = 0;  // index in ends: the axis that the transition is seen along
 };
 
 // The named steps; each reads what the ones before it wrote.
@@ -42,7 +43,10 @@ class Pipeline {
  public:
   Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
       : settings_(settings) {
-    for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    for (const StreetAxis& axis : axes) {
+      axes_.emplace(axis.axis_id, &axis);
+      lengths_.emplace(axis.axis_id, length(axis.line));
+    }
     std::vector<NetworkAxis> lines;
     for (const StreetAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
     out_.network = network(lines, settings.tolerance, settings.crossing);
@@ -67,7 +71,7 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const Edge& edge = edges[e];
       const StreetAxis& axis = axis_of(e);
-      const double total = length(axis.line);
+      const double total = lengths_.at(axis.axis_id);
       const auto half = [&](double abscissa) {
         return (axis.width + (axis.width_end - axis.width) *
                                  (total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0)) /
@@ -148,6 +152,24 @@ class Pipeline {
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }
 
+  // Of two ends where the width changes each is an end of its axis.
+  void choose_transition(Around& around) const {
+    const auto key = [&](int i) {
+      const EdgeEnd& end = around.ends[i];
+      return std::pair(axis_of(end.edge).axis_id, !end.at_start);
+    };
+    const int smaller = key(0) < key(1) ? 0 : 1;
+    around.transition = settings_.transition;
+    around.along = smaller;
+    for (const int i : {1 - smaller, smaller}) {
+      const StreetAxis& axis = axis_of(around.ends[i].edge);
+      const auto& own = around.ends[i].at_start ? axis.transition_start : axis.transition_end;
+      if (!own) continue;
+      around.transition = own;
+      around.along = i;
+    }
+  }
+
   void solve_corners() {
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
       Around& around = around_[n];
@@ -170,10 +192,9 @@ class Pipeline {
       }
       Arm &first = arms_[slot(around.ends[0])], &second = arms_[slot(around.ends[1])];
       if (degree == 2 && changes_width(first, second)) {
-        around.transition = true;
+        choose_transition(around);
         for (Arm* arm : {&first, &second})
-          arm->limit = std::max(arm->limit,
-                                std::min(settings_.transition_length / 2, 0.4 * length(arm->line)));
+          arm->limit = std::min(around.transition->length / 2, 0.4 * length(arm->line));
       }
       if (degree >= 3)
         for (const EdgeEnd& end : around.ends) {
@@ -192,7 +213,8 @@ class Pipeline {
       const double wanted_start = start.limit, wanted_end = end.limit;
       const bool crossed = start.limit + end.limit > total - 1e-3;
       if (crossed) {
-        start.limit = total * start.limit / (start.limit + end.limit);
+        const double sum = start.limit + end.limit;
+        start.limit = sum > 0 ? total * start.limit / sum : total / 2;
         end.limit = total - start.limit;
       } else {
         const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;
@@ -254,7 +276,11 @@ class Pipeline {
       intersection.node = n;
       intersection.level = level_of(around);
       if (around.transition) {
-        intersection.surface = build_transition(geos_, arms[0], arms[1], settings_.transition_kind);
+        // An axis that starts at the node goes on from it.
+        const bool leaves = around.ends[around.along].at_start;
+        const int from = leaves ? 1 - around.along : around.along;
+        intersection.surface =
+            build_transition(geos_, arms[from], arms[1 - from], around.transition->kind);
         intersection.method = Method::transition;
       } else {
         Built built = build_intersection(geos_, arms, around.gaps);
@@ -335,6 +361,7 @@ class Pipeline {
 
   const StreetSettings& settings_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;

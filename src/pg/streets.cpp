@@ -1,8 +1,10 @@
 // streetgen._streets: the whole pipeline over a set of axes, one row per result.
 #include "streetgen/streets.hpp"
 
+#include <map>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "argument.hpp"
@@ -50,6 +52,8 @@ struct Taken {
   double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
   const char *crossing, *transition_kind, *radius_rule, *short_axis;
   bool round_dead_ends;
+  int transition_count;
+  Datum *transition_axis, *transition_which, *transition_kind_of, *transition_length_of;
   Datum *lanes_forward, *lanes_backward;
   Datum *turn_forward, *turn_backward, *kind_forward, *kind_backward;
   Datum *lane_width_forward, *lane_width_backward;
@@ -68,9 +72,41 @@ struct Taken {
   double trajectory_tolerance, trajectory_radius;
 };
 
+std::string text_of(Datum datum) {
+  const auto* text = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
+  return {VARDATA_ANY(text), VARSIZE_ANY_EXHDR(text)};
+}
+
+TransitionKind transition_kind_of(const char* word) {
+  return word_of<TransitionKind>(word, "transition_kind",
+                                 {{"symmetric", TransitionKind::symmetric},
+                                  {"left", TransitionKind::left},
+                                  {"right", TransitionKind::right}});
+}
+
+// Its own transitions, by axis and whether at the axis' start.
+std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const Taken& taken) {
+  std::map<std::pair<std::int64_t, bool>, Transition> transitions;
+  for (int i = 0; i < taken.transition_count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(taken.transition_axis[i]);
+    const bool at_start = word_of<bool>(text_of(taken.transition_which[i]), "transition end",
+                                        {{"start", true}, {"end", false}});
+    const double length = in_range(DatumGetFloat8(taken.transition_length_of[i]), 0, 1000,
+                                   "transition length of axis " + std::to_string(axis_id));
+    transitions[{axis_id, at_start}] = {
+        transition_kind_of(text_of(taken.transition_kind_of[i]).c_str()), length};
+  }
+  return transitions;
+}
+
 std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
   std::vector<StreetAxis> axes;
   std::unordered_set<std::int64_t> seen;
+  const auto transitions = transitions_of(taken);
+  const auto own = [&](std::int64_t axis_id, bool at_start) {
+    const auto found = transitions.find({axis_id, at_start});
+    return found == transitions.end() ? std::nullopt : std::optional(found->second);
+  };
   for (int i = 0; i < taken.count; ++i) {
     StreetAxis axis;
     axis.axis_id = DatumGetInt64(taken.axis_id[i]);
@@ -93,6 +129,8 @@ std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
     axis.importance = DatumGetInt32(taken.importance[i]);
     axis.level = DatumGetInt32(taken.level[i]);
     axis.speed = in_range(DatumGetFloat8(taken.speed[i]), 0, 1000, "speed" + of_axis);
+    axis.transition_start = own(axis.axis_id, true);
+    axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));
   }
   return axes;
@@ -109,11 +147,8 @@ StreetSettings settings_of(const Taken& taken) {
                                         {{"over", Crossing::over}, {"split", Crossing::split}});
   settings.max_arc_distance = measure(taken.max_arc_distance, "max_arc_distance");
   settings.radius_minimal = measure(taken.radius_minimal, "radius_minimal");
-  settings.transition_length = measure(taken.transition_length, "transition_length");
-  settings.transition_kind = word_of<TransitionKind>(taken.transition_kind, "transition_kind",
-                                                     {{"symmetric", TransitionKind::symmetric},
-                                                      {"left", TransitionKind::left},
-                                                      {"right", TransitionKind::right}});
+  settings.transition = {transition_kind_of(taken.transition_kind),
+                         measure(taken.transition_length, "transition_length")};
   settings.radius_rule = word_of<RadiusRule>(
       taken.radius_rule, "radius_rule",
       {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
@@ -124,11 +159,6 @@ StreetSettings settings_of(const Taken& taken) {
       word_of<ShortAxis>(taken.short_axis, "short_axis",
                          {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
   return settings;
-}
-
-std::string text_of(Datum datum) {
-  const auto* text = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
-  return {VARDATA_ANY(text), VARSIZE_ANY_EXHDR(text)};
 }
 
 std::vector<LanesOfAxis> lanes_of(const Taken& taken) {
@@ -404,13 +434,14 @@ Rows rows_of(const Taken& taken) {
   return rows;
 }
 
-// A list that comes as an array a column: without NULL, each as long as the first.
+// Arrays that belong together: one element each for every axis, override and the like.
 struct Columns {
   FunctionCallInfo fcinfo;
   const char* of;
-  int count = -1;
+  int count = -1;  // of the first one read
 };
 
+// One column of a list: an array argument as long as the others, without NULL.
 Datum* column(Columns* list, int argument, const char* name, Oid type) {
   FunctionCallInfo fcinfo = list->fcinfo;
   int16 size;
@@ -434,7 +465,8 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
 }
 
 void take(FunctionCallInfo fcinfo, Taken* taken) {
-  Columns axes{fcinfo, "axes"}, overrides{fcinfo, "lane overrides"};
+  Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
+  Columns overrides{fcinfo, "lane overrides"};
   Columns restrictions{fcinfo, "turn restrictions"};
   taken->axis_id = column(&axes, 0, "axis_id", INT8OID);
   taken->geom = column(&axes, 1, "geom", BYTEAOID);
@@ -458,38 +490,43 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->max_hole_area = PG_GETARG_FLOAT8(16);
   taken->reach = PG_GETARG_FLOAT8(17);
   taken->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
-  taken->lanes_forward = column(&axes, 19, "lanes_forward", INT4OID);
-  taken->lanes_backward = column(&axes, 20, "lanes_backward", INT4OID);
-  taken->kind_forward = column(&axes, 21, "kind_forward", TEXTOID);
-  taken->kind_backward = column(&axes, 22, "kind_backward", TEXTOID);
-  taken->lane_width_forward = column(&axes, 23, "lane_width_forward", TEXTOID);
-  taken->lane_width_backward = column(&axes, 24, "lane_width_backward", TEXTOID);
-  taken->turn_forward = column(&axes, 25, "turn_forward", TEXTOID);
-  taken->turn_backward = column(&axes, 26, "turn_backward", TEXTOID);
-  taken->override_axis = column(&overrides, 27, "override_axis", INT8OID);
-  taken->override_abscissa = column(&overrides, 28, "override_abscissa", FLOAT8OID);
-  taken->override_ordinality = column(&overrides, 29, "override_ordinality", INT4OID);
-  taken->override_direction = column(&overrides, 30, "override_direction", TEXTOID);
-  taken->override_width = column(&overrides, 31, "override_width", FLOAT8OID);
+  taken->transition_axis = column(&transitions, 19, "transition_axis", INT8OID);
+  taken->transition_which = column(&transitions, 20, "transition_which", TEXTOID);
+  taken->transition_kind_of = column(&transitions, 21, "transition_kind_of", TEXTOID);
+  taken->transition_length_of = column(&transitions, 22, "transition_length_of", FLOAT8OID);
+  taken->transition_count = transitions.count;
+  taken->lanes_forward = column(&axes, 23, "lanes_forward", INT4OID);
+  taken->lanes_backward = column(&axes, 24, "lanes_backward", INT4OID);
+  taken->kind_forward = column(&axes, 25, "kind_forward", TEXTOID);
+  taken->kind_backward = column(&axes, 26, "kind_backward", TEXTOID);
+  taken->lane_width_forward = column(&axes, 27, "lane_width_forward", TEXTOID);
+  taken->lane_width_backward = column(&axes, 28, "lane_width_backward", TEXTOID);
+  taken->turn_forward = column(&axes, 29, "turn_forward", TEXTOID);
+  taken->turn_backward = column(&axes, 30, "turn_backward", TEXTOID);
+  taken->override_axis = column(&overrides, 31, "override_axis", INT8OID);
+  taken->override_abscissa = column(&overrides, 32, "override_abscissa", FLOAT8OID);
+  taken->override_ordinality = column(&overrides, 33, "override_ordinality", INT4OID);
+  taken->override_direction = column(&overrides, 34, "override_direction", TEXTOID);
+  taken->override_width = column(&overrides, 35, "override_width", FLOAT8OID);
   taken->override_count = overrides.count;
-  taken->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(32));
-  taken->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(33));
-  taken->lane_width_minimal = PG_GETARG_FLOAT8(34);
-  taken->cycle_lane_width = PG_GETARG_FLOAT8(35);
-  taken->parking_lane_width = PG_GETARG_FLOAT8(36);
-  taken->edge_lines = PG_GETARG_BOOL(37);
-  taken->speed = column(&axes, 38, "speed", FLOAT8OID);
-  taken->restriction_from = column(&restrictions, 39, "restriction_from", INT8OID);
-  taken->restriction_to = column(&restrictions, 40, "restriction_to", INT8OID);
-  taken->restriction_x = column(&restrictions, 41, "restriction_x", FLOAT8OID);
-  taken->restriction_y = column(&restrictions, 42, "restriction_y", FLOAT8OID);
-  taken->restriction_kind = column(&restrictions, 43, "restriction_kind", TEXTOID);
-  taken->restriction_turn = column(&restrictions, 44, "restriction_turn", TEXTOID);
+  taken->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(36));
+  taken->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(37));
+  taken->lane_width_minimal = PG_GETARG_FLOAT8(38);
+  taken->cycle_lane_width = PG_GETARG_FLOAT8(39);
+  taken->parking_lane_width = PG_GETARG_FLOAT8(40);
+  taken->edge_lines = PG_GETARG_BOOL(41);
+  taken->speed = column(&axes, 42, "speed", FLOAT8OID);
+  taken->restriction_from = column(&restrictions, 43, "restriction_from", INT8OID);
+  taken->restriction_to = column(&restrictions, 44, "restriction_to", INT8OID);
+  taken->restriction_x = column(&restrictions, 45, "restriction_x", FLOAT8OID);
+  taken->restriction_y = column(&restrictions, 46, "restriction_y", FLOAT8OID);
+  taken->restriction_kind = column(&restrictions, 47, "restriction_kind", TEXTOID);
+  taken->restriction_turn = column(&restrictions, 48, "restriction_turn", TEXTOID);
   taken->restriction_count = restrictions.count;
-  taken->u_turn = PG_GETARG_BOOL(45);
-  taken->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(46));
-  taken->trajectory_tolerance = PG_GETARG_FLOAT8(47);
-  taken->trajectory_radius = PG_GETARG_FLOAT8(48);
+  taken->u_turn = PG_GETARG_BOOL(49);
+  taken->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
+  taken->trajectory_tolerance = PG_GETARG_FLOAT8(51);
+  taken->trajectory_radius = PG_GETARG_FLOAT8(52);
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "../../src/core/geos.hpp"
@@ -49,7 +50,7 @@ TEST(Streets, SurfacesAreValidAndTileWhateverTheTown) {
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i)
       for (std::size_t j = i + 1; j < surfaces.size(); ++j)
-        if (overlap(*surfaces[i], *surfaces[j]))
+        if (overlap(Ground(*surfaces[i]), Ground(*surfaces[j])))
           shared += area(geos.polygons(
               geos.intersection(geos.surface(*surfaces[i]).get(), geos.surface(*surfaces[j]).get())
                   .get()));
@@ -138,6 +139,11 @@ TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
   for (std::size_t e = 0; e < town.network.edges.size(); ++e)
     EXPECT_LE(town.limits[2 * e].abscissa, town.limits[2 * e + 1].abscissa + 1e-9);
+}
+
+TEST(Streets, AnAxisShorterThanAMillimetreHasFiniteLimits) {
+  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, {});
+  for (const SectionLimit& limit : town.limits) EXPECT_TRUE(std::isfinite(limit.abscissa));
 }
 
 TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {

@@ -121,7 +121,7 @@ ALTER TABLE town.axis ADD CONSTRAINT geom_is_a_finite_line CHECK (ST_Length(geom
 -- Awkward lines that an axis may be: a result, or a row of report; each alone and all in one model.
 CREATE TABLE awkward(axis_id, line) AS VALUES
     (11, 'LINESTRING(0 0,0 0,40 0,40 0,40 0)'), (12, 'LINESTRING(1000 0,1040 0,1000 0)'), (13, 'LINESTRING(2000 0,2040 0,2010 0,2060 0)'), (14, 'LINESTRING(3000 0,3000 1e-9)'),
-    (15, 'LINESTRING(4000 0,4040 40,4040 0,4000 40)'), (16, 'LINESTRING(5000 0,5001 0,5001 1,5000 1,5000 0)'), (17, 'LINESTRING(1e9 1e9,1000000040 1e9)'), (18, 'LINESTRING(-1e9 5e8,-999999960 5e8,-999999960 500000020)'),
+    (15, 'LINESTRING(4000 0,4040 40,4040 0,4000 40)'), (16, 'LINESTRING(5000 0,5001 0,5001 1,5000 1,5000 0)'),
     (19, 'LINESTRING(6000 0,6020 0,6000 0.01,6020 0.02)'), (20, 'LINESTRING(7000 0,7040 0)'), (21, 'LINESTRING(7000 0,7040 0)'), (22, 'LINESTRING(7040 0,7000 0)'), (23, 'LINESTRING(8000 0,8010 0,8020 0,8010 0,8010 30)');
 CREATE TABLE alone (axis_id integer, state text, said text, edges bigint, reports bigint, errors bigint);
 DO $$
@@ -131,12 +131,12 @@ DECLARE
 BEGIN
     DELETE FROM town.axis;
     FOR a IN SELECT * FROM awkward LOOP
-        INSERT INTO town.axis (axis_id, geom, width) VALUES (a.axis_id, ST_GeomFromText(a.line, 2154), 7);
+        INSERT INTO town.axis (axis_id, geom, width) VALUES (a.axis_id, ST_Translate(ST_GeomFromText(a.line, 2154), 650000, 6860000), 7);
         r := pg_temp.refusal('SELECT streetgen.generate(''town'')');
         INSERT INTO alone SELECT a.axis_id, r.state, r.said, (SELECT count(*) FROM town.edge), (SELECT count(*) FROM town.report), (SELECT count(*) FROM streetgen.check_model('town') WHERE severity = 'error');
         DELETE FROM town.axis;
     END LOOP;
-    INSERT INTO town.axis (axis_id, geom, width) SELECT axis_id, ST_GeomFromText(line, 2154), 7 FROM awkward;
+    INSERT INTO town.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM awkward;
 END $$;
 SELECT format('%s alone: %s %s', line, state, said), state = 'none' AND edges + reports > 0 AND errors = 0 FROM alone JOIN awkward USING (axis_id);
 SELECT 'all together are generated', (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';

@@ -2,10 +2,10 @@
 SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.sqlstate_of(statement text) RETURNS text LANGUAGE plpgsql AS $$
 BEGIN EXECUTE statement; RETURN '00000'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
-SELECT streetgen.create_model('town', 2154) \g /dev/null
+SELECT streetgen.create_model('town', 32631) \g /dev/null
 CREATE TABLE source (id integer, the_geom geometry, largeur float8, nature text);
-INSERT INTO source VALUES (1, 'SRID=2154;LINESTRING(0 0,50 0,100 0)', 7, 'residential'), (2, 'SRID=2154;LINESTRING(50 0,50 80)', 0, 'residential'),
-    (3, 'SRID=2154;MULTILINESTRING((100 0,200 0),(300 0,400 0))', 6, 'primary'), (4, 'SRID=2154;LINESTRING(0 9,50 9)', 2, 'footway'), (5, 'SRID=2154;LINESTRING(0 0,0 10,0.1 10,0 60)', 6, 'service');
+INSERT INTO source VALUES (1, 'SRID=32631;LINESTRING(0 0,50 0,100 0)', 7, 'residential'), (2, 'SRID=32631;LINESTRING(50 0,50 80)', 0, 'residential'),
+    (3, 'SRID=32631;MULTILINESTRING((100 0,200 0),(300 0,400 0))', 6, 'primary'), (4, 'SRID=32631;LINESTRING(0 9,50 9)', 2, 'footway'), (5, 'SRID=32631;LINESTRING(0 0,0 10,0.1 10,0 60)', 6, 'service');
 CREATE TEMPORARY TABLE told AS SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "largeur", "kind": "nature", "source_ref": "id", "level": {"value": 0}}');
 SELECT 'taken classes come in, parts apart', count(*) = 5 FROM town.axis;
 SELECT 'a class not taken is counted', count = 1 FROM told WHERE what = 'not taken: class' AND class = 'footway';
@@ -26,16 +26,16 @@ SELECT 'an unknown target is 22023', pg_temp.sqlstate_of($$SELECT * FROM streetg
 SELECT 'bad rows are 22023 and change nothing: ' || what, pg_temp.sqlstate_of(format($$WITH bad AS (INSERT INTO source VALUES (9, %s, %s, 'service') RETURNING 1) SELECT * FROM bad$$, geom, width)) = '00000'
     AND pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "largeur", "kind": "nature", "source_ref": "id"}')$$) = '22023'
     AND pg_temp.sqlstate_of('DELETE FROM source WHERE id = 9') = '00000' AND (SELECT count(*) = 4 FROM town.axis)
-    FROM (VALUES ('a NULL geometry', 'NULL', '5'), ('a point', $$'SRID=2154;POINT(1 1)'$$, '5'), ('an empty line', $$'SRID=2154;LINESTRING EMPTY'$$, '5'), ('no SRID', $$'LINESTRING(0 0,9 9)'$$, '5'),
-        ('a NaN width', $$'SRID=2154;LINESTRING(0 0,9 9)'$$, $$'NaN'$$), ('a negative width', $$'SRID=2154;LINESTRING(0 0,9 9)'$$, '-4'), ('an absurd width', $$'SRID=2154;LINESTRING(0 0,9 9)'$$, '900'),
-        ('a NaN vertex', $$ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(0, 0), ST_MakePoint('NaN', 0), ST_MakePoint(5, 5)]), 2154)$$, '5')) s(what, geom, width);
+    FROM (VALUES ('a NULL geometry', 'NULL', '5'), ('a point', $$'SRID=32631;POINT(1 1)'$$, '5'), ('an empty line', $$'SRID=32631;LINESTRING EMPTY'$$, '5'), ('no SRID', $$'LINESTRING(0 0,9 9)'$$, '5'),
+        ('a NaN width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, $$'NaN'$$), ('a negative width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, '-4'), ('an absurd width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, '900'),
+        ('a NaN vertex', $$ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(0, 0), ST_MakePoint('NaN', 0), ST_MakePoint(5, 5)]), 32631)$$, '5')) s(what, geom, width);
 
 CREATE TABLE osm_line (way_id bigint, class text, name text, lanes text, lanes_forward text, lanes_backward text, width text, oneway text, junction text, layer text, bridge text, tunnel text, maxspeed text, geom geometry);
 INSERT INTO osm_line (way_id, class, geom, oneway, maxspeed, width, lanes, lanes_forward, lanes_backward, junction, layer, bridge) VALUES
-    (11, 'residential', 'SRID=2154;LINESTRING(0 0,100 0)', '-1', '30 mph', '23 ft', NULL, '2', '1', NULL, NULL, NULL), (12, 'primary', 'SRID=2154;LINESTRING(0 50,100 50)', NULL, 'FR:urban', '7,5', '3', NULL, NULL, NULL, '2', 'yes'),
-    (13, 'tertiary', 'SRID=2154;LINESTRING(0 90,50 90,50 120,0 90)', NULL, NULL, NULL, NULL, NULL, NULL, 'roundabout', NULL, 'viaduct'), (14, 'steps', 'SRID=2154;LINESTRING(0 70,100 70)', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL),
-    (15, 'runway', 'SRID=2154;LINESTRING(0 -500,900 -500)', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL);
-SELECT streetgen.create_model('osm', 2154) \g /dev/null
+    (11, 'residential', 'SRID=32631;LINESTRING(0 0,100 0)', '-1', '30 mph', '23 ft', NULL, '2', '1', NULL, NULL, NULL), (12, 'primary', 'SRID=32631;LINESTRING(0 50,100 50)', NULL, 'FR:urban', '7,5', '3', NULL, NULL, NULL, '2', 'yes'),
+    (13, 'tertiary', 'SRID=32631;LINESTRING(0 90,50 90,50 120,0 90)', NULL, NULL, NULL, NULL, NULL, NULL, 'roundabout', NULL, 'viaduct'), (14, 'steps', 'SRID=32631;LINESTRING(0 70,100 70)', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL),
+    (15, 'runway', 'SRID=32631;LINESTRING(0 -500,900 -500)', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL);
+SELECT streetgen.create_model('osm', 32631) \g /dev/null
 SELECT 'import_osm imports', count(*) > 0 FROM streetgen.import_osm('osm');
 SELECT 'OSM: oneway -1, mph, feet, lanes by direction', direction = 'reverse' AND abs(speed - 48.28) < 0.01 AND abs(width - 7.0104) < 1e-6 AND lane_count = 3 FROM osm.axis WHERE source_ref = '11';
 SELECT 'OSM: layer before bridge, a width that is no number is unknown', level = 2 AND width IS NULL AND speed = 50 FROM osm.axis WHERE source_ref = '12';
@@ -45,8 +45,8 @@ SELECT count(*) FROM streetgen.generate('osm') \g /dev/null
 SELECT 'OSM: a runway is 40 m wide by its class', osm.edge.width = 40 FROM osm.edge JOIN osm.axis USING (axis_id) WHERE source_ref = '15';
 
 CREATE TABLE troncon (cleabs text, geom geometry, nature text, largeur_de_chaussee float8, nombre_de_voies integer, sens_de_circulation text, importance text, position_par_rapport_au_sol text);
-INSERT INTO troncon VALUES ('T1', 'SRID=2154;LINESTRING Z(0 0 10,100 0 11)', 'Route à 1 chaussée', 5, 2, 'Sens inverse', '4', '-1');
-SELECT streetgen.create_model('ign', 2154, 3) \g /dev/null
+INSERT INTO troncon VALUES ('T1', 'SRID=32631;LINESTRING Z(0 0 10,100 0 11)', 'Route à 1 chaussée', 5, 2, 'Sens inverse', '4', '-1');
+SELECT streetgen.create_model('ign', 32631, 3) \g /dev/null
 SELECT 'import_bdtopo imports', count(*) > 0 FROM streetgen.import_bdtopo('ign', 'troncon');
 SELECT 'BD TOPO V3: width, lanes, direction, importance, level, heights', width = 5 AND lane_count = 2 AND direction = 'reverse' AND importance = 4 AND level = -1 AND ST_Z(ST_EndPoint(geom)) = 11 FROM ign.axis;
 SELECT 'a table that is no BD TOPO is 22023', pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_bdtopo('ign', 'osm_line')$$) = '22023';

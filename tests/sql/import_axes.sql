@@ -22,18 +22,18 @@ CREATE FUNCTION pg_temp.with_line(line text) RETURNS text LANGUAGE sql AS $$
                 'SELECT count(*) FROM streetgen.import_axes(''import_b'', ''import_bad'', ''{"source_ref": "id"}'')', line)
 $$;
 DO $$ BEGIN
-  PERFORM streetgen.create_model('import_a', 2154);
-  PERFORM streetgen.create_model('import_b', 2154);
+  PERFORM streetgen.create_model('import_a', 32631);
+  PERFORM streetgen.create_model('import_b', 32631);
 END $$;
 CREATE TABLE import_source (id integer, kind text, width float8, lanes integer, label text, geom geometry);
 INSERT INTO import_source VALUES
-  (1, 'residential', 7, 2, 'Rue A', 'SRID=2154;LINESTRING(0 0, 20 0, 20.1 0, 50 0, 100 0)'),
-  (2, 'residential', 0, NULL, 'Rue B', 'SRID=2154;LINESTRING(50 0, 50 80)'),
-  (3, 'secondary', 40, 2, NULL, 'SRID=2154;MULTILINESTRING((100 0, 200 0), (300 0, 400 0))'),
-  (4, 'runway', 45, 1, NULL, 'SRID=2154;LINESTRING(0 1000, 2000 1000)'),
-  (5, 'footway', NULL, NULL, NULL, 'SRID=2154;LINESTRING(0 5, 100 5)'),
-  (6, 'residential', NULL, NULL, NULL, ST_Transform('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)'::geometry, 32631)),
-  (7, 'residential', 7, NULL, NULL, 'SRID=2154;LINESTRING(100 0, 50 0, 0 0)');
+  (1, 'residential', 7, 2, 'Rue A', 'SRID=32631;LINESTRING(0 0, 20 0, 20.1 0, 50 0, 100 0)'),
+  (2, 'residential', 0, NULL, 'Rue B', 'SRID=32631;LINESTRING(50 0, 50 80)'),
+  (3, 'secondary', 40, 2, NULL, 'SRID=32631;MULTILINESTRING((100 0, 200 0), (300 0, 400 0))'),
+  (4, 'runway', 45, 1, NULL, 'SRID=32631;LINESTRING(0 1000, 2000 1000)'),
+  (5, 'footway', NULL, NULL, NULL, 'SRID=32631;LINESTRING(0 5, 100 5)'),
+  (6, 'residential', NULL, NULL, NULL, ST_Transform('SRID=32631;LINESTRING(650000 6860000, 650100 6860000)'::geometry, 32631)),
+  (7, 'residential', 7, NULL, NULL, 'SRID=32631;LINESTRING(100 0, 50 0, 0 0)');
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_axes('import_a', 'import_source',
   '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}');
 
@@ -50,7 +50,7 @@ SELECT 'a width beyond the lanes is named, part by part, a runway''s is not',
 SELECT 'parts become axes of their own', (SELECT array_agg(source_ref ORDER BY source_ref) = '{3/1,3/2}' FROM import_a.axis WHERE source_ref LIKE '3%');
 SELECT 'a constant fills its column', (SELECT bool_and(level = 1) FROM import_a.axis);
 SELECT 'another SRID is transformed',
-       (SELECT ST_SRID(geom) = 2154 AND ST_DWithin(ST_StartPoint(geom), 'SRID=2154;POINT(650000 6860000)', 0.01) FROM import_a.axis WHERE source_ref = '6');
+       (SELECT ST_SRID(geom) = 32631 AND ST_DWithin(ST_StartPoint(geom), 'SRID=32631;POINT(650000 6860000)', 0.01) FROM import_a.axis WHERE source_ref = '6');
 SELECT 'a vertex that another axis shares stays', (SELECT ST_AsText(geom) LIKE '%50 0,%' FROM import_a.axis WHERE source_ref = '1');
 SELECT 'near and collinear points go, the original stays beside',
        (SELECT ST_NPoints(geom) = 3 AND ST_NPoints(source_geom) = 5 FROM import_a.axis WHERE source_ref = '1');
@@ -65,7 +65,7 @@ SELECT 'importing the same again changes no row',
    AND NOT EXISTS (SELECT FROM import_before b LEFT JOIN import_a.axis a ON a.ctid = b.place AND a.axis_id = b.axis_id WHERE a.axis_id IS NULL);
 UPDATE import_source SET label = 'Rue C' WHERE id = 2;
 DELETE FROM import_source WHERE id = 4;
-INSERT INTO import_source VALUES (8, 'residential', 6, 2, NULL, 'SRID=2154;LINESTRING(0 200, 100 200)');
+INSERT INTO import_source VALUES (8, 'residential', 6, 2, NULL, 'SRID=32631;LINESTRING(0 200, 100 200)');
 SELECT 'importing again follows the source', (SELECT count(*) > 0 FROM streetgen.import_axes('import_a', 'import_source',
   '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}'));
 SELECT 'a new row is an axis', EXISTS (SELECT FROM import_a.axis WHERE source_ref = '8');
@@ -86,9 +86,9 @@ SELECT 'an unknown direction is 22023', pg_temp.state(pg_temp.with_mapping('{"di
 SELECT 'a model that does not exist is 3F000',
        pg_temp.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
 SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), pg_temp.state(pg_temp.with_line(line)) = '22023' AND pg_temp.said(pg_temp.with_line(line)) LIKE '%77%'
-  FROM unnest(ARRAY[NULL, 'SRID=2154;LINESTRING EMPTY', 'SRID=2154;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
-                    'SRID=2154;LINESTRING(0 0, NaN 1)',
-                    'SRID=2154;LINESTRING(0 0, 1e13 1)', 'SRID=2154;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
+  FROM unnest(ARRAY[NULL, 'SRID=32631;LINESTRING EMPTY', 'SRID=32631;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
+                    'SRID=32631;LINESTRING(0 0, NaN 1)',
+                    'SRID=32631;LINESTRING(0 0, 1e13 1)', 'SRID=32631;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
 SELECT 'a refused import leaves no axis', (SELECT count(*) = 0 FROM import_b.axis);
 SELECT 'the source is as it was', (SELECT count(*) = 7 FROM import_source);
 DROP TABLE import_source, import_report, import_before;

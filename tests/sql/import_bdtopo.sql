@@ -8,16 +8,16 @@ EXCEPTION WHEN OTHERS THEN
   RETURN SQLSTATE;
 END $$;
 DO $$ BEGIN
-  PERFORM streetgen.create_model('import_v2', 2154);
-  PERFORM streetgen.create_model('import_v3', 2154, 3);
+  PERFORM streetgen.create_model('import_v2', 32631);
+  PERFORM streetgen.create_model('import_v3', 32631, 3);
 END $$;
-CREATE TABLE import_bdtopo2 (id text, nature text, nom_rue_g text, importance text, fictif text, largeur float8, nb_voies smallint, pos_sol smallint, sens text, geom geometry(MultiLineStringZM, 2154));
+CREATE TABLE import_bdtopo2 (id text, nature text, nom_rue_g text, importance text, fictif text, largeur float8, nb_voies smallint, pos_sol smallint, sens text, geom geometry(MultiLineStringZM, 32631));
 INSERT INTO import_bdtopo2 VALUES
-  ('A', 'Route à 1 chaussée', 'R DE LA GARE', '4', 'Non', 6, 2, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 0 -2e38 0, 100 0 5 0))'),
-  ('B', 'Bretelle', NULL, '3', 'Non', 0, 1, 1, 'Inverse', 'SRID=2154;MULTILINESTRING ZM((0 100 5 0, 100 100 5 0))'),
-  ('C', 'Autoroute', NULL, 'NC', 'Non', 20, 2, -1, 'Direct', 'SRID=2154;MULTILINESTRING ZM((0 200 5 0, 100 200 5 0))'),
-  ('D', 'Route à 1 chaussée', NULL, '5', 'Oui', 4, 1, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 300 5 0, 100 300 5 0))'),
-  ('E', 'Sentier', NULL, '5', 'Non', 2, 1, 0, 'Double', 'SRID=2154;MULTILINESTRING ZM((0 400 5 0, 100 400 5 0))');
+  ('A', 'Route à 1 chaussée', 'R DE LA GARE', '4', 'Non', 6, 2, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 0 -2e38 0, 100 0 5 0))'),
+  ('B', 'Bretelle', NULL, '3', 'Non', 0, 1, 1, 'Inverse', 'SRID=32631;MULTILINESTRING ZM((0 100 5 0, 100 100 5 0))'),
+  ('C', 'Autoroute', NULL, 'NC', 'Non', 20, 2, -1, 'Direct', 'SRID=32631;MULTILINESTRING ZM((0 200 5 0, 100 200 5 0))'),
+  ('D', 'Route à 1 chaussée', NULL, '5', 'Oui', 4, 1, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 300 5 0, 100 300 5 0))'),
+  ('E', 'Sentier', NULL, '5', 'Non', 2, 1, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 400 5 0, 100 400 5 0))');
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v2', 'import_bdtopo2');
 SELECT 'version 2: taken are roads that are not fictitious' AS name, (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v2.axis) AS holds;
 SELECT 'version 2: directions', (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'both,reverse,direct' FROM import_v2.axis);
@@ -28,12 +28,12 @@ SELECT 'version 2: a width of zero and one beyond the lanes are named',
        (SELECT source_refs = '{B}' FROM import_report WHERE what LIKE 'width of zero%') AND (SELECT source_refs = '{C}' FROM import_report WHERE what = 'width not believed');
 
 CREATE TABLE import_bdtopo3 (cleabs text, nature text, nom_voie_ban_gauche text, importance text, fictif boolean, largeur_de_chaussee numeric(5,1), nombre_de_voies integer,
-  position_par_rapport_au_sol text, sens_de_circulation text, vitesse_moyenne_vl integer, geometrie geometry(LineStringZ, 2154));
+  position_par_rapport_au_sol text, sens_de_circulation text, vitesse_moyenne_vl integer, geometrie geometry(LineStringZ, 32631));
 INSERT INTO import_bdtopo3 VALUES
-  ('A', 'Route à 1 chaussée', 'Rue Haute', '4', false, 5.5, 2, '0', 'Double sens', 30, 'SRID=2154;LINESTRING Z(0 0 10, 50 20 -1000, 100 0 20)'),
-  ('B', 'Rond-point', NULL, '5', false, NULL, NULL, '-1', 'Sens direct', 0, 'SRID=2154;LINESTRING Z(0 100 -1000, 100 100 -1000)'),
-  ('C', 'Bretelle', NULL, '3', false, 4, 1, 'Gué ou radier', 'Sens inverse', 70, 'SRID=2154;LINESTRING Z(0 200 5, 100 200 NaN)'),
-  ('D', 'Bretelle', NULL, '3', true, 4, 1, '0', 'Sens inverse', 70, 'SRID=2154;LINESTRING Z(0 300 5, 100 300 5)');
+  ('A', 'Route à 1 chaussée', 'Rue Haute', '4', false, 5.5, 2, '0', 'Double sens', 30, 'SRID=32631;LINESTRING Z(0 0 10, 50 20 -1000, 100 0 20)'),
+  ('B', 'Rond-point', NULL, '5', false, NULL, NULL, '-1', 'Sens direct', 0, 'SRID=32631;LINESTRING Z(0 100 -1000, 100 100 -1000)'),
+  ('C', 'Bretelle', NULL, '3', false, 4, 1, 'Gué ou radier', 'Sens inverse', 70, 'SRID=32631;LINESTRING Z(0 200 5, 100 200 NaN)'),
+  ('D', 'Bretelle', NULL, '3', true, 4, 1, '0', 'Sens inverse', 70, 'SRID=32631;LINESTRING Z(0 300 5, 100 300 5)');
 DROP TABLE import_report;
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3');
 SELECT 'version 3: taken are roads that are not fictitious', (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v3.axis);

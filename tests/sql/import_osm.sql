@@ -1,12 +1,12 @@
 -- OSM lines as osm2pgsql writes them, to axes.  Each SELECT is one truth: (name, holds).
 SET client_min_messages = warning;
 DO $$ BEGIN
-  PERFORM streetgen.create_model('import_osm', 2154);
+  PERFORM streetgen.create_model('import_osm', 32631);
 END $$;
 CREATE TABLE import_line (way_id bigint, class text NOT NULL, name text, lanes text, lanes_forward text, lanes_backward text, width text, oneway text,
-  junction text, layer text, bridge text, tunnel text, maxspeed text, area text, geom geometry(LineString, 2154));
+  junction text, layer text, bridge text, tunnel text, maxspeed text, area text, geom geometry(LineString, 32631));
 INSERT INTO import_line (way_id, class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, geom)
-SELECT v.*, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 2154) FROM (VALUES
+SELECT v.*, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631) FROM (VALUES
   (1::bigint, 'residential', '2', NULL, NULL, '7 m', 'yes', NULL, NULL, NULL, NULL, '30 mph'),
   (2, 'residential', NULL, '2', '1', '23 ft', '-1', NULL, '2', 'yes', NULL, 'FR:urban'),
   (3, 'tertiary', 'many', NULL, NULL, 'wide', NULL, 'roundabout', NULL, NULL, NULL, 'signals'),

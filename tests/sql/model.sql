@@ -34,13 +34,22 @@ SELECT 'dimension 4 is refused', test.state($q$SELECT streetgen.create_model('mo
 SELECT 'a refused model leaves nothing', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = 'model_b');
 SELECT 'UTM is taken', test.state($q$SELECT streetgen.create_model('model_utm', 32631)$q$) = 'none';
 
-SELECT 'every table of a model has a comment',
-       NOT EXISTS (SELECT FROM pg_class c WHERE c.relnamespace = 'model_a'::regnamespace AND c.relkind IN ('r', 'v')
-                     AND obj_description(c.oid, 'pg_class') IS NULL);
-SELECT 'every column of a model has a comment',
-       NOT EXISTS (SELECT FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
-                   WHERE c.relnamespace = 'model_a'::regnamespace AND c.relkind = 'r' AND a.attnum > 0
-                     AND NOT a.attisdropped AND col_description(c.oid, a.attnum) IS NULL);
+-- All that a schema holds: itself, tables, views, columns, types, functions, triggers; sequences and keys belong to their columns.
+CREATE FUNCTION pg_temp.uncommented(schema name) RETURNS SETOF text LANGUAGE sql AS $$
+  SELECT 'schema ' || nspname FROM pg_namespace WHERE nspname = schema AND obj_description(oid, 'pg_namespace') IS NULL
+  UNION ALL SELECT 'relation ' || relname FROM pg_class WHERE relnamespace = quote_ident(schema)::regnamespace AND relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND obj_description(oid, 'pg_class') IS NULL
+  UNION ALL SELECT format('column %s.%s', c.relname, a.attname) FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
+    WHERE c.relnamespace = quote_ident(schema)::regnamespace AND c.relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND a.attnum > 0 AND NOT a.attisdropped AND col_description(c.oid, a.attnum) IS NULL
+  -- The types of rows and arrays come with what they are made of.
+  UNION ALL SELECT 'type ' || t.typname FROM pg_type t LEFT JOIN pg_class c ON c.oid = t.typrelid
+    WHERE t.typnamespace = quote_ident(schema)::regnamespace AND t.typelem = 0 AND (c.oid IS NULL OR c.relkind = 'c') AND obj_description(t.oid, 'pg_type') IS NULL
+  UNION ALL SELECT 'function ' || oid::regprocedure FROM pg_proc WHERE pronamespace = quote_ident(schema)::regnamespace AND obj_description(oid, 'pg_proc') IS NULL
+  UNION ALL SELECT 'trigger ' || t.tgname FROM pg_trigger t JOIN pg_class c ON c.oid = t.tgrelid
+    WHERE c.relnamespace = quote_ident(schema)::regnamespace AND NOT t.tgisinternal AND obj_description(t.oid, 'pg_trigger') IS NULL
+  UNION ALL SELECT 'operator ' || oid::regoperator FROM pg_operator WHERE oprnamespace = quote_ident(schema)::regnamespace AND obj_description(oid, 'pg_operator') IS NULL $$;
+SELECT format('every object of %s has a comment%s', schema, (SELECT ': ' || string_agg(u, ', ') FROM pg_temp.uncommented(schema) u)), NOT EXISTS (SELECT FROM pg_temp.uncommented(schema))
+FROM unnest('{streetgen,model_a,"model Z\""}'::name[]) schema;
+SELECT 'the extension has a comment', obj_description(oid, 'pg_extension') <> '' FROM pg_extension WHERE extname = 'streetgen';
 SELECT 'every geometry of a model has its SRID and an index',
        NOT EXISTS (SELECT FROM geometry_columns g JOIN pg_class c ON c.relname = g.f_table_name AND c.relkind = 'r'
                      AND c.relnamespace = 'model_a'::regnamespace
@@ -126,6 +135,13 @@ SELECT 'an editor does not drop', test.state($q$SELECT streetgen.drop_model('mod
 SELECT 'an editor writes no registry', test.state($q$SELECT streetgen._register_model('model_a', 4326, 3)$q$) = '42501';
 SELECT 'an editor checks a model', test.state($q$SELECT streetgen.check_model('model_a')$q$) = 'none';
 SELECT 'an editor writes no registry by hand', test.state($q$INSERT INTO streetgen.model VALUES ('x', 2154, 2, '0')$q$) = '42501';
+-- What a caller calls pg_namespace is not what the registry asks.
+CREATE TEMPORARY TABLE pg_namespace AS SELECT oid, nspname, (SELECT oid FROM pg_roles WHERE rolname = current_user) AS nspowner FROM pg_catalog.pg_namespace;
+SELECT 'an editor writes no registry by a table of its own', test.state($q$SELECT streetgen._register_model('model_a', 4326, 3)$q$) = '42501';
+DELETE FROM pg_temp.pg_namespace;
+SELECT streetgen._forget_models() \g /dev/null
+DROP TABLE pg_temp.pg_namespace;
+SELECT 'nor takes models out of it', count(*) = 1 FROM streetgen.model WHERE name = 'model_a' AND srid = 2154;
 SET ROLE streetgen_test_reader;
 SELECT 'a reader reads an axis', test.state('SELECT count(*) FROM model_a.axis') = 'none';
 SELECT 'a reader deletes none', test.state('DELETE FROM model_a.axis') = '42501';
@@ -137,6 +153,27 @@ DO $$ BEGIN
   PERFORM streetgen.adopt_model('model_renamed');
 END $$;
 SELECT 'a renamed model is adopted', EXISTS (SELECT FROM streetgen.model WHERE name = 'model_renamed' AND srid = 32631 AND dimension = 2);
+CREATE SCHEMA half;
+CREATE TABLE half.axis (geom geometry);
+CREATE TABLE half.setting (name text);
+SELECT 'tables that are no model are 3F000 and named', test.state($q$SELECT streetgen.adopt_model('half')$q$) = '3F000' AND test.hint($q$SELECT streetgen.adopt_model('half')$q$) LIKE '%node, edge%';
+SELECT 'and are not registered', NOT EXISTS (SELECT FROM streetgen.model WHERE name = 'half');
+SELECT 'an unknown model is 3F000: ' || call, test.state('SELECT * FROM streetgen.' || call) = '3F000' FROM unnest(ARRAY['setting(''no such'')', 'summary(''no such'')', 'check_model(''no such'')', 'svg(''no such'')', 'adopt_model(''no such'')']) call;
+
+-- The extension goes and comes: tables stay, views come back with their comments and readers.
+DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
+CREATE TABLE before AS SELECT test.content('model_a') AS content;
+SELECT 'DROP EXTENSION names the models in the way', test.state('DROP EXTENSION streetgen') = '2BP01';
+DROP EXTENSION streetgen CASCADE;
+SELECT 'it takes no table', (SELECT count(*) > 0 FROM model_a.axis) AND to_regclass('model_a.section') IS NOT NULL AND to_regclass('model_a.axis_used') IS NULL;
+CREATE EXTENSION streetgen;
+DO $$ BEGIN PERFORM streetgen.adopt_model(m) FROM unnest('{model_a,"model Z\"",model_renamed}'::name[]) m; END $$;
+SELECT 'adopted models have their views', test.state('SELECT * FROM model_a.axis_used, model_a.intersection_group') = 'none';
+SELECT 'with comments: ' || m, NOT EXISTS (SELECT FROM pg_temp.uncommented(m)) FROM unnest('{model_a,"model Z\""}'::name[]) m;
+SELECT 'and readers', has_table_privilege('streetgen_test_reader', 'model_a.axis_used', 'SELECT') AND NOT has_table_privilege('streetgen_test_reader', 'model_renamed.axis_used', 'SELECT');
+SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('model_a');
+SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
+SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';
 SELECT 'a schema that is no model is not adopted', test.state($q$SELECT streetgen.adopt_model('public')$q$) <> 'none';
 DO $$ BEGIN
   PERFORM streetgen.drop_model('model_a');
@@ -147,6 +184,3 @@ DO $$ BEGIN
 END $$;
 SELECT 'dropped models are gone', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname IN ('model_a', 'model Z"', 'model_renamed'))
        AND NOT EXISTS (SELECT FROM streetgen.model WHERE name IN ('model_a', 'model Z"', 'model_renamed'));
-
-SELECT 'every object of the extension has a comment',
-       NOT EXISTS (SELECT FROM pg_proc p WHERE p.pronamespace = 'streetgen'::regnamespace AND obj_description(p.oid, 'pg_proc') IS NULL);

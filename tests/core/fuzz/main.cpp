@@ -1,0 +1,44 @@
+// streetgen_fuzz FIRST COUNT: every truth on COUNT seeds; a line for each that fails.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "truths.hpp"
+
+using namespace streetgen::fuzz;
+
+namespace {
+
+int count_faults(const char* what, std::uint64_t seed, Faults (*faults_of)(std::uint64_t)) {
+  Faults faults;
+  // Stands alone when the process dies.
+  std::fprintf(stderr, "\r%s seed %llu ", what, static_cast<unsigned long long>(seed));
+  try {
+    faults = faults_of(seed);
+  } catch (const std::exception& e) {
+    faults.push_back(e.what());
+  }
+  for (const std::string& fault : faults)
+    std::printf("%s seed %llu: %s\n", what, static_cast<unsigned long long>(seed), fault.c_str());
+  return faults.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count_of_arguments, char** arguments) {
+  if (count_of_arguments != 3) {
+    std::fprintf(stderr, "usage: %s FIRST COUNT\n", arguments[0]);
+    return 2;
+  }
+  const std::uint64_t first = std::strtoull(arguments[1], nullptr, 10),
+                      count = std::strtoull(arguments[2], nullptr, 10);
+  int failed = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    failed += count_faults("town", seed, town_faults);
+    failed += count_faults("primitives", seed, primitive_faults);
+    failed += count_faults("door", seed, door_faults);
+  }
+  std::fprintf(stderr, "\n");
+  std::printf("%llu checks, %d failed\n", static_cast<unsigned long long>(3 * count), failed);
+  return failed == 0 ? 0 : 1;
+}

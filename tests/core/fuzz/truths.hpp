@@ -1,0 +1,24 @@
+// What must hold of every result; each function returns what does not, empty when all does.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "town.hpp"
+
+namespace streetgen::fuzz {
+
+using Faults = std::vector<std::string>;
+
+// The pipeline: surfaces valid, finite, of one owner each; edges covered; the same again, and
+// whatever the order of the axes.
+Faults town_faults(std::uint64_t seed);
+
+// The constructions that are usable alone, on random lines and numbers in their range.
+Faults primitive_faults(std::uint64_t seed);
+
+// The door for geometries: what is not finite is refused, broken bytes too.
+Faults door_faults(std::uint64_t seed);
+
+}  // namespace streetgen::fuzz

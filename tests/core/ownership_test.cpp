@@ -1,0 +1,86 @@
+#include "../../src/core/ownership.hpp"
+
+#include <gtest/gtest.h>
+
+#include <list>
+#include <random>
+
+#include "../../src/core/geos.hpp"
+#include "../../src/core/hole.hpp"
+#include "../../src/core/polyline.hpp"
+#include "streetgen/surface.hpp"
+
+namespace streetgen {
+namespace {
+
+// Streets with their surfaces, as ownership takes them.
+struct Town {
+  std::list<Line> axes;
+  std::list<MultiPolygon> surfaces;
+  std::vector<Claim> claims;
+
+  void add(const Line& axis, double width) {
+    axes.push_back(axis);
+    surfaces.push_back(section_surface(axis, width, 0, length(axis)));
+    Claim claim;
+    claim.surface = &surfaces.back();
+    claim.skeleton.push_back({&axes.back(), 0, length(axis)});
+    claim.width = width;
+    claim.axis_id = static_cast<std::int64_t>(claims.size()) + 1;
+    claim.edges = {static_cast<int>(claims.size())};
+    claims.push_back(claim);
+  }
+  std::vector<MultiPolygon> grounds() const { return {surfaces.begin(), surfaces.end()}; }
+};
+
+double united_area(Geos& geos, const Town& town) {
+  return area(geos.polygons(geos.unite(town.grounds()).get()));
+}
+
+double summed_area(const Town& town) {
+  double sum = 0;
+  for (const MultiPolygon& surface : town.surfaces) sum += area(surface);
+  return sum;
+}
+
+TEST(Ownership, EveryPointKeepsOneOwner) {
+  Geos geos;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto place = [&] { return Point{random() % 800 / 10.0, random() % 800 / 10.0, 0}; };
+    Town town;
+    for (int i = 0; i < 8; ++i) {
+      const Point a = place(), b = place();
+      if (distance(a, b) > 1) town.add({a, b}, 4 + random() % 100 / 10.0);
+    }
+    const double ground = united_area(geos, town);
+    settle_ownership(geos, town.claims, disputes(town.claims));
+    EXPECT_NEAR(united_area(geos, town), ground, 0.01) << "seed " << seed;
+    EXPECT_NEAR(summed_area(town), ground, 0.01) << "seed " << seed;
+  }
+}
+
+// Four streets about a gap of 0.5 m by 0.4 m, each overlapping the next.
+TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
+  Geos geos;
+  Town town;
+  town.add({{-10, -2, 0}, {10, -2, 0}}, 4);
+  town.add({{-10, 2.4, 0}, {10, 2.4, 0}}, 4);
+  town.add({{-2, -10, 0}, {-2, 10, 0}}, 4);
+  town.add({{2.5, -10, 0}, {2.5, 10, 0}}, 4);
+  const double ground = united_area(geos, town);
+  const auto pairs = disputes(town.claims);
+  EXPECT_TRUE(holes_between(geos, town.claims, pairs, 0.1).empty());
+  const std::vector<Hole> holes = holes_between(geos, town.claims, pairs, 0.5);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.2, 1e-9);
+  settle_ownership(geos, town.claims, pairs);
+  const double first = area(town.surfaces.front());
+  give_holes(geos, town.claims, holes);
+  EXPECT_NEAR(united_area(geos, town), ground + 0.2, 1e-6);
+  EXPECT_NEAR(summed_area(town), ground + 0.2, 1e-6);
+  EXPECT_NEAR(area(town.surfaces.front()), first + 0.2, 1e-6);
+}
+
+}  // namespace
+}  // namespace streetgen

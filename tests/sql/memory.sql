@@ -1,0 +1,71 @@
+-- No call leaks, neither one that gives a result nor one that raises: the backend's own memory after many calls.
+-- tests/memory makes ten thousand of each.
+\if :{?calls}
+\else
+  \set calls 300
+\endif
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.resident() RETURNS bigint LANGUAGE sql AS $$
+  SELECT 1024 * substring(pg_read_file('/proc/self/status') FROM 'RssAnon:\s+(\d+)')::bigint $$;
+CREATE FUNCTION pg_temp.repeat(expression text, times bigint) RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+  last text := 'none';
+BEGIN
+  FOR i IN 1..times LOOP
+    BEGIN
+      EXECUTE 'SELECT ' || expression;
+    EXCEPTION WHEN OTHERS THEN
+      last := SQLSTATE;
+    END;
+  END LOOP;
+  RETURN last;
+END $$;
+CREATE TABLE long_line AS SELECT ST_MakeLine(ST_MakePoint(5 * i, 5 * sin(i)) ORDER BY i) AS a, ST_MakeLine(ST_MakePoint(5 * sin(i), 5 * i) ORDER BY i) AS b FROM generate_series(0, 400) i;
+CREATE TABLE short_line AS SELECT ST_LineSubstring(a, 0, 0.05) AS a, ST_LineSubstring(b, 0, 0.05) AS b FROM long_line;
+CREATE TABLE call AS SELECT row_number() OVER () AS nth, * FROM (VALUES
+  ('arc_centre', 'none', 'streetgen.arc_centre(a, b, 7, 6, 5) FROM long_line'), ('arc_centre', '22023', 'streetgen.arc_centre(a, b, 7, -6, 5) FROM long_line'),
+  ('corner_arc', 'none', 'streetgen.corner_arc(a, b, 7, 6, 5) FROM long_line'), ('corner_arc', '22023', 'streetgen.corner_arc(a, ST_Reverse(b), 7, 6, ''NaN'') FROM long_line'),
+  ('max_corner_radius', 'none', 'streetgen.max_corner_radius(a, b, 7, 6) FROM short_line'), ('max_corner_radius', '22023', 'streetgen.max_corner_radius(a, ST_SetSRID(b, 2154), 7, 6) FROM long_line'),
+  ('border_line', 'none', 'streetgen.border_line(a, 500, 6) FROM long_line'), ('border_line', '22023', 'streetgen.border_line(a, ''NaN'', 6) FROM long_line'),
+  ('section_surface', 'none', 'streetgen.section_surface(a, 6, 10, 900) FROM long_line'), ('section_surface', '22023', 'streetgen.section_surface(a, 6, 10, ''NaN'') FROM long_line'),
+  ('clean', 'none', 'streetgen.clean(a, ''{}'', 0.3, 3) FROM long_line'), ('clean', '22023', 'streetgen.clean(a, ''{true}'', 0.3, 3) FROM long_line'),
+  ('intersection_surface', 'none', 'streetgen.intersection_surface(ARRAY[a, b, ST_Reverse(a)], ''{6,7,8}'', ''{3,4,5}'', true) FROM short_line'),
+  ('intersection_surface', '22023', 'streetgen.intersection_surface(ARRAY[a, b], ''{6,7}'', ''{3,4,5}'') FROM long_line'),
+  ('variable_buffer', 'none', 'streetgen.variable_buffer(a, array_fill(3::float8, ARRAY[ST_NPoints(a)]), ''both'', ''round'') FROM short_line'),
+  ('variable_buffer', '22023', 'streetgen.variable_buffer(a, ''{1,2}'') FROM long_line'),
+  ('turning_radius', 'none', 'streetgen.turning_radius(50, 7, ''setra'')'), ('turning_radius', '22023', 'streetgen.turning_radius(50, 7, ''other'')')) v(name, state, expression);
+
+DO $$ BEGIN
+  PERFORM streetgen.create_model('soak', 2154);
+END $$;
+INSERT INTO soak.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 80 * x, 6860000 + 60 * y), ST_MakePoint(650000 + 80 * (x + dx), 6860000 + 60 * (y + 1 - dx))), 2154), 7
+  FROM generate_series(1, 6) x, generate_series(1, 6) y, generate_series(0, 1) dx;
+-- Every surface is computed and written anew; then an axis that the border refuses.
+CREATE FUNCTION pg_temp.soak(bad boolean) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  UPDATE soak.axis SET width = 6 + random() WHERE axis_id = 1;
+  UPDATE soak.axis SET radius = 3 + random();
+  IF bad THEN
+    INSERT INTO soak.axis (geom) VALUES ('SRID=2154;LINESTRING(1 1,1 1)');
+  END IF;
+  PERFORM streetgen.generate('soak');
+  RETURN 'none';
+EXCEPTION WHEN OTHERS THEN
+  RETURN SQLSTATE;
+END $$;
+ALTER TABLE soak.axis DROP CONSTRAINT geom_is_a_finite_line;
+
+CREATE TABLE grown (nth bigint, name text, wanted text, state text, bytes bigint);
+-- A first tenth fills caches.
+SELECT format('DO $do$ BEGIN PERFORM pg_temp.repeat(%L, %s); END $do$', expression, :calls / 10),
+       format('INSERT INTO grown SELECT %s, %L, %L, NULL, -pg_temp.resident()', nth, name, state),
+       format('UPDATE grown SET state = pg_temp.repeat(%L, %s) WHERE nth = %s', expression, :calls, nth),
+       format('UPDATE grown SET bytes = bytes + pg_temp.resident() WHERE nth = %s', nth) FROM call \gexec
+SELECT format('DO $do$ BEGIN PERFORM pg_temp.soak(i %% 2 = 0) FROM generate_series(1, 4) i; END $do$') FROM generate_series(1, 3) \gexec
+INSERT INTO grown SELECT 100, 'generate', 'none', pg_temp.soak(false), -pg_temp.resident();
+SELECT 'DO $do$ BEGIN PERFORM pg_temp.soak(false); END $do$' FROM generate_series(1, :calls / 50) \gexec
+UPDATE grown SET bytes = bytes + pg_temp.resident() WHERE nth = 100;
+INSERT INTO grown SELECT 101, 'generate', '22023', pg_temp.soak(true), -pg_temp.resident();
+SELECT 'DO $do$ BEGIN PERFORM pg_temp.soak(true); END $do$' FROM generate_series(1, :calls / 50) \gexec
+UPDATE grown SET bytes = bytes + pg_temp.resident() WHERE nth = 101;
+SELECT format('%s, SQLSTATE %s, grows by %s kB', name, state, bytes / 1024), bytes < least(5e6, 1e6 + 500 * :calls) AND state = wanted FROM grown ORDER BY nth;
