@@ -174,6 +174,11 @@ BEGIN
         ('axis_used', 'estimated', 'which of these values are estimated'),
         ('axis_used', 'input_hash', 'hash of the axis and the values used'),
         ('axis_used', 'setting_hash', 'hash of the settings'),
+        ('conflict', 'node_id', 'the node'),
+        ('conflict', 'interconnection_a', 'one of the two, the smaller key'),
+        ('conflict', 'interconnection_b', 'the other'),
+        ('conflict', 'kind', 'crossing, or merging in one lane'),
+        ('conflict', 'geom', 'where they cross, or the start of the lane in which they merge'),
         ('intersection_group', 'node_id', 'the node of the intersection'),
         ('intersection_group', 'level', 'level of the intersection'),
         ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours')) v(relation, attribute, text)

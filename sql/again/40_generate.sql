@@ -198,7 +198,7 @@ result AS MATERIALIZED (
         SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
                coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
-        FROM %1$I.turn_restriction WHERE $2 IS NULL OR from_axis = ANY ($2)) t,
+        FROM %1$I.turn_restriction WHERE $2 IS NULL OR from_axis = ANY ($2)) b,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
@@ -206,7 +206,7 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, t.from_axis, t.to_axis, t.x, t.y, t.kind, t.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8) s),
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8) s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
