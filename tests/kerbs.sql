@@ -20,17 +20,18 @@ SELECT a.node_id, a.degree, a.edge_id AS edge_a, a.which AS end_a, b.edge_id AS 
        a.azimuth - b.azimuth + CASE WHEN a.azimuth < b.azimuth THEN 2 * pi() ELSE 0 END AS phi
 FROM arm a JOIN arm b ON b.node_id = a.node_id AND b.turn = a.turn % a.degree + 1 WHERE a.degree >= 2;
 
--- Straight, long enough and near enough for the wanted radius: the law of two lines holds.
+-- Straight to 0.1 m beyond the arc's foot, long enough and near enough for the wanted radius: the law of two lines holds.
 CREATE TEMPORARY TABLE lawful AS
 SELECT p.*, centre FROM pair p
 CROSS JOIN LATERAL (SELECT CASE WHEN phi BETWEEN radians(20) AND radians(160) THEN sin(phi) END AS sine) s
 CROSS JOIN LATERAL (SELECT (half_b + r + (half_a + r) * cos(phi)) / sine AS o_a, (half_a + r + (half_b + r) * cos(phi)) / sine AS o_b) o
+CROSS JOIN LATERAL (SELECT least(o_a + 0.1, length_a) AS s_a, least(o_b + 0.1, length_b) AS s_b) s_ab
 CROSS JOIN LATERAL (SELECT ST_Translate(ST_StartPoint(line_a), o_a * sin(azimuth_a) - (half_a + r) * cos(azimuth_a), o_a * cos(azimuth_a) + (half_a + r) * sin(azimuth_a)) AS centre) c
 WHERE constant AND r > 0 AND sine IS NOT NULL AND o_a BETWEEN 0 AND length_a AND o_b BETWEEN 0 AND length_b
   AND NOT (degree = 2 AND abs(half_a - half_b) > 0.005 AND abs(phi - pi()) < pi() / 3) -- a transition has no corner
   AND ST_Distance(centre, ST_StartPoint(line_a)) < (SELECT value::float8 FROM :"model".setting WHERE name = 'max_arc_distance')
-  AND ST_Distance(ST_LineInterpolatePoint(line_a, o_a / length_a), ST_Translate(ST_StartPoint(line_a), o_a * sin(azimuth_a), o_a * cos(azimuth_a))) < 1e-4
-  AND ST_Distance(ST_LineInterpolatePoint(line_b, o_b / length_b), ST_Translate(ST_StartPoint(line_b), o_b * sin(azimuth_b), o_b * cos(azimuth_b))) < 1e-4
+  AND ST_Distance(ST_LineInterpolatePoint(line_a, s_a / length_a), ST_Translate(ST_StartPoint(line_a), s_a * sin(azimuth_a), s_a * cos(azimuth_a))) < 1e-4
+  AND ST_Distance(ST_LineInterpolatePoint(line_b, s_b / length_b), ST_Translate(ST_StartPoint(line_b), s_b * sin(azimuth_b), s_b * cos(azimuth_b))) < 1e-4
   AND ST_Distance(centre, line_a) > half_a + r - 1e-4 AND ST_Distance(centre, line_b) > half_b + r - 1e-4;
 
 INSERT INTO finding

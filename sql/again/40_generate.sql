@@ -144,7 +144,8 @@ DECLARE
     lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
     IF wait IS NOT TRUE THEN
-        PERFORM set_config('lock_timeout', '1ms', true);
+        -- Long enough for a table that another session makes longer, which is over at once.
+        PERFORM set_config('lock_timeout', '100ms', true);
     END IF;
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "box_index.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -44,7 +45,7 @@ double shared_border(const Ring& hole, const MultiPolygon& surface) {
   return shared;
 }
 
-// Claims joined by disputes, with those of their level that share an edge with them: without a
+// Claims of one level joined by disputes, with those that share an edge with them: without a
 // dispute there is no small hole.
 std::vector<std::set<int>> groups(const std::vector<Claim>& claims,
                                   const std::vector<std::pair<int, int>>& disputes) {
@@ -54,7 +55,8 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims,
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  for (const auto& [i, j] : disputes) parent[root(i)] = root(j);
+  for (const auto& [i, j] : disputes)
+    if (claims[i].level == claims[j].level) parent[root(i)] = root(j);
   std::unordered_map<int, std::vector<int>> on_edge;
   for (int i = 0; i < static_cast<int>(claims.size()); ++i)
     for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
@@ -82,10 +84,24 @@ void fill_holes(MultiPolygon& surface, double max_area) {
 
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area) {
+  std::vector<Box> boxes;
+  for (const Claim& claim : claims) boxes.push_back(box_of(*claim.surface));
+  const BoxIndex index(boxes);
   const auto united = [&](const auto& members) {
     std::vector<MultiPolygon> parts;
     for (const int i : members) parts.push_back(*claims[i].surface);
     return geos.polygons(geos.unite(parts).get());
+  };
+  // By a surface of the level, or by one of another that tiles with one of the level.
+  const auto covered = [&](const Ring& ring, const std::vector<int>& around) {
+    const MultiPolygon hole{{reversed(ring)}};
+    const Ground ground(hole);
+    const std::vector<int> near = index.near(ground.box(), touching);
+    return std::any_of(near.begin(), near.end(), [&](int i) {
+      return std::any_of(around.begin(), around.end(),
+                         [&](int k) { return tile(claims[i], claims[k]); }) &&
+             overlap(ground, Ground(*claims[i].surface));
+    });
   };
   std::vector<Hole> holes;
   std::set<std::pair<double, double>> seen;
@@ -95,7 +111,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
       const Box box = box_of({{found}});
       std::vector<int> around;
       for (const int i : group)
-        if (box_of(*claims[i].surface).meets(box, touching)) around.push_back(i);
+        if (boxes[i].meets(box, touching)) around.push_back(i);
       std::sort(around.begin(), around.end(), [&](int i, int j) {
         return std::tie(claims[i].axis_id, claims[i].place) <
                std::tie(claims[j].axis_id, claims[j].place);
@@ -103,7 +119,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
       // Once more from its neighbours alone: the same whatever else was united.
       for (const Ring& ring : small_holes(united(around), max_area))
         if (box.holds(ring.front(), touching) &&
-            seen.insert({ring.front().x, ring.front().y}).second)
+            seen.insert({ring.front().x, ring.front().y}).second && !covered(ring, around))
           holes.push_back({ring, around});
     }
   }

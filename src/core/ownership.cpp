@@ -118,12 +118,6 @@ MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second
   return geos.polygons(geos.intersection(shared, ground.get()).get());
 }
 
-// Levels overlap freely, but an intersection tiles with all its sections.
-bool tile(const Claim& a, const Claim& b) {
-  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
-                                                  b.edges.end()) != a.edges.end();
-}
-
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
                                                    const std::vector<Ground>& grounds) {
   std::vector<Box> boxes(claims.size());
@@ -197,6 +191,11 @@ void return_lost_ground(Geos& geos, std::vector<Claim>& claims, std::vector<Won>
 }
 
 }  // namespace
+
+bool tile(const Claim& a, const Claim& b) {
+  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
+                                                  b.edges.end()) != a.edges.end();
+}
 
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
   std::vector<Ground> grounds;

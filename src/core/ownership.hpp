@@ -29,8 +29,10 @@ struct Claim {
   double contested_area = 0;      // out: square metres left to others
 };
 
-// The pairs of claims that overlap and may not: those of one level, and those that share an edge
-// (an intersection and its sections).
+// Levels overlap freely, but an intersection tiles with all its sections.
+bool tile(const Claim& a, const Claim& b);
+
+// The pairs of claims that overlap and should tile.
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims);
 
 // Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
