@@ -174,7 +174,8 @@ CROSS JOIN LATERAL (
 CROSS JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
 CROSS JOIN LATERAL (
-    SELECT coalesce(lane_count, greatest(streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8), CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
+    SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8) END,
+               CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
 CROSS JOIN LATERAL (
     SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
                CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,

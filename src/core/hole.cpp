@@ -98,7 +98,8 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     const Ground ground(hole);
     const std::vector<int> near = index.near(ground.box(), touching);
     return std::any_of(near.begin(), near.end(), [&](int i) {
-      return std::any_of(around.begin(), around.end(),
+      return std::find(around.begin(), around.end(), i) == around.end() &&
+             std::any_of(around.begin(), around.end(),
                          [&](int k) { return tile(claims[i], claims[k]); }) &&
              overlap(ground, Ground(*claims[i].surface));
     });

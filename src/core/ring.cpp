@@ -135,17 +135,45 @@ MultiPolygon arm_pieces(const Arm& arm, double start, double end) {
   return pieces(part, half, half);
 }
 
-// Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them.
+double angle_about(const Point& node, const Point& p) {
+  const Point d = p - node;
+  return std::atan2(d.y, d.x);
+}
+
+// The arm that comes last before a point, counter-clockwise about the node.
+std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
+  const Point& node = arms.front().line.front();
+  const double angle = angle_about(node, p);
+  std::size_t last = 0;
+  double least = 7;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const double of_arm = angle_about(node, place_at(arms[i].line, 1).point);
+    const double turn = std::fmod(angle - of_arm + 4 * M_PI, 2 * M_PI);
+    if (turn >= least) continue;
+    least = turn;
+    last = i;
+  }
+  return last;
+}
+
+// Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
+// the flat end of a wide arm reaches past its neighbours' axes, their kerbs hold.
 bool covers(const Ring& ring, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
-  for (const Arm& arm : arms) {
+  const auto held = [&](std::size_t arm, const Point& p) {
+    if (inside(p, {ring})) return true;
+    const std::size_t at = sector(arms, p);
+    return at != arm && (at + 1) % arms.size() != arm;
+  };
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    const Arm& arm = arms[k];
     if (arm.limit <= 0) continue;
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
     for (int i = 0; i <= steps; ++i) {
       const double abscissa = std::clamp(arm.limit * i / steps, inwards, arm.limit - inwards);
       const Line border = border_across(arm, abscissa);
       const Point across = unit(border[1] - border[0]) * inwards;
-      if (!inside(border[0] + across, {ring}) || !inside(border[1] - across, {ring})) return false;
+      if (!held(k, border[0] + across) || !held(k, border[1] - across)) return false;
     }
   }
   return true;

@@ -132,7 +132,7 @@ StreetSettings random_settings(Random& random) {
   settings.short_axis = random.one_in(3) ? ShortAxis::follow : ShortAxis::reduce;
   settings.radius_rule =
       random.of(std::vector<RadiusRule>{RadiusRule::min, RadiusRule::max, RadiusRule::mean});
-  settings.transition_kind = random.of(std::vector<TransitionKind>{
+  settings.transition.kind = random.of(std::vector<TransitionKind>{
       TransitionKind::symmetric, TransitionKind::left, TransitionKind::right});
   settings.round_dead_ends = random.one_in(3);
   return settings;
