@@ -406,7 +406,7 @@ class Choice {
       for (int o = 0; o < static_cast<int>(legs_[leg].out.size()); ++o)
         if (!reached(leg, o))
           add_only_way([&](const Way& way, int, int out) {
-            return way.movement->to == leg && out == o && !turns_back(way);
+            return way.movement->to == leg && out == o && way.movement->from != leg;
           });
   }
 
