@@ -44,6 +44,8 @@ FROM :"model".lane JOIN :"model".edge USING (edge_id);
 SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
 FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 3 ORDER BY measure, rank;
 
+-- The marks of lanes are taken away for the last of these: all is put back.
+BEGIN;
 \ir traffic.sql
 SELECT 'traffic | ' || :'model', (SELECT count(*) FROM :"model".interconnection), (SELECT round(100.0 * count(*) FILTER (WHERE plausible) / nullif(count(*), 0), 1) FROM :"model".interconnection),
     count(*) FILTER (WHERE abs(angle) > 20), round(100.0 * (SELECT count(*) FROM tight) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2), round(100.0 * (SELECT count(*) FROM tight WHERE allowed) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2),
@@ -54,3 +56,4 @@ SELECT 'turns | ' || :'model', count(DISTINCT lane_in), count(*) FILTER (WHERE m
     coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE guessed), 0), 1)::text, '-'),
     coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE marked), 0), 1)::text, '-') || ' |'
 FROM guess;
+ROLLBACK;
