@@ -26,6 +26,11 @@ double least_radius(double speed) {
   return std::max(car_radius, v * v / lateral_acceleration);
 }
 
+double rounded(double angle) {
+  const double steps = std::round(angle / angle_step);
+  return steps * angle_step <= -180 + angle_step / 2 ? 180 : steps * angle_step + 0.0;
+}
+
 struct EdgeLanes {
   std::size_t first = 0, count = 0;
 };
@@ -203,7 +208,7 @@ class Builder {
         pair.node = node;
         pair.lane_in = from.in[i];
         pair.lane_out = to.out[o];
-        pair.angle = std::round(turn_angle(in.direction, out.direction) / angle_step) * angle_step;
+        pair.angle = rounded(turn_angle(in.direction, out.direction));
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
         Trajectory path =

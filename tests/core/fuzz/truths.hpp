@@ -15,6 +15,9 @@ using Faults = std::vector<std::string>;
 // whatever the order of the axes.
 Faults town_faults(std::uint64_t seed);
 
+// Every pair of lanes, paths from lane to lane, no dead lane, whatever the order of the axes.
+Faults interconnection_faults(std::uint64_t seed);
+
 // The constructions that are usable alone, on random lines and numbers in their range.
 Faults primitive_faults(std::uint64_t seed);
 
