@@ -18,6 +18,11 @@ constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a sec
 constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
 constexpr double arrow_lane = 2.5;  // the lane width that an arrow of full size asks for
 constexpr double arrow_before_end = 3;
+constexpr double least_paint = 0.5;  // lanes narrower than this bear none
+
+bool painted(const Lane& lane) {
+  return lane.kind != LaneKind::parking && lane.width >= least_paint;
+}
 
 // A piece of a line, without asking for its abscissas again.
 std::vector<Line> cut(const Line& line, const std::vector<std::pair<double, double>>& spans) {
@@ -145,6 +150,9 @@ MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
   else
     for (const Line& piece : cut(separator.line, dashes(length(separator.line), dash, gap)))
       append_band(geos, piece, stripe / 2, surface);
+  // Dashes of a line that comes back may lie on each other.
+  if (separator.line.size() > 2 && !geos.valid(geos.surface(surface).get()))
+    return geos.polygons(geos.unite({surface}).get());
   return surface;
 }
 
@@ -158,7 +166,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const int lower = streets.roadways[lanes.front().edge].importance - ranks[node].importance;
     if (ranks[node].degree < 3 || lower < 1) continue;
     for (const Lane& lane : lanes) {
-      if (lane.along_axis == at_start || lane.kind == LaneKind::parking) continue;
+      if (lane.along_axis == at_start || !painted(lane)) continue;
       const Line end =
           at_start ? substring(lane.line, 0, stop_width)
                    : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
@@ -188,7 +196,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
 void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
-    if (lane.kind == LaneKind::parking) continue;
+    if (!painted(lane)) continue;
     const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const double total = length(way);

@@ -125,6 +125,8 @@ SELECT 'a reader writes nothing', NOT has_table_privilege('streetgen_test_reader
 SELECT 'an editor edits axes', has_table_privilege('streetgen_test_editor', 'model_a.axis', 'INSERT')
        AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'UPDATE')
        AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'DELETE');
+SELECT 'an editor decides by hand', has_table_privilege('streetgen_test_editor', 'model_a.lane_override', 'INSERT')
+       AND has_table_privilege('streetgen_test_editor', 'model_a.lane_override', 'DELETE');
 SELECT 'an editor writes no derived table', NOT has_table_privilege('streetgen_test_editor', 'model_a.section', 'INSERT, UPDATE, DELETE');
 SET ROLE streetgen_test_editor;
 INSERT INTO model_a.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860000,650050 6860000)');

@@ -35,11 +35,12 @@ int main(int count_of_arguments, char** arguments) {
   int failed = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     failed += count_faults("town", seed, town_faults);
+    failed += count_faults("lanes", seed, lane_faults);
     failed += count_faults("interconnections", seed, interconnection_faults);
     failed += count_faults("primitives", seed, primitive_faults);
     failed += count_faults("door", seed, door_faults);
   }
   std::fprintf(stderr, "\n");
-  std::printf("%llu checks, %d failed\n", static_cast<unsigned long long>(4 * count), failed);
+  std::printf("%llu checks, %d failed\n", static_cast<unsigned long long>(5 * count), failed);
   return failed == 0 ? 0 : 1;
 }

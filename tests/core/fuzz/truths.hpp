@@ -15,6 +15,9 @@ using Faults = std::vector<std::string>;
 // whatever the order of the axes.
 Faults town_faults(std::uint64_t seed);
 
+// Lanes of random wishes and overrides on such towns: sound, numbered, filling the roadway, inside it.
+Faults lane_faults(std::uint64_t seed);
+
 // Every pair of lanes, paths from lane to lane, no dead lane, whatever the order of the axes.
 Faults interconnection_faults(std::uint64_t seed);
 
