@@ -43,36 +43,21 @@ INSERT INTO long_call VALUES
   ('svg, town', 'SELECT streetgen.svg(''town'')'),
   ('export_topology, town', 'SELECT streetgen.export_topology(''town'', ''town_topology'')');
 
--- Milliseconds that a statement takes; what it wrote is taken back.
-CREATE FUNCTION pg_temp.duration(statement text, OUT ms float8, OUT state text, OUT said text) LANGUAGE plpgsql AS $$
+-- Milliseconds that a statement takes, under the statement_timeout of the statement around it; what it wrote is taken back.
+CREATE FUNCTION pg_temp.run(statement text, OUT ms float8, OUT state text, OUT said text) LANGUAGE plpgsql AS $$
 DECLARE
   began timestamptz := clock_timestamp();
 BEGIN
-  state := 'none';
   BEGIN
     EXECUTE statement;
     RAISE EXCEPTION USING ERRCODE = 'ZZZZZ', MESSAGE = 'taken back';
   EXCEPTION WHEN OTHERS OR query_canceled THEN
-    IF SQLSTATE <> 'ZZZZZ' THEN
-      state := SQLSTATE;
-      said := SQLERRM;
-    END IF;
+    -- PostGIS may raise by itself and leave the interrupt pending: then it comes here.
+    state := nullif(SQLSTATE, 'ZZZZZ');
+    said := SQLERRM;
   END;
   ms := 1000 * extract(epoch FROM clock_timestamp() - began);
-END $$;
-
--- Runs a statement under the statement_timeout of the statement around it.
-CREATE FUNCTION pg_temp.interrupted(statement text, OUT state text, OUT late float8) LANGUAGE plpgsql AS $$
-BEGIN
-  BEGIN
-    EXECUTE statement;
-    state := 'none';
-  EXCEPTION WHEN query_canceled THEN
-    -- PostGIS may raise by itself and leave the interrupt pending: then it comes here.
-    state := SQLSTATE;
-  END;
-  late := 1000 * extract(epoch FROM clock_timestamp() - statement_timestamp()) - (SELECT setting::float8 FROM pg_settings WHERE name = 'statement_timeout');
 EXCEPTION WHEN query_canceled THEN
   state := SQLSTATE;
-  late := 1000 * extract(epoch FROM clock_timestamp() - statement_timestamp()) - (SELECT setting::float8 FROM pg_settings WHERE name = 'statement_timeout');
+  ms := 1000 * extract(epoch FROM clock_timestamp() - began);
 END $$;

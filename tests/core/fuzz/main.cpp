@@ -1,6 +1,7 @@
-// streetgen_fuzz FIRST COUNT: every truth on COUNT seeds; a line for each that fails.
+// streetgen_fuzz FIRST COUNT [tiling]: every truth on COUNT seeds; a line for each that fails.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 
 #include "truths.hpp"
@@ -26,20 +27,26 @@ int count_faults(const char* what, std::uint64_t seed, Faults (*faults_of)(std::
 }  // namespace
 
 int main(int count_of_arguments, char** arguments) {
-  if (count_of_arguments != 3) {
-    std::fprintf(stderr, "usage: %s FIRST COUNT\n", arguments[0]);
+  const bool tiling = count_of_arguments == 4 && std::strcmp(arguments[3], "tiling") == 0;
+  if (count_of_arguments != 3 && !tiling) {
+    std::fprintf(stderr, "usage: %s FIRST COUNT [tiling]\n", arguments[0]);
     return 2;
   }
   const std::uint64_t first = std::strtoull(arguments[1], nullptr, 10),
                       count = std::strtoull(arguments[2], nullptr, 10);
   int failed = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    if (tiling) {
+      failed += count_faults("tiling", seed, tiling_faults);
+      continue;
+    }
     failed += count_faults("town", seed, town_faults);
     failed += count_faults("lanes", seed, lane_faults);
     failed += count_faults("primitives", seed, primitive_faults);
     failed += count_faults("door", seed, door_faults);
   }
   std::fprintf(stderr, "\n");
-  std::printf("%llu checks, %d failed\n", static_cast<unsigned long long>(4 * count), failed);
+  std::printf("%llu checks, %d failed\n",
+              static_cast<unsigned long long>(tiling ? count : 4 * count), failed);
   return failed == 0 ? 0 : 1;
 }
