@@ -36,7 +36,7 @@ ALTER TABLE import_line ADD turn_lanes text, ADD turn_lanes_forward text, ADD tu
   ADD cycleway text, ADD cycleway_left text, ADD cycleway_right text, ADD cycleway_left_oneway text, ADD parking_right text, ADD parking_lane_both text;
 INSERT INTO import_line (way_id, class, geom, oneway, lanes, lanes_forward, turn_lanes, turn_lanes_forward, turn_lanes_backward, width_lanes, bus_lanes, lanes_bus, busway, cycleway, cycleway_left, cycleway_right,
     cycleway_left_oneway, parking_right, parking_lane_both)
-SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 2154), oneway, lanes, lanes_forward, turn, turn_forward, turn_backward, widths, buses, bus, busway, cycleway, cycle_left, cycle_right, left_oneway, parking, parking_both
+SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631), oneway, lanes, lanes_forward, turn, turn_forward, turn_backward, widths, buses, bus, busway, cycleway, cycle_left, cycle_right, left_oneway, parking, parking_both
 FROM (VALUES
   (20::bigint, 'yes', '3', NULL, 'left|through;Right | none', NULL, NULL, '3.5|3 m|', NULL, NULL, NULL, NULL, NULL, 'lane', NULL, NULL, NULL),
   (21, '-1', '2', NULL, 'left|', NULL, NULL, NULL, 'yes|designated', NULL, NULL, 'lane', NULL, NULL, NULL, NULL, NULL),
