@@ -140,7 +140,7 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
       own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
   if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, collection.get())) return own(result);
   poll_cancel();
-  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid));
+  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
 }
 
 }  // namespace streetgen
