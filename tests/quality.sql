@@ -36,11 +36,11 @@ SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 
 FROM (SELECT count(*) AS total FROM :"model".corner) k;
 -- Where nothing was contested; 0.1 m as the importers' epsilon.
 CREATE TEMPORARY TABLE whole AS SELECT edge_id, surface FROM :"model".section WHERE contested_area = 0 AND NOT ST_IsEmpty(surface);
-SELECT 'lanes | ' || :'model', count(*), round((sum(ST_Length(geom)) / 1000)::numeric, 1),
+SELECT 'lanes | ' || :'model', count(*), round((sum(ST_Length(l.geom)) / 1000)::numeric, 1),
     (SELECT round((100 * sum(ST_Length(ST_Intersection(l.geom, ST_Buffer(w.surface, 0.1)))) / sum(ST_Length(l.geom)))::numeric, 3) FROM :"model".lane l JOIN whole w USING (edge_id)),
     (SELECT round((100 * sum(ST_Area(ST_SymDifference(l.surface, w.surface))) / sum(ST_Area(w.surface)))::numeric, 4) FROM (SELECT edge_id, ST_Union(surface) AS surface FROM :"model".lane GROUP BY edge_id) l JOIN whole w USING (edge_id)),
-    round(100.0 * count(*) FILTER (WHERE kind IN ('general', 'bus') AND width < 2) / count(*), 2), round(100.0 * count(*) FILTER (WHERE 'lane_count' = ANY (estimated)) / count(*), 1) || ' |'
-FROM :"model".lane JOIN :"model".edge USING (edge_id);
+    round(100.0 * count(*) FILTER (WHERE kind IN ('general', 'bus') AND l.width < 2 - 1e-6) / count(*), 2), round(100.0 * count(*) FILTER (WHERE 'lane_count' = ANY (estimated)) / count(*), 1) || ' |'
+FROM :"model".lane l JOIN :"model".edge USING (edge_id);
 SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
 FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 3 ORDER BY measure, rank;
 

@@ -107,6 +107,7 @@ CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text
 DECLARE
     target_srid integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
     flat boolean := (SELECT dimension = 2 FROM streetgen.model m WHERE m.name = model);
+    missing record;
     bad record;
     changed bigint[];
     number bigint;
@@ -116,8 +117,12 @@ BEGIN
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
     -- Not every source knows of single lanes.
-    ALTER TABLE _import ADD COLUMN IF NOT EXISTS lanes_forward integer, ADD COLUMN IF NOT EXISTS lanes_backward integer, ADD COLUMN IF NOT EXISTS kind_forward text, ADD COLUMN IF NOT EXISTS kind_backward text,
-        ADD COLUMN IF NOT EXISTS lane_width_forward text, ADD COLUMN IF NOT EXISTS lane_width_backward text, ADD COLUMN IF NOT EXISTS turn_forward text, ADD COLUMN IF NOT EXISTS turn_backward text;
+    FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
+            ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text')) c(name, type)
+        WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = '_import'::regclass AND attname = c.name)
+    LOOP
+        EXECUTE format('ALTER TABLE _import ADD %I %s', missing.name, missing.type);
+    END LOOP;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM _import i WHERE i.left_out IS NOT NULL;
     SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;

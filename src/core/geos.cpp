@@ -1,5 +1,6 @@
 #include "geos.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "polyline.hpp"
@@ -8,7 +9,13 @@
 namespace streetgen {
 
 namespace {
-constexpr double coarse_grid = 1e-6;  // metres, where an overlay of doubles fails
+// Metres, where an overlay of doubles fails: a micrometre, but no finer than doubles can take so
+// far from the origin.
+double coarse_grid(GEOSContextHandle_t handle, const GEOSGeometry* geometry) {
+  double min_x = 0, min_y = 0, max_x = 0, max_y = 0;
+  GEOSGeom_getExtent_r(handle, geometry, &min_x, &min_y, &max_x, &max_y);
+  return std::max({1e-6, -1e-13 * min_x, -1e-13 * min_y, 1e-13 * max_x, 1e-13 * max_y});
+}
 
 // An overlay that is interrupted once tries again by other means: it is interrupted each time.
 void interrupt_if_wanted() {
@@ -100,9 +107,12 @@ Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGe
 }
 
 Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b) {
-  const Geometry valid_a = own(GEOSMakeValid_r(handle_, a)),
-                 valid_b = own(GEOSMakeValid_r(handle_, b));
-  return own(snapped(handle_, valid_a.get(), valid_b.get(), coarse_grid));
+  // Made valid, a surface may hold lines too, which no overlay takes.
+  const auto areal = [&](const GEOSGeometry* g) {
+    return surface(polygons(own(GEOSMakeValid_r(handle_, g)).get()));
+  };
+  const Geometry of_a = areal(a), of_b = areal(b);
+  return own(snapped(handle_, of_a.get(), of_b.get(), coarse_grid(handle_, a)));
 }
 
 Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
@@ -130,7 +140,7 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
       own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
   if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, collection.get())) return own(result);
   poll_cancel();
-  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid));
+  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
 }
 
 }  // namespace streetgen

@@ -14,6 +14,7 @@ namespace {
 
 // Metres.
 constexpr double stripe = 0.1, dash = 1.5, gap = 5;
+constexpr double longest_dashed = 1e5;  // beyond it dashes would be without number
 constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a section, for the line
 constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
 constexpr double arrow_lane = 2.5;  // the lane width that an arrow of full size asks for
@@ -24,7 +25,7 @@ bool painted(const Lane& lane) {
   return lane.kind != LaneKind::parking && lane.width >= least_paint;
 }
 
-// A piece of a line, without asking for its abscissas again.
+// Pieces of a line between abscissas that grow, in one walk.
 std::vector<Line> cut(const Line& line, const std::vector<std::pair<double, double>>& spans) {
   std::vector<Line> pieces(spans.size());
   std::size_t segment = 1;
@@ -145,10 +146,11 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
 
 MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
   MultiPolygon surface;
-  if (!separator.dashed)
+  const double total = length(separator.line);
+  if (!separator.dashed || total > longest_dashed)
     append_band(geos, separator.line, stripe / 2, surface);
   else
-    for (const Line& piece : cut(separator.line, dashes(length(separator.line), dash, gap)))
+    for (const Line& piece : cut(separator.line, dashes(total, dash, gap)))
       append_band(geos, piece, stripe / 2, surface);
   // Dashes of a line that comes back may lie on each other.
   if (separator.line.size() > 2 && !geos.valid(geos.surface(surface).get()))

@@ -17,7 +17,7 @@ struct NodeRank {
 };
 std::vector<NodeRank> ranks_of(const Streets& streets);
 
-// The stripe along a separator, dash by dash.
+// The stripe along a separator, dash by dash; solid on more than 100 km.
 MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator);
 
 // Across each lane that comes to a node of three and more edges where another is more important:

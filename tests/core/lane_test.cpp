@@ -328,6 +328,14 @@ TEST(Lanes, PartDirectionsByACentreLine) {
   EXPECT_EQ(dashed, (std::vector<bool>{false, true, true, true}));
 }
 
+TEST(Lanes, OfAnEndlessStreetAreStillLanes) {
+  const Lanes made = lanes(streets({{1, {{-1e12, 0, 0}, {1e12, 5, 0}}, 0, 8, 8, 5, 3}}, {}),
+                           {{1, general(1, 1)}}, {}, {});
+  ASSERT_EQ(made.lanes.size(), 2u);
+  ASSERT_EQ(made.separators.size(), 1u);
+  EXPECT_EQ(made.separators[0].surface.size(), 1u);
+}
+
 TEST(Lanes, ObeyOverridesOfTheirPlace) {
   using Direction = LaneOverride::Direction;
   const std::vector<LanesOfAxis> axes{{1, general(1, 1)}, {2, general(1, 1)}, {3, general(1, 1)}};
