@@ -1,10 +1,21 @@
--- Every highway and aeroway line of an OSM file, with the tags that import_osm reads.
--- STREETGEN_PREFIX names the table (PREFIX_line), STREETGEN_SRID its projection.
+-- Every highway and aeroway line of an OSM file, with the tags that import_osm reads, and its turn
+-- restrictions, a row for each pair of ways.  STREETGEN_PREFIX names the tables (PREFIX_line,
+-- PREFIX_restriction), STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
 local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'width', 'oneway', 'junction',
-               'layer', 'bridge', 'tunnel', 'maxspeed', 'area' }
+               'layer', 'bridge', 'tunnel', 'maxspeed', 'area',
+               'turn:lanes', 'turn:lanes:forward', 'turn:lanes:backward',
+               'width:lanes', 'width:lanes:forward', 'width:lanes:backward',
+               'bus:lanes', 'bus:lanes:forward', 'bus:lanes:backward',
+               'psv:lanes', 'psv:lanes:forward', 'psv:lanes:backward',
+               'lanes:bus', 'lanes:psv', 'lanes:bus:forward', 'lanes:bus:backward',
+               'busway', 'busway:left', 'busway:right', 'busway:both',
+               'cycleway', 'cycleway:left', 'cycleway:right', 'cycleway:both',
+               'cycleway:left:oneway', 'cycleway:right:oneway',
+               'parking:left', 'parking:right', 'parking:both',
+               'parking:lane:left', 'parking:lane:right', 'parking:lane:both' }
 
 local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do
@@ -24,4 +35,35 @@ function osm2pgsql.process_way(object)
         row[(tag:gsub(':', '_'))] = object.tags[tag]
     end
     line:add_row(row)
+end
+
+local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
+    { column = 'restriction', type = 'text' },
+    { column = 'from_way', type = 'bigint' },
+    { column = 'to_way', type = 'bigint' },
+    { column = 'via_way', type = 'bool' },
+    { column = 'geom', type = 'geometry', projection = srid }, -- of all members; points: via nodes
+})
+
+function osm2pgsql.process_relation(object)
+    if object.tags.type ~= 'restriction' then
+        return
+    end
+    local from, to, via_way = {}, {}, false
+    for _, member in ipairs(object.members) do
+        if member.type == 'w' and member.role == 'from' then
+            from[#from + 1] = member.ref
+        elseif member.type == 'w' and member.role == 'to' then
+            to[#to + 1] = member.ref
+        elseif member.type == 'w' and member.role == 'via' then
+            via_way = true
+        end
+    end
+    local geom = object:as_geometrycollection()
+    for _, from_way in ipairs(from) do
+        for _, to_way in ipairs(to) do
+            restriction:insert({ restriction = object.tags.restriction, from_way = from_way, to_way = to_way,
+                                 via_way = via_way, geom = geom })
+        end
+    end
 end

@@ -34,5 +34,26 @@ SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 
     (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = 'no arc: ' || reason)::text, ' | ' ORDER BY i)
         FROM unnest(ARRAY['none wanted', 'borders do not meet', 'under 1 mm fits', 'borders meet in one point']) WITH ORDINALITY AS r(reason, i)) || ' |'
 FROM (SELECT count(*) AS total FROM :"model".corner) k;
+-- Where nothing was contested; 0.1 m as the importers' epsilon.
+CREATE TEMPORARY TABLE whole AS SELECT edge_id, surface FROM :"model".section WHERE contested_area = 0 AND NOT ST_IsEmpty(surface);
+SELECT 'lanes | ' || :'model', count(*), round((sum(ST_Length(l.geom)) / 1000)::numeric, 1),
+    (SELECT round((100 * sum(ST_Length(ST_Intersection(l.geom, ST_Buffer(w.surface, 0.1)))) / sum(ST_Length(l.geom)))::numeric, 3) FROM :"model".lane l JOIN whole w USING (edge_id)),
+    (SELECT round((100 * sum(ST_Area(ST_SymDifference(l.surface, w.surface))) / sum(ST_Area(w.surface)))::numeric, 4) FROM (SELECT edge_id, ST_Union(surface) AS surface FROM :"model".lane GROUP BY edge_id) l JOIN whole w USING (edge_id)),
+    round(100.0 * count(*) FILTER (WHERE kind IN ('general', 'bus') AND l.width < 2 - 1e-6) / count(*), 2), round(100.0 * count(*) FILTER (WHERE 'lane_count' = ANY (estimated)) / count(*), 1) || ' |'
+FROM :"model".lane l JOIN :"model".edge USING (edge_id);
 SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
 FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 3 ORDER BY measure, rank;
+
+-- The marks of lanes are taken away for the last of these: all is put back.
+BEGIN;
+\ir traffic.sql
+SELECT 'traffic | ' || :'model', (SELECT count(*) FROM :"model".interconnection), (SELECT round(100.0 * count(*) FILTER (WHERE plausible) / nullif(count(*), 0), 1) FROM :"model".interconnection),
+    count(*) FILTER (WHERE abs(angle) > 20), round(100.0 * (SELECT count(*) FROM tight) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2), round(100.0 * (SELECT count(*) FROM tight WHERE allowed) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2),
+    (SELECT lanes_in - sinks || ' of ' || lanes_in FROM dead), (SELECT lanes_out - sources || ' of ' || lanes_out FROM dead),
+    (SELECT round((100 * sum(inside) / nullif(sum(length), 0))::numeric, 3) FROM inside) || ' |'
+FROM path;
+SELECT 'turns | ' || :'model', count(DISTINCT lane_in), count(*) FILTER (WHERE marked), count(*) FILTER (WHERE guessed),
+    coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE guessed), 0), 1)::text, '-'),
+    coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE marked), 0), 1)::text, '-') || ' |'
+FROM guess;
+ROLLBACK;

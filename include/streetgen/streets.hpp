@@ -28,6 +28,7 @@ struct StreetAxis {
   double width_end = 0;  // kerb to kerb at the end; equal to width where it does not change
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
+  double speed = 50;     // km/h
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -64,6 +65,7 @@ enum class Method {
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface
   robust_fallback,  // the ring was built by union, not piece by piece
+  by_hand,          // an override decided
 };
 const char* method_name(Method method) noexcept;
 
@@ -106,8 +108,16 @@ struct Intersection {
   double contested_area = 0;
 };
 
+// What the axis of an edge says of the whole edge.
+struct Roadway {
+  double width = 0;  // kerb to kerb at the start of the edge, metres
+  double width_end = 0;
+  int importance = 99;
+};
+
 struct Streets {
   Network network;
+  std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
   std::vector<Section> sections;            // one per edge

@@ -48,6 +48,28 @@ CREATE OR REPLACE FUNCTION streetgen.section_surface(axis geometry, width float8
     AS $$ SELECT streetgen._section_surface(axis::bytea, width, start_abscissa, end_abscissa)::geometry $$;
 COMMENT ON FUNCTION streetgen.section_surface(geometry, float8, float8, float8) IS 'The roadway (POLYGON) of an axis between two abscissas, metres: flat ends, round outer bends, mitred inner ones. Empty where the abscissas cross.';
 
+CREATE OR REPLACE FUNCTION streetgen._offset_line(bytea, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_offset_line';
+COMMENT ON FUNCTION streetgen._offset_line(bytea, float8, float8) IS 'EWKB twin of streetgen.offset_line';
+CREATE OR REPLACE FUNCTION streetgen.offset_line(axis geometry, axis_offset float8, offset_end float8 DEFAULT NULL) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._offset_line(axis::bytea, axis_offset, coalesce(offset_end, axis_offset))::geometry $$;
+COMMENT ON FUNCTION streetgen.offset_line(geometry, float8, float8) IS 'The line (LINESTRING, in the point order of the axis) at an offset, metres to the left of the axis (negative: to the right, up to 200), changing linearly to offset_end: mitred in inner bends, round about outer ones, without the loops of bends tighter than the offset. Bad geometry or numbers: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes(axis bytea, width float8, width_end float8, lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text, lane_width_forward text, lane_width_backward text, lane_order text, driving_side text)
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom bytea, surface bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 4 AS 'MODULE_PATHNAME', 'streetgen_lanes';
+COMMENT ON FUNCTION streetgen._lanes(bytea, float8, float8, integer, integer, text, text, text, text, text, text) IS 'EWKB twin of streetgen.lanes';
+CREATE OR REPLACE FUNCTION streetgen.lanes(axis geometry, width float8, lanes_forward integer DEFAULT 1, lanes_backward integer DEFAULT 1, kind_forward text DEFAULT '', kind_backward text DEFAULT '',
+        lane_width_forward text DEFAULT '', lane_width_backward text DEFAULT '', width_end float8 DEFAULT NULL, lane_order text DEFAULT 'left_first', driving_side text DEFAULT 'right')
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom geometry, surface geometry)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 1000 ROWS 4
+    SET search_path = pg_catalog, public
+    AS $$ SELECT l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.lane_width, l.axis_offset, l.geom::geometry, l.surface::geometry
+          FROM streetgen._lanes(axis::bytea, width, coalesce(width_end, width), lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, lane_order, driving_side) l $$;
+COMMENT ON FUNCTION streetgen.lanes(geometry, float8, integer, integer, text, text, text, text, float8, text, text) IS 'The lanes of an axis (LINESTRING) of a width in metres kerb to kerb, from the left kerb to the right one: counts along and against it, or lists of kinds and widths as in axis.kind_forward and axis.lane_width_forward; no lane at all: one along it. lane_width and axis_offset (metres to the left of the axis) hold at its start; geom in its point order; the surfaces (MULTIPOLYGON) tile the roadway. Bad geometry, numbers, words or lists: 22023. StreetGen paper, 2.5 and 2.7.2.';
+
 CREATE OR REPLACE FUNCTION streetgen._clean(bytea, boolean[], float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_clean';
 COMMENT ON FUNCTION streetgen._clean(bytea, boolean[], float8, float8) IS 'EWKB twin of streetgen.clean';
@@ -76,8 +98,21 @@ COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS
 CREATE OR REPLACE FUNCTION streetgen.turning_radius(speed float8, width float8, mode text DEFAULT 'paper') RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_turning_radius';
 COMMENT ON FUNCTION streetgen.turning_radius(float8, float8, text) IS 'Corner radius in metres, 0.15 to 15, from a speed in km/h and a kerb-to-kerb width in metres. mode paper: equation 1 of the StreetGen paper; setra: the law it comes from.';
+CREATE OR REPLACE FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_interconnection';
+COMMENT ON FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) IS 'EWKB twin of streetgen.interconnection';
+CREATE OR REPLACE FUNCTION streetgen.interconnection(lane_in geometry, lane_out geometry, centre geometry, rule text DEFAULT 'bezier', tolerance float8 DEFAULT 0.05) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._interconnection(lane_in::bytea, lane_out::bytea, centre::bytea, rule, tolerance)::geometry $$;
+COMMENT ON FUNCTION streetgen.interconnection(geometry, geometry, geometry, text, float8) IS 'Path (LINESTRING) from the end of lane_in to the start of lane_out, both LINESTRINGs in their driving direction; centre (POINT) is that of the intersection. rule bezier: the paper''s quadratic curve; arcs: arcs tangent to both lanes; control: the quadratic curve whose control point is centre. Its chords leave the curve by at most the tolerance, 0.001 to 10 m; ends are exact. Lanes that touch: a line of two equal points. Bad geometry or numbers: 22023. StreetGen paper, 2.7.3.';
 CREATE OR REPLACE FUNCTION streetgen._streets(axis_id bigint[], geom bytea[], width float8[], width_end float8[], radius float8[], importance integer[], level integer[], srid integer, tolerance float8, crossing text, max_arc_distance float8, radius_minimal float8, transition_length float8, transition_kind text, radius_rule text, round_dead_ends boolean, max_hole_area float8, reach float8, short_axis text,
-    transition_axis bigint[], transition_which text[], transition_kind_of text[], transition_length_of float8[])
-    RETURNS TABLE(relation text, row_index integer, of_axis bigint, node_a integer, node_b integer, edge_a integer, edge_b integer, start_a boolean, start_b boolean, of_level integer, measure_1 float8, measure_2 float8, geom_1 bytea, geom_2 bytea, anchor_axis bigint[], anchor_abscissa float8[], method text)
+    transition_axis bigint[], transition_which text[], transition_kind_of text[], transition_length_of float8[],
+    lanes_forward integer[], lanes_backward integer[], kind_forward text[], kind_backward text[], lane_width_forward text[], lane_width_backward text[], turn_forward text[], turn_backward text[],
+    override_axis bigint[], override_abscissa float8[], override_ordinality integer[], override_direction text[], override_width float8[],
+    lane_order text, driving_side text, lane_width_minimal float8, cycle_lane_width float8, parking_lane_width float8, edge_lines boolean,
+    speed float8[], restriction_from bigint[], restriction_to bigint[], restriction_x float8[], restriction_y float8[], restriction_kind text[], restriction_turn text[],
+    u_turn boolean, trajectory text, trajectory_tolerance float8, trajectory_radius float8)
+    RETURNS TABLE(relation text, row_index integer, of_axis bigint, node_a integer, node_b integer, edge_a integer, edge_b integer, start_a boolean, start_b boolean, of_level integer, measure_1 float8, measure_2 float8, geom_1 bytea, geom_2 bytea, anchor_axis bigint[], anchor_abscissa float8[], method text, lane_position integer, ordinality integer, side text, kind text, turn text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 ROWS 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
-COMMENT ON FUNCTION streetgen._streets(bigint[], bytea[], float8[], float8[], float8[], integer[], integer[], integer, float8, text, float8, float8, float8, text, text, boolean, float8, float8, text, bigint[], text[], text[], float8[]) IS 'The whole pipeline over a set of axes: a row per node, edge, section_limit, corner, section, intersection and report; indices join them. Geometries are EWKB.';
+COMMENT ON FUNCTION streetgen._streets(bigint[], bytea[], float8[], float8[], float8[], integer[], integer[], integer, float8, text, float8, float8, float8, text, text, boolean, float8, float8, text, bigint[], text[], text[], float8[], integer[], integer[], text[], text[], text[], text[], text[], text[], bigint[], float8[], integer[], text[], float8[], text, text, float8, float8, float8, boolean, float8[], bigint[], bigint[], float8[], float8[], text[], text[], boolean, text, float8, float8) IS 'The whole pipeline over a set of axes: a row per node, edge, section_limit, corner, section, intersection, report, lane, lane_separator, marking and interconnection; indices join them, edge_a and edge_b of an interconnection those of its lanes. Geometries are EWKB.';

@@ -23,6 +23,16 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
     ('max_width_per_lane', '5.5', 'm', 'a source width beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL),
+    ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10, NULL),
+    ('cycle_lane_width', '1.5', 'm', 'width of a cycle lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('lane_order', 'left_first', NULL, 'lanes are numbered from the middle outwards: left_first or right_first', NULL, NULL, ARRAY['left_first', 'right_first']),
+    ('driving_side', 'right', NULL, 'side of the road that one drives on: right or left', NULL, NULL, ARRAY['right', 'left']),
+    ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
+    ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL, ARRAY['true', 'false']),
+    ('trajectory', 'bezier', NULL, 'path between two lanes: bezier, arcs or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
+    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper everywhere', 0, 100, NULL),
+    ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10, NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
     ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h', 'speed by importance, the last entry for all beyond it', NULL, NULL, NULL),
@@ -137,28 +147,40 @@ WITH s AS (
     SELECT jsonb_object_agg(name, value) AS v,
            hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
     FROM %1$I.setting
-), known AS (
-    SELECT a.*, s.v, s.setting_hash, c.width AS class_width, c.speed AS class_speed, c.importance AS class_importance,
-           streetgen.believed_width(a.width, a.lane_count, CASE WHEN a.kind IN ('runway', 'taxiway') THEN NULL ELSE (s.v ->> 'max_width_per_lane')::float8 END) AS believed
-    FROM %1$I.axis a CROSS JOIN s LEFT JOIN %1$I.axis_class c ON c.class = a.kind
-), with_width AS (
-    SELECT k.*, coalesce(k.believed, streetgen.estimated_width(k.lane_count, k.class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)) AS width_used,
-           coalesce(k.importance, k.class_importance) AS importance_known
-    FROM known k
-), with_speed AS (
-    SELECT w.*, coalesce(w.speed, w.class_speed, streetgen.estimated_speed(w.importance_known, w.width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used
-    FROM with_width w
 )
 SELECT axis_id, geom, level, width_used AS width, coalesce(width_end, width_used) AS width_end,
-       coalesce(lane_count, streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8)) AS lane_count,
+       forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
+       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, (v ->> 'importance_default')::integer) AS importance,
        streetgen.wanted_radius(radius, importance_known, speed_used, width_used, v ->> 'radius_by_importance', v ->> 'turning_mode') AS radius,
-       array_remove(ARRAY[CASE WHEN believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL THEN 'lane_count' END,
+       array_remove(ARRAY[CASE WHEN believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance,
-           (SELECT string_agg(format('%%s %%s %%s', which, o.kind, length), '|' ORDER BY which) FROM %1$I.transition_override o WHERE o.axis_id = with_speed.axis_id)), 0) AS input_hash,
+           (SELECT string_agg(format('%%s %%s %%s', which, o.kind, length), '|' ORDER BY which) FROM %1$I.transition_override o WHERE o.axis_id = a.axis_id))
+           || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM with_speed
+FROM %1$I.axis a CROSS JOIN s
+LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+-- OFFSET 0: each step is computed once, not again in every expression that names it.
+CROSS JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
+           coalesce(importance, class_importance) AS importance_known OFFSET 0) known
+CROSS JOIN LATERAL (
+    SELECT coalesce(believed, least(200, streetgen.estimated_width(lanes_stated, class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)
+               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used
+    FROM (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) k OFFSET 0) w
+CROSS JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
+CROSS JOIN LATERAL (
+    SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8) END,
+               CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
+CROSS JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,
+           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used OFFSET 0) l
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$
@@ -174,6 +196,15 @@ WITH RECURSIVE crossed AS (
 )
 SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id) GROUP BY node_id, i.level
 $sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
+SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b,
+       CASE WHEN a.lane_out = b.lane_out THEN 'merging' ELSE 'crossing' END AS kind,
+       CASE WHEN a.lane_out = b.lane_out THEN ST_EndPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom
+FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
+WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
@@ -216,10 +247,14 @@ BEGIN
             speed float8 CHECK (speed BETWEEN 0.001 AND 400), importance integer CHECK (importance BETWEEN 1 AND 99),
             name text, level integer NOT NULL DEFAULT 0 CHECK (level BETWEEN -50 AND 50), kind text,
             radius float8 CHECK (radius BETWEEN 0 AND 200),
+            lanes_forward integer CHECK (lanes_forward BETWEEN 0 AND 30), lanes_backward integer CHECK (lanes_backward BETWEEN 0 AND 30),
+            kind_forward text CHECK (kind_forward ~ %4$L), kind_backward text CHECK (kind_backward ~ %4$L),
+            lane_width_forward text CHECK (lane_width_forward ~ %5$L), lane_width_backward text CHECK (lane_width_backward ~ %5$L),
+            turn_forward text CHECK (turn_forward ~ %6$L), turn_backward text CHECK (turn_backward ~ %6$L),
             source text, source_ref text, source_geom geometry,
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$,
-        $t$COMMENT ON TABLE %1$I.axis IS 'Input: road axes. Only geom is obligatory. width, width_end, radius in metres (width kerb to kerb), speed km/h, importance 1 highest, direction along the line; source_geom is the line before cleaning'$t$,
+        $t$COMMENT ON TABLE %1$I.axis IS 'Input: road axes. Only geom is obligatory. width, width_end, radius in metres (width kerb to kerb), speed km/h, importance 1 highest, direction along the line; what is known of single lanes stands in lists with |, from left to right in driving direction; source_geom is the line before cleaning'$t$,
         $t$CREATE TABLE %1$I.transition_override (
             transition_override_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
             axis_id bigint NOT NULL, -- no foreign key: an override whose axis is gone stays
@@ -236,7 +271,7 @@ BEGIN
             from_node bigint NOT NULL REFERENCES %1$I.node, to_node bigint NOT NULL REFERENCES %1$I.node,
             level integer NOT NULL, start_abscissa float8 NOT NULL, end_abscissa float8 NOT NULL CHECK (end_abscissa > start_abscissa),
             geom geometry(LineString%2$s, %3$s) NOT NULL,
-            width float8 NOT NULL, width_end float8 NOT NULL, lane_count integer NOT NULL, speed float8 NOT NULL, importance integer NOT NULL,
+            width float8 NOT NULL, width_end float8 NOT NULL, lane_count integer NOT NULL, lanes_forward integer NOT NULL, lanes_backward integer NOT NULL, speed float8 NOT NULL, importance integer NOT NULL,
             estimated text[] NOT NULL, input_hash bigint NOT NULL, setting_hash bigint NOT NULL)$t$,
         $t$CREATE INDEX edge_axis ON %1$I.edge (axis_id)$t$, $t$CREATE INDEX edge_from_node ON %1$I.edge (from_node)$t$,
         $t$CREATE INDEX edge_to_node ON %1$I.edge (to_node)$t$, $t$CREATE INDEX edge_geom ON %1$I.edge USING gist (geom)$t$,
@@ -274,8 +309,10 @@ BEGIN
         $t$CREATE INDEX report_axis ON %1$I.report (axis_a)$t$,
         $t$COMMENT ON TABLE %1$I.report IS 'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it'$t$
     ] LOOP
-        EXECUTE format(statement, model, z, srid);
+        EXECUTE format(statement, model, z, srid, streetgen._lane_list_pattern('kind'), streetgen._lane_list_pattern('width'), streetgen._lane_list_pattern('turn'));
     END LOOP;
+    PERFORM streetgen._make_lane_tables(model, srid);
+    PERFORM streetgen._make_interconnection_tables(model, srid);
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
     EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._make_views(model);
@@ -356,8 +393,8 @@ BEGIN
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
     IF known.choice IS NOT NULL THEN
-        holds := value = ANY (known.choice);
-        expected := 'One of ' || array_to_string(known.choice, ', ') || '.';
+        holds := value = ANY (known.choice) OR setting = 'trajectory' AND streetgen._trajectory_function(value) IS NOT NULL;
+        expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory' THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$' THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
         expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit);
@@ -405,7 +442,7 @@ BEGIN
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
     IF kind = 'editor' THEN
-        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.transition_override TO %2$I', model, role);
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, %1$I.lane_override, %1$I.interconnection_override TO %2$I', model, role);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its axes and overrides (editor).';
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor).';

@@ -25,6 +25,49 @@ CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed fl
     AS $$ SELECT greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer)) $$;
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
 
+CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT count(*)::integer FROM unnest(string_to_array(kinds, '|')) kind WHERE kind IN ('general', 'bus') $$;
+COMMENT ON FUNCTION streetgen.driving_lanes(text) IS 'How many lanes of a list of kinds are general or bus lanes.';
+
+CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width float8, parking_lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(sum(CASE kind WHEN 'cycle' THEN cycle_lane_width WHEN 'parking' THEN parking_lane_width END), 0) FROM unnest(string_to_array(kinds, '|')) kind $$;
+COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
+
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END $$;
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic).';
+
+CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text, near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN bus OR by_list OR near_cycle OR far_cycle OR near_parking OR far_parking
+                THEN array_to_string(CASE driving_side WHEN 'right' THEN far_inwards || lanes || near ELSE near_inwards || lanes || far END, '|') END
+    FROM (SELECT string_to_array(buses, '|') AS said) b,
+    LATERAL (SELECT coalesce(cardinality(said) = driving AND 'designated' = ANY (said), false) AS by_list, array_fill('general'::text, ARRAY[CASE WHEN driving > 1 THEN driving - 1 ELSE driving END]) AS beside_bus) y,
+    LATERAL (SELECT CASE WHEN by_list THEN ARRAY(SELECT CASE word WHEN 'designated' THEN 'bus' ELSE 'general' END FROM unnest(said) WITH ORDINALITY w(word, i) ORDER BY i)
+                         WHEN NOT bus THEN array_fill('general'::text, ARRAY[driving])
+                         WHEN driving_side = 'right' THEN beside_bus || 'bus'::text
+                         ELSE 'bus'::text || beside_bus END AS lanes) l,
+    LATERAL (SELECT array_remove(ARRAY[CASE WHEN near_cycle THEN 'cycle' END, CASE WHEN near_parking THEN 'parking' END], NULL) AS near,
+                    array_remove(ARRAY[CASE WHEN near_parking THEN 'parking' END, CASE WHEN near_cycle THEN 'cycle' END], NULL) AS near_inwards,
+                    array_remove(ARRAY[CASE WHEN far_cycle THEN 'cycle' END, CASE WHEN far_parking THEN 'parking' END], NULL) AS far,
+                    array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END], NULL) AS far_inwards) k $$;
+COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width' THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}',
+        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none') END) $$;
+COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS 'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
+
+CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT coalesce(radius,

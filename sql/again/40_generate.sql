@@ -129,7 +129,7 @@ COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks 
 
 CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT NULL, wait boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint, hard bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 7 SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
     SET enable_nestloop = off SET work_mem = '64MB'
     AS $$
@@ -185,14 +185,29 @@ result AS MATERIALIZED (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level FROM used) u, (
+               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed,
+               array_agg(lanes_forward ORDER BY axis_id) AS lanes_forward, array_agg(lanes_backward ORDER BY axis_id) AS lanes_backward,
+               array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
+               array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
+               array_agg(coalesce(turn_forward, '') ORDER BY axis_id) AS turn_forward, array_agg(coalesce(turn_backward, '') ORDER BY axis_id) AS turn_backward FROM used) u, (
         SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
                coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
-        FROM %1$I.transition_override, setting WHERE $2 IS NULL OR axis_id = ANY ($2)) o,
+        FROM %1$I.transition_override, setting WHERE $2 IS NULL OR axis_id = ANY ($2)) t, (
+        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(abscissa), '{}') AS abscissa, coalesce(array_agg(ordinality), '{}') AS ordinality,
+               coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END), '{}') AS direction, coalesce(array_agg(coalesce(width, 0)), '{}') AS width
+        FROM %1$I.lane_override WHERE $2 IS NULL OR axis_id = ANY ($2)) o, (
+        SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
+               coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
+               coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
+        FROM %1$I.turn_restriction WHERE $2 IS NULL OR from_axis = ANY ($2)) b,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
-        (v ->> 'reach')::float8, v ->> 'short_axis', o.axis_id, o.which, o.kind, o.length) s),
+        (v ->> 'reach')::float8, v ->> 'short_axis', t.axis_id, t.which, t.kind, t.length,
+        u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
+        o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
+        v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8) s),
 new_edge AS MATERIALIZED (
     SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
     FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
@@ -235,15 +250,15 @@ gone_node AS (
         AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.from_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1)))
         AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.to_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1))) RETURNING d.node_id),
 set_edge AS (
-    INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, speed, importance, estimated, input_hash, setting_hash)
-    SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
+    INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash)
+    SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
     FROM edge_id_of e JOIN used u USING (axis_id) ORDER BY e.row_index
     ON CONFLICT (edge_id) DO UPDATE SET axis_id = excluded.axis_id, from_node = excluded.from_node, to_node = excluded.to_node, level = excluded.level, start_abscissa = excluded.start_abscissa,
-        end_abscissa = excluded.end_abscissa, geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, speed = excluded.speed,
+        end_abscissa = excluded.end_abscissa, geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, speed = excluded.speed,
         importance = excluded.importance, estimated = excluded.estimated, input_hash = excluded.input_hash, setting_hash = excluded.setting_hash
-    WHERE (t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom::bytea, t.width, t.width_end, t.lane_count, t.speed, t.importance, t.estimated, t.input_hash, t.setting_hash)
+    WHERE (t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom::bytea, t.width, t.width_end, t.lane_count, t.lanes_forward, t.lanes_backward, t.speed, t.importance, t.estimated, t.input_hash, t.setting_hash)
         IS DISTINCT FROM (excluded.axis_id, excluded.from_node, excluded.to_node, excluded.level, excluded.start_abscissa, excluded.end_abscissa, excluded.geom::bytea, excluded.width, excluded.width_end,
-                          excluded.lane_count, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
+                          excluded.lane_count, excluded.lanes_forward, excluded.lanes_backward, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
     RETURNING xmax = 0 AS fresh),
 new_limit AS MATERIALIZED (
     SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, %6$s AS geom_1, r.geom_2, r.method
@@ -289,6 +304,70 @@ set_intersection AS (
 gone_intersection AS (
     DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id
         AND NOT EXISTS (SELECT FROM new_intersection c WHERE c.node_id = i.node_id) RETURNING i.node_id),
+new_lane AS MATERIALIZED (
+    SELECT row_index, coalesce(lane_id, nextval('%1$I.lane_lane_id_seq')) AS lane_id, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method FROM (
+    SELECT r.row_index, l.lane_id, e.edge_id, e.axis_id, r.ordinality, r.lane_position, r.side, r.start_a AS along_axis, r.kind, r.measure_1 AS width, r.measure_2 AS axis_offset, r.turn, r.geom_1 AS geom, r.geom_2 AS surface, r.method
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane l ON (l.edge_id, l.ordinality) = (e.edge_id, r.ordinality) WHERE r.relation = 'lane' ORDER BY r.row_index OFFSET 0) t),
+set_lane AS (
+    INSERT INTO %1$I.lane AS t (lane_id, edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method)
+    SELECT lane_id, edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom::geometry, surface::geometry, method FROM new_lane
+    ON CONFLICT (lane_id) DO UPDATE SET lane_position = excluded.lane_position, side = excluded.side, along_axis = excluded.along_axis, kind = excluded.kind, width = excluded.width,
+        axis_offset = excluded.axis_offset, turn = excluded.turn, geom = excluded.geom, surface = excluded.surface, method = excluded.method
+    WHERE (t.lane_position, t.side, t.along_axis, t.kind, t.width, t.axis_offset, t.turn, t.geom::bytea, t.surface::bytea, t.method)
+        IS DISTINCT FROM (excluded.lane_position, excluded.side, excluded.along_axis, excluded.kind, excluded.width, excluded.axis_offset, excluded.turn, excluded.geom::bytea, excluded.surface::bytea, excluded.method)
+    RETURNING xmax = 0 AS fresh),
+gone_lane AS (
+    DELETE FROM %1$I.lane l USING edge_id_of e WHERE l.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_lane n WHERE n.lane_id = l.lane_id) RETURNING 1),
+new_separator AS MATERIALIZED (
+    SELECT s.lane_separator_id, e.edge_id, r.lane_position, r.kind, r.start_a AS dashed, r.measure_2 AS axis_offset, r.geom_1 AS geom, r.geom_2 AS surface
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane_separator s ON (s.edge_id, s.lane_position) = (e.edge_id, r.lane_position) WHERE r.relation = 'lane_separator'),
+set_separator AS (
+    INSERT INTO %1$I.lane_separator AS t (lane_separator_id, edge_id, lane_position, kind, dashed, axis_offset, geom, surface)
+    SELECT coalesce(lane_separator_id, nextval('%1$I.lane_separator_lane_separator_id_seq')), edge_id, lane_position, kind, dashed, axis_offset, geom::geometry, surface::geometry FROM new_separator
+    ON CONFLICT (lane_separator_id) DO UPDATE SET kind = excluded.kind, dashed = excluded.dashed, axis_offset = excluded.axis_offset, geom = excluded.geom, surface = excluded.surface
+    WHERE (t.kind, t.dashed, t.axis_offset, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.kind, excluded.dashed, excluded.axis_offset, excluded.geom::bytea, excluded.surface::bytea)
+    RETURNING xmax = 0 AS fresh),
+gone_separator AS (
+    DELETE FROM %1$I.lane_separator s USING edge_id_of e WHERE s.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_separator n WHERE n.lane_separator_id = s.lane_separator_id) RETURNING 1),
+new_marking AS MATERIALIZED (
+    SELECT m.marking_id, e.edge_id, r.lane_position, n.node_id, r.kind, r.geom_1 AS geom, r.geom_2 AS surface
+    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a JOIN node_id_of n ON n.row_index = r.node_a
+    LEFT JOIN %1$I.marking m ON (m.edge_id, m.kind, m.lane_position) = (e.edge_id, r.kind, r.lane_position) WHERE r.relation = 'marking'),
+set_marking AS (
+    INSERT INTO %1$I.marking AS t (marking_id, edge_id, lane_position, node_id, kind, geom, surface)
+    SELECT coalesce(marking_id, nextval('%1$I.marking_marking_id_seq')), edge_id, lane_position, node_id, kind, geom::geometry, surface::geometry FROM new_marking
+    ON CONFLICT (marking_id) DO UPDATE SET node_id = excluded.node_id, geom = excluded.geom, surface = excluded.surface
+    WHERE (t.node_id, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.node_id, excluded.geom::bytea, excluded.surface::bytea) RETURNING xmax = 0 AS fresh),
+gone_marking AS (
+    DELETE FROM %1$I.marking m USING edge_id_of e WHERE m.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_marking n WHERE n.marking_id = m.marking_id) RETURNING 1),
+interconnection_decided AS MATERIALIZED (
+    SELECT DISTINCT ON (r.row_index) r.row_index, d.connecting, d.control
+    FROM %1$I.interconnection_override d JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out)
+    JOIN result r ON r.relation = 'interconnection' AND (r.edge_a, r.edge_b) = (i.row_index, o.row_index) JOIN node_id_of n ON n.row_index = r.node_a CROSS JOIN setting
+    WHERE ST_DWithin(d.geom, n.geom::geometry, 3 * (v ->> 'tolerance')::float8) ORDER BY r.row_index, d.interconnection_override_id DESC),
+new_interconnection AS MATERIALIZED (
+    SELECT k.interconnection_id, n.node_id, i.lane_id AS lane_in, o.lane_id AS lane_out, r.turn, r.measure_1 AS angle, r.start_a AS plausible, r.kind AS reason, coalesce(d.connecting, r.start_a) AS connecting,
+           CASE WHEN d.control IS NOT NULL THEN d.control::bytea WHEN drawn THEN r.geom_2 END AS control,
+           CASE WHEN d.control IS NULL AND drawn THEN r.geom_1
+                ELSE streetgen._trajectory(v ->> 'trajectory', i.geom::geometry, i.along_axis, o.geom::geometry, o.along_axis, n.geom::geometry, d.control, (v ->> 'trajectory_tolerance')::float8)::bytea END AS geom,
+           CASE WHEN d.row_index IS NULL THEN 'hypothesis' ELSE 'by_hand' END AS method
+    FROM result r CROSS JOIN (SELECT v, v ->> 'trajectory' IN ('bezier', 'arcs') AS drawn FROM setting) s
+    JOIN node_id_of n ON n.row_index = r.node_a JOIN new_lane i ON i.row_index = r.edge_a JOIN new_lane o ON o.row_index = r.edge_b
+    LEFT JOIN interconnection_decided d ON d.row_index = r.row_index LEFT JOIN %1$I.interconnection k ON (k.lane_in, k.lane_out) = (i.lane_id, o.lane_id)
+    WHERE r.relation = 'interconnection' ORDER BY r.row_index),
+set_interconnection AS (
+    INSERT INTO %1$I.interconnection AS t (interconnection_id, node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method)
+    SELECT coalesce(interconnection_id, nextval('%1$I.interconnection_interconnection_id_seq')), node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control::geometry, geom::geometry, method FROM new_interconnection
+    ON CONFLICT (interconnection_id) DO UPDATE SET node_id = excluded.node_id, turn = excluded.turn, angle = excluded.angle, plausible = excluded.plausible, reason = excluded.reason,
+        connecting = excluded.connecting, control = excluded.control, geom = excluded.geom, method = excluded.method
+    WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
+        IS DISTINCT FROM (excluded.node_id, excluded.turn, excluded.angle, excluded.plausible, excluded.reason, excluded.connecting, excluded.control::bytea, excluded.geom::bytea, excluded.method)
+    RETURNING xmax = 0 AS fresh),
+-- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch.
+gone_interconnection AS (
+    DELETE FROM %1$I.interconnection k USING node_id_of n WHERE k.node_id = n.node_id
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT ($1 IS NULL OR e.axis_id = ANY ($1)))
+        AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
     FROM result WHERE relation = 'report' AND ($1 IS NULL OR of_axis = ANY ($1))),
@@ -305,7 +384,11 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
     UNION ALL SELECT 'section', 4, (SELECT count(*) FROM new_section), (SELECT count(*) FROM set_section WHERE fresh), (SELECT count(*) FROM set_section WHERE NOT fresh), (SELECT count(*) FROM gone_edge), (SELECT count(*) FROM new_section WHERE method <> 'hypothesis')
     UNION ALL SELECT 'corner', 5, (SELECT count(*) FROM new_corner), (SELECT count(*) FROM set_corner WHERE fresh), (SELECT count(*) FROM set_corner WHERE NOT fresh), (SELECT count(*) FROM gone_corner), (SELECT count(*) FROM new_corner WHERE method <> 'hypothesis')
     UNION ALL SELECT 'intersection', 6, (SELECT count(*) FROM new_intersection), (SELECT count(*) FROM set_intersection WHERE fresh), (SELECT count(*) FROM set_intersection WHERE NOT fresh), (SELECT count(*) FROM gone_intersection), (SELECT count(*) FROM new_intersection WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'report', 7, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
+    UNION ALL SELECT 'lane', 7, (SELECT count(*) FROM new_lane), (SELECT count(*) FROM set_lane WHERE fresh), (SELECT count(*) FROM set_lane WHERE NOT fresh), (SELECT count(*) FROM gone_lane), (SELECT count(*) FROM new_lane WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'lane_separator', 8, (SELECT count(*) FROM new_separator), (SELECT count(*) FROM set_separator WHERE fresh), (SELECT count(*) FROM set_separator WHERE NOT fresh), (SELECT count(*) FROM gone_separator), 0
+    UNION ALL SELECT 'marking', 9, (SELECT count(*) FROM new_marking), (SELECT count(*) FROM set_marking WHERE fresh), (SELECT count(*) FROM set_marking WHERE NOT fresh), (SELECT count(*) FROM gone_marking), 0
+    UNION ALL SELECT 'interconnection', 10, (SELECT count(*) FROM new_interconnection), (SELECT count(*) FROM set_interconnection WHERE fresh), (SELECT count(*) FROM set_interconnection WHERE NOT fresh), (SELECT count(*) FROM gone_interconnection), (SELECT count(*) FROM new_interconnection WHERE method <> 'hypothesis')
+    UNION ALL SELECT 'report', 20, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
 SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
     replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;

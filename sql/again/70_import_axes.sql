@@ -107,6 +107,7 @@ CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text
 DECLARE
     target_srid integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
     flat boolean := (SELECT dimension = 2 FROM streetgen.model m WHERE m.name = model);
+    missing record;
     bad record;
     changed bigint[];
     number bigint;
@@ -115,6 +116,13 @@ BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
+    -- Not every source knows of single lanes.
+    FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
+            ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text')) c(name, type)
+        WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = '_import'::regclass AND attname = c.name)
+    LOOP
+        EXECUTE format('ALTER TABLE _import ADD %I %s', missing.name, missing.type);
+    END LOOP;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM _import i WHERE i.left_out IS NOT NULL;
     SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
@@ -143,10 +151,17 @@ BEGIN
     END IF;
     SELECT i.source_ref, v.name AS name, v.value AS value INTO bad FROM _import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200),
-            ('lane_count', i.lane_count, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
+            ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30), ('lanes_backward', i.lanes_backward, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
+    END IF;
+    SELECT i.source_ref, v.name AS name, v.list AS list INTO bad FROM _import i,
+        LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'), ('lane_width_forward', i.lane_width_forward, 'width'), ('lane_width_backward', i.lane_width_backward, 'width'),
+            ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn')) v(name, list, kind)
+        WHERE NOT streetgen.is_lane_list(v.list, v.kind) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION '% of source row % is "%"', bad.name, coalesce(bad.source_ref, '?'), bad.list USING ERRCODE = '22023', HINT = 'Expected a list such as general|bus, 3.5|3 or left;through|right, one entry a lane; NULL is unknown.';
     END IF;
     SELECT i.source_ref, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
     IF FOUND THEN
@@ -189,12 +204,12 @@ WITH gone AS (
 SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model) USING source;
     EXECUTE format($sql$
 WITH upsert AS (
-    INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, source, source_ref, source_geom)
-    SELECT line, width, width_end, lane_count, coalesce(direction, 'both'), speed, importance, name, coalesce(level, 0), class, radius, $1, source_ref, line FROM _import_part ORDER BY source_ref
+    INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom)
+    SELECT line, width, width_end, lane_count, coalesce(direction, 'both'), speed, importance, name, coalesce(level, 0), class, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, $1, source_ref, line FROM _import_part ORDER BY source_ref
     ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction,
-        speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, source_geom = excluded.source_geom
-    WHERE (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius)
-        IS DISTINCT FROM (excluded.source_geom::bytea, excluded.width, excluded.width_end, excluded.lane_count, excluded.direction, excluded.speed, excluded.importance, excluded.name, excluded.level, excluded.kind, excluded.radius)
+        speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom
+    WHERE (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
+        IS DISTINCT FROM (excluded.source_geom::bytea, excluded.width, excluded.width_end, excluded.lane_count, excluded.direction, excluded.speed, excluded.importance, excluded.name, excluded.level, excluded.kind, excluded.radius, excluded.lanes_forward, excluded.lanes_backward, excluded.kind_forward, excluded.kind_backward, excluded.lane_width_forward, excluded.lane_width_backward, excluded.turn_forward, excluded.turn_backward)
     RETURNING axis_id)
 SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[];
@@ -238,13 +253,13 @@ BEGIN
         RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023', HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
     END IF;
     SELECT key INTO column_name FROM jsonb_object_keys(mapping) key
-        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'source_ref') LIMIT 1;
+        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source_ref') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name USING ERRCODE = '22023',
-            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius or source_ref';
+            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward or source_ref';
     END IF;
     FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
-            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('source_ref', 'text')) t(name, type)
+            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'), ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'), ('source_ref', 'text')) t(name, type)
     LOOP
         entry := mapping -> target.name;
         IF target.name = 'geom' AND entry IS NULL THEN entry := '"geom"'; END IF;

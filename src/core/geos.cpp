@@ -138,7 +138,9 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
   }
   const Geometry collection =
       own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
-  return own(GEOSUnaryUnion_r(handle_, collection.get()));
+  if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, collection.get())) return own(result);
+  poll_cancel();
+  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
 }
 
 }  // namespace streetgen

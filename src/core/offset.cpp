@@ -52,17 +52,19 @@ Kerb kerb_line(const Line& axis, double u, double v, double half_start, double h
     const double size = distance(part[i - 1], part[i]);
     abscissa += size;
     const Point next = unit(part[i + 1] - part[i]);
-    const double half = half_at(abscissa), turn = cross(direction, next) * side;
+    const double half = half_at(abscissa);
+    const int beside = half < 0 ? -side : side;
+    const double turn = cross(direction, next) * beside;
     const Point before = left_normal(direction) * (side * half);
     const Point after = left_normal(next) * (side * half);
     double trim = 0;
     if (turn < -straight) {
       kerb.line.push_back(part[i] + before);
-      append_arc(kerb.line, part[i], part[i] + before, part[i] + after, side < 0, join_quarter);
+      append_arc(kerb.line, part[i], part[i] + before, part[i] + after, beside < 0, join_quarter);
       kerb.line.push_back(part[i] + after);
     } else {
       const double cosine = std::max(dot(direction, next), -0.999);
-      trim = half * std::sqrt((1 - cosine) / (1 + cosine));
+      trim = std::abs(half) * std::sqrt((1 - cosine) / (1 + cosine));
       kerb.line.push_back(part[i] + (before + after) * (1 / (1 + cosine)));
     }
     if (trimmed + trim > size + 1e-9) kerb.whole = false;

@@ -24,7 +24,13 @@ struct Kerb {
 };
 
 // The kerb between abscissas u and v (backwards when u > v), half widths linear from
-// `half_start` at abscissa 0 to `half_end` at the end of the axis.  Inner bends are mitred.
+// `half_start` at abscissa 0 to `half_end` at the end of the axis; a negative one lies on the
+// other side.  Inner bends are mitred.
 Kerb kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
+
+// The line at a signed offset (left of the axis positive, linear from abscissa 0 to the end of the
+// axis) from abscissa u to v, u < v: mitred in inner bends, round about outer ones; where an inner
+// bend needs more than its segments are long, what lies nearer to the axis is cut out.
+Line offset_line(const Line& axis, double u, double v, double offset_start, double offset_end);
 
 }  // namespace streetgen

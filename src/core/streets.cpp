@@ -78,6 +78,7 @@ class Pipeline {
                2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
+      out_.roadways.push_back({2 * start, 2 * end, axis.importance});
       const Line line = distinct(planar(edge.line));
       arms_[2 * e] = {line, start, end, 0, {}};
       arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
@@ -389,6 +390,8 @@ const char* method_name(Method method) noexcept {
       return "contested";
     case Method::robust_fallback:
       return "robust_fallback";
+    case Method::by_hand:
+      return "by_hand";
   }
   return "";
 }

@@ -6,7 +6,9 @@
 #include "border.hpp"
 #include "streetgen/clean.hpp"
 #include "streetgen/corner.hpp"
+#include "streetgen/lane.hpp"
 #include "streetgen/surface.hpp"
+#include "streetgen/trajectory.hpp"
 #include "wkb.hpp"
 
 extern "C" {
@@ -153,6 +155,17 @@ STREETGEN_FUNCTION(streetgen_section_surface) {
   });
 }
 
+STREETGEN_FUNCTION(streetgen_offset_line) {
+  const Bytes axis = take_bytes(fcinfo, 0);
+  const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
+  return geometry_result(fcinfo, [&](Result& result) {
+    const ReadLine read = read_line(axis, "axis");
+    result = {true, write_line(offset_line(read.line, in_range(start, -200, 200, "axis_offset"),
+                                           in_range(end, -200, 200, "offset_end")),
+                               {read.srid, false})};
+  });
+}
+
 STREETGEN_FUNCTION(streetgen_intersection_surface) {
   Datum* axes;
   bool* nulls;
@@ -225,5 +238,28 @@ STREETGEN_FUNCTION(streetgen_clean) {
     const Line cleaned = clean(read.line, kept, in_range(epsilon, 0, 1000, "epsilon"),
                                in_range(r_min, 0, 1000, "r_min"));
     result = {true, write_line(cleaned, {read.srid, read.has_z})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_interconnection) {
+  const Bytes in = take_bytes(fcinfo, 0), out = take_bytes(fcinfo, 1), at = take_bytes(fcinfo, 2);
+  const char* rule = text_to_cstring(PG_GETARG_TEXT_PP(3));
+  const double tolerance = PG_GETARG_FLOAT8(4);
+  return geometry_result(fcinfo, [&](Result& result) {
+    enum class Rule { bezier, arcs, control };
+    const Rule wanted = word_of<Rule>(
+        rule, "rule", {{"bezier", Rule::bezier}, {"arcs", Rule::arcs}, {"control", Rule::control}});
+    const ReadLine lane_in = read_line(in, "lane_in"), lane_out = read_line(out, "lane_out");
+    const ReadPoint centre = read_point(at, "centre");
+    if (lane_in.srid != lane_out.srid || lane_in.srid != centre.srid)
+      throw Error(ErrorKind::invalid_input, "lane_in has SRID " + std::to_string(lane_in.srid) +
+                                                ", lane_out " + std::to_string(lane_out.srid) +
+                                                ", centre " + std::to_string(centre.srid));
+    const Trajectory path =
+        trajectory(lane_in.line, lane_out.line, centre.point,
+                   wanted == Rule::arcs ? TrajectoryRule::arcs : TrajectoryRule::bezier,
+                   in_range(tolerance, 1e-3, 10, "tolerance"), 0,
+                   wanted == Rule::control ? std::optional<Point>(centre.point) : std::nullopt);
+    result = {true, write_line(path.line, {lane_in.srid, false})};
   });
 }

@@ -9,6 +9,9 @@
 
 #include "argument.hpp"
 #include "border.hpp"
+#include "lane_text.hpp"
+#include "streetgen/interconnection.hpp"
+#include "streetgen/lane.hpp"
 #include "wkb.hpp"
 
 extern "C" {
@@ -36,6 +39,8 @@ struct Row {
   std::vector<std::int64_t> anchor_axis;
   std::vector<double> anchor_abscissa;
   const char* method = "";
+  int lane_position = -1, ordinality = -1;  // -1: NULL
+  std::string side, kind, turn;             // empty: NULL
 };
 using Rows = std::vector<Row>;
 
@@ -49,6 +54,22 @@ struct Taken {
   bool round_dead_ends;
   int transition_count;
   Datum *transition_axis, *transition_which, *transition_kind_of, *transition_length_of;
+  Datum *lanes_forward, *lanes_backward;
+  Datum *turn_forward, *turn_backward, *kind_forward, *kind_backward;
+  Datum *lane_width_forward, *lane_width_backward;
+  int override_count;
+  Datum *override_axis, *override_abscissa, *override_ordinality, *override_direction;
+  Datum* override_width;
+  const char *lane_order, *driving_side;
+  double lane_width_minimal, cycle_lane_width, parking_lane_width;
+  bool edge_lines;
+  Datum* speed;
+  int restriction_count;
+  Datum *restriction_from, *restriction_to, *restriction_x, *restriction_y;
+  Datum *restriction_kind, *restriction_turn;
+  bool u_turn;
+  const char* trajectory;
+  double trajectory_tolerance, trajectory_radius;
 };
 
 std::string text_of(Datum datum) {
@@ -70,9 +91,8 @@ std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const Taken& 
     const std::int64_t axis_id = DatumGetInt64(taken.transition_axis[i]);
     const bool at_start = word_of<bool>(text_of(taken.transition_which[i]), "transition end",
                                         {{"start", true}, {"end", false}});
-    const double length =
-        in_range(DatumGetFloat8(taken.transition_length_of[i]), 0, 1000,
-                 "transition length of axis " + std::to_string(axis_id));
+    const double length = in_range(DatumGetFloat8(taken.transition_length_of[i]), 0, 1000,
+                                   "transition length of axis " + std::to_string(axis_id));
     transitions[{axis_id, at_start}] = {
         transition_kind_of(text_of(taken.transition_kind_of[i]).c_str()), length};
   }
@@ -108,6 +128,7 @@ std::vector<StreetAxis> axes_of(const Taken& taken, bool* has_z) {
     axis.radius = in_range(DatumGetFloat8(taken.radius[i]), 0, 1000, "radius" + of_axis);
     axis.importance = DatumGetInt32(taken.importance[i]);
     axis.level = DatumGetInt32(taken.level[i]);
+    axis.speed = in_range(DatumGetFloat8(taken.speed[i]), 0, 1000, "speed" + of_axis);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));
@@ -137,6 +158,88 @@ StreetSettings settings_of(const Taken& taken) {
   settings.short_axis =
       word_of<ShortAxis>(taken.short_axis, "short_axis",
                          {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
+  return settings;
+}
+
+std::vector<LanesOfAxis> lanes_of(const Taken& taken) {
+  const KindWidths defaults{
+      in_range(taken.cycle_lane_width, 0, 1000, "setting cycle_lane_width"),
+      in_range(taken.parking_lane_width, 0, 1000, "setting parking_lane_width")};
+  std::vector<LanesOfAxis> axes;
+  for (int i = 0; i < taken.count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(taken.axis_id[i]);
+    const std::string of_axis = " of axis " + std::to_string(axis_id);
+    const auto read = [&](Datum* count, Datum* kinds, Datum* widths, Datum* turns) {
+      const int lanes =
+          static_cast<int>(in_range(DatumGetInt32(count[i]), 0, 100, "lanes" + of_axis));
+      return read_lanes(lanes, text_of(kinds[i]), text_of(widths[i]), text_of(turns[i]), defaults,
+                        of_axis);
+    };
+    axes.push_back({axis_id,
+                    {read(taken.lanes_forward, taken.kind_forward, taken.lane_width_forward,
+                          taken.turn_forward),
+                     read(taken.lanes_backward, taken.kind_backward, taken.lane_width_backward,
+                          taken.turn_backward)}});
+  }
+  return axes;
+}
+
+std::vector<LaneOverride> overrides_of(const Taken& taken) {
+  using Direction = LaneOverride::Direction;
+  std::vector<LaneOverride> overrides;
+  for (int i = 0; i < taken.override_count; ++i)
+    overrides.push_back(
+        {DatumGetInt64(taken.override_axis[i]), DatumGetFloat8(taken.override_abscissa[i]),
+         DatumGetInt32(taken.override_ordinality[i]),
+         word_of<Direction>(text_of(taken.override_direction[i]), "direction of a lane override",
+                            {{"as_is", Direction::as_is},
+                             {"along", Direction::along},
+                             {"against", Direction::against}}),
+         in_range(DatumGetFloat8(taken.override_width[i]), 0, 200, "width of a lane override")});
+  return overrides;
+}
+
+LaneSettings lane_settings_of(const Taken& taken) {
+  LaneSettings settings =
+      read_lane_settings(taken.lane_order, taken.driving_side, taken.lane_width_minimal);
+  settings.edge_lines = taken.edge_lines;
+  return settings;
+}
+
+std::vector<TurnRestriction> restrictions_of(const Taken& taken) {
+  std::vector<TurnRestriction> restrictions;
+  for (int i = 0; i < taken.restriction_count; ++i) {
+    TurnRestriction restriction;
+    restriction.from_axis = DatumGetInt64(taken.restriction_from[i]);
+    restriction.to_axis = DatumGetInt64(taken.restriction_to[i]);
+    restriction.via = {finite(DatumGetFloat8(taken.restriction_x[i]), "x of a turn restriction"),
+                       finite(DatumGetFloat8(taken.restriction_y[i]), "y of a turn restriction"),
+                       0};
+    restriction.only = word_of<bool>(text_of(taken.restriction_kind[i]),
+                                     "kind of a turn restriction", {{"no", false}, {"only", true}});
+    using OfTurn = std::optional<Turn>;
+    restriction.turn =
+        word_of<OfTurn>(text_of(taken.restriction_turn[i]), "turn of a turn restriction",
+                        {{"", OfTurn()},
+                         {turn_name(Turn::through), OfTurn(Turn::through)},
+                         {turn_name(Turn::left), OfTurn(Turn::left)},
+                         {turn_name(Turn::right), OfTurn(Turn::right)},
+                         {turn_name(Turn::u_turn), OfTurn(Turn::u_turn)}});
+    restrictions.push_back(restriction);
+  }
+  return restrictions;
+}
+
+InterconnectionSettings interconnection_settings_of(const Taken& taken) {
+  InterconnectionSettings settings;
+  settings.u_turn = taken.u_turn;
+  settings.rule =
+      word_of<TrajectoryRule>(taken.trajectory, "trajectory",
+                              {{"bezier", TrajectoryRule::bezier}, {"arcs", TrajectoryRule::arcs}});
+  settings.tolerance =
+      in_range(taken.trajectory_tolerance, 1e-3, 1000, "setting trajectory_tolerance");
+  settings.least_radius = in_range(taken.trajectory_radius, 0, 1000, "setting trajectory_radius");
+  settings.node_tolerance = taken.tolerance;
   return settings;
 }
 
@@ -233,6 +336,87 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
   }
 }
 
+const char* separator_kind_name(SeparatorKind kind) {
+  switch (kind) {
+    case SeparatorKind::centre:
+      return "centre";
+    case SeparatorKind::same_direction:
+      return "same_direction";
+    case SeparatorKind::edge:
+      return "edge";
+  }
+  return "";
+}
+
+const char* marking_kind_name(MarkingKind kind) {
+  switch (kind) {
+    case MarkingKind::stop:
+      return "stop";
+    case MarkingKind::yield:
+      return "yield";
+    case MarkingKind::arrow:
+      return "arrow";
+  }
+  return "";
+}
+
+void append_lanes(const Lanes& lanes, Form flat, Rows& rows) {
+  for (std::size_t i = 0; i < lanes.lanes.size(); ++i) {
+    const Lane& lane = lanes.lanes[i];
+    Row& row = add(rows, "lane");
+    row.row_index = static_cast<int>(i);
+    row.edge_a = lane.edge;
+    row.start_a = lane.along_axis;
+    row.measure_1 = lane.width;
+    row.measure_2 = lane.axis_offset;
+    row.geom_1 = write_line(lane.line, flat);
+    row.geom_2 = write_surface(lane.surface, flat);
+    row.method = method_name(lane.method);
+    row.lane_position = lane.position;
+    row.ordinality = lane.ordinality;
+    row.side = lane_side_name(lane.side);
+    row.kind = lane_kind_name(lane.kind);
+    row.turn = turn_text(lane.turns);
+  }
+  for (const LaneSeparator& separator : lanes.separators) {
+    Row& row = add(rows, "lane_separator");
+    row.edge_a = separator.edge;
+    row.start_a = separator.dashed;
+    row.measure_2 = separator.axis_offset;
+    row.geom_1 = write_line(separator.line, flat);
+    row.geom_2 = write_surface(separator.surface, flat);
+    row.lane_position = separator.position;
+    row.kind = separator_kind_name(separator.kind);
+  }
+  for (const Marking& marking : lanes.markings) {
+    Row& row = add(rows, "marking");
+    row.edge_a = marking.edge;
+    row.node_a = marking.node;
+    row.geom_1 = write_line(marking.line, flat);
+    row.geom_2 = write_surface(marking.surface, flat);
+    row.lane_position = marking.position;
+    row.kind = marking_kind_name(marking.kind);
+  }
+}
+
+void append_interconnections(const std::vector<Interconnection>& interconnections, Form flat,
+                             Rows& rows) {
+  for (std::size_t i = 0; i < interconnections.size(); ++i) {
+    const Interconnection& pair = interconnections[i];
+    Row& row = add(rows, "interconnection");
+    row.row_index = static_cast<int>(i);
+    row.node_a = pair.node;
+    row.edge_a = pair.lane_in;
+    row.edge_b = pair.lane_out;
+    row.start_a = pair.plausible;
+    row.measure_1 = pair.angle;
+    row.geom_1 = write_line(pair.line, flat);
+    row.geom_2 = write_point(pair.control, flat);
+    row.turn = turn_name(pair.turn);
+    row.kind = reason_name(pair.reason);
+  }
+}
+
 Rows rows_of(const Taken& taken) {
   bool has_z = false;
   const std::vector<StreetAxis> axes = axes_of(taken, &has_z);
@@ -241,6 +425,12 @@ Rows rows_of(const Taken& taken) {
   const Form with_z{taken.srid, has_z}, flat{taken.srid, false};
   append_network(result.network, with_z, flat, rows);
   append_streets(result, with_z, flat, rows);
+  const Lanes traffic =
+      lanes(result, lanes_of(taken), overrides_of(taken), lane_settings_of(taken));
+  append_lanes(traffic, flat, rows);
+  append_interconnections(interconnections(result, axes, traffic.lanes, restrictions_of(taken),
+                                           interconnection_settings_of(taken)),
+                          flat, rows);
   return rows;
 }
 
@@ -276,6 +466,8 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
 
 void take(FunctionCallInfo fcinfo, Taken* taken) {
   Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
+  Columns overrides{fcinfo, "lane overrides"};
+  Columns restrictions{fcinfo, "turn restrictions"};
   taken->axis_id = column(&axes, 0, "axis_id", INT8OID);
   taken->geom = column(&axes, 1, "geom", BYTEAOID);
   taken->width = column(&axes, 2, "width", FLOAT8OID);
@@ -303,6 +495,38 @@ void take(FunctionCallInfo fcinfo, Taken* taken) {
   taken->transition_kind_of = column(&transitions, 21, "transition_kind_of", TEXTOID);
   taken->transition_length_of = column(&transitions, 22, "transition_length_of", FLOAT8OID);
   taken->transition_count = transitions.count;
+  taken->lanes_forward = column(&axes, 23, "lanes_forward", INT4OID);
+  taken->lanes_backward = column(&axes, 24, "lanes_backward", INT4OID);
+  taken->kind_forward = column(&axes, 25, "kind_forward", TEXTOID);
+  taken->kind_backward = column(&axes, 26, "kind_backward", TEXTOID);
+  taken->lane_width_forward = column(&axes, 27, "lane_width_forward", TEXTOID);
+  taken->lane_width_backward = column(&axes, 28, "lane_width_backward", TEXTOID);
+  taken->turn_forward = column(&axes, 29, "turn_forward", TEXTOID);
+  taken->turn_backward = column(&axes, 30, "turn_backward", TEXTOID);
+  taken->override_axis = column(&overrides, 31, "override_axis", INT8OID);
+  taken->override_abscissa = column(&overrides, 32, "override_abscissa", FLOAT8OID);
+  taken->override_ordinality = column(&overrides, 33, "override_ordinality", INT4OID);
+  taken->override_direction = column(&overrides, 34, "override_direction", TEXTOID);
+  taken->override_width = column(&overrides, 35, "override_width", FLOAT8OID);
+  taken->override_count = overrides.count;
+  taken->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(36));
+  taken->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(37));
+  taken->lane_width_minimal = PG_GETARG_FLOAT8(38);
+  taken->cycle_lane_width = PG_GETARG_FLOAT8(39);
+  taken->parking_lane_width = PG_GETARG_FLOAT8(40);
+  taken->edge_lines = PG_GETARG_BOOL(41);
+  taken->speed = column(&axes, 42, "speed", FLOAT8OID);
+  taken->restriction_from = column(&restrictions, 43, "restriction_from", INT8OID);
+  taken->restriction_to = column(&restrictions, 44, "restriction_to", INT8OID);
+  taken->restriction_x = column(&restrictions, 45, "restriction_x", FLOAT8OID);
+  taken->restriction_y = column(&restrictions, 46, "restriction_y", FLOAT8OID);
+  taken->restriction_kind = column(&restrictions, 47, "restriction_kind", TEXTOID);
+  taken->restriction_turn = column(&restrictions, 48, "restriction_turn", TEXTOID);
+  taken->restriction_count = restrictions.count;
+  taken->u_turn = PG_GETARG_BOOL(49);
+  taken->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
+  taken->trajectory_tolerance = PG_GETARG_FLOAT8(51);
+  taken->trajectory_radius = PG_GETARG_FLOAT8(52);
 }
 
 void give(const Rows& rows, ReturnSetInfo* result) {
@@ -310,8 +534,8 @@ void give(const Rows& rows, ReturnSetInfo* result) {
       AllocSetContextCreate(CurrentMemoryContext, "streetgen row", ALLOCSET_DEFAULT_SIZES);
   for (const Row& row : rows) {
     MemoryContext outer = MemoryContextSwitchTo(per_row);
-    Datum values[17];
-    bool nulls[17] = {false};
+    Datum values[22];
+    bool nulls[22] = {false};
     values[0] = CStringGetTextDatum(row.relation);
     values[1] = Int32GetDatum(row.row_index);
     values[2] = Int64GetDatum(row.axis_id);
@@ -340,6 +564,15 @@ void give(const Rows& rows, ReturnSetInfo* result) {
     values[15] = PointerGetDatum(construct_array(
         of_abscissas, row.anchor_abscissa.empty() ? 0 : anchors, FLOAT8OID, 8, true, 'd'));
     values[16] = CStringGetTextDatum(row.method);
+    values[17] = Int32GetDatum(row.lane_position);
+    nulls[17] = row.lane_position < 0;
+    values[18] = Int32GetDatum(row.ordinality);
+    nulls[18] = row.ordinality < 0;
+    const std::string* words[3] = {&row.side, &row.kind, &row.turn};
+    for (int i = 0; i < 3; ++i) {
+      nulls[19 + i] = words[i]->empty();
+      if (!nulls[19 + i]) values[19 + i] = CStringGetTextDatum(words[i]->c_str());
+    }
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
     MemoryContextSwitchTo(outer);
     MemoryContextReset(per_row);

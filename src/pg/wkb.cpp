@@ -49,6 +49,8 @@ const char* type_name(std::uint32_t type) {
   switch (type) {
     case point_type:
       return "POINT";
+    case line_type:
+      return "LINESTRING";
     case polygon_type:
       return "POLYGON";
     case 4:
@@ -118,7 +120,27 @@ class Writer {
   std::string out_;
 };
 
+Point read_vertex(Reader& reader, bool has_z, std::uint32_t number) {
+  Point p;
+  p.x = reader.take<double>();
+  p.y = reader.take<double>();
+  if (has_z) p.z = reader.take<double>();
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    reader.refuse("has a vertex that is not finite, number " + std::to_string(number));
+  if (std::abs(p.x) > 1e12 || std::abs(p.y) > 1e12 || std::abs(p.z) > 1e12)
+    reader.refuse("has a coordinate beyond 1e12 m at vertex " + std::to_string(number));
+  return p;
+}
+
 }  // namespace
+
+ReadPoint read_point(Bytes wkb, const std::string& what) {
+  Reader reader(wkb, what);
+  const Head head = read_head(reader);
+  if (head.type != point_type)
+    reader.refuse(std::string("is a ") + type_name(head.type) + ", expected a POINT");
+  return {read_vertex(reader, head.has_z, 1), head.srid};
+}
 
 ReadLine read_line(Bytes wkb, const std::string& what) {
   Reader reader(wkb, what);
@@ -138,14 +160,7 @@ ReadLine read_line(Bytes wkb, const std::string& what) {
   if (count > reader.left() / 16) reader.refuse("is cut off");
   bool distinct = false;
   for (std::uint32_t i = 0; i < count; ++i) {
-    Point p;
-    p.x = reader.take<double>();
-    p.y = reader.take<double>();
-    if (head.has_z) p.z = reader.take<double>();
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      reader.refuse("has a vertex that is not finite, number " + std::to_string(i + 1));
-    if (std::abs(p.x) > 1e12 || std::abs(p.y) > 1e12 || std::abs(p.z) > 1e12)
-      reader.refuse("has a coordinate beyond 1e12 m at vertex " + std::to_string(i + 1));
+    const Point p = read_vertex(reader, head.has_z, i + 1);
     distinct = distinct || (i > 0 && (p.x != read.line[0].x || p.y != read.line[0].y));
     read.line.push_back(p);
   }

@@ -24,6 +24,14 @@ struct ReadLine {
 // and two distinct points; M is refused.  `what` opens the message of each Error{invalid_input}.
 ReadLine read_line(Bytes wkb, const std::string& what);
 
+struct ReadPoint {
+  Point point;
+  int srid = 0;
+};
+
+// A POINT that is not empty, refused as a line is.
+ReadPoint read_point(Bytes wkb, const std::string& what);
+
 struct Form {
   int srid = 0;
   bool has_z = false;

@@ -145,6 +145,8 @@ BEGIN
     EXECUTE format($q$INSERT INTO %I.axis (geom, width, importance, source, source_ref)
         SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(a.px, a.py), ST_MakePoint(b.px, b.py)), 2154), 4 + round((12 * a.dice)::numeric, 1), 1 + (a.dice * 5)::integer, 'town', a.x || ',' || a.y || ',' || b.x
         FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y$q$, model);
+    EXECUTE format($q$UPDATE %I.axis SET kind_forward = 'general|bus|cycle', turn_forward = 'left|right', direction = CASE axis_id %% 2 WHEN 0 THEN 'direct' ELSE 'both' END WHERE axis_id %% 5 = 0$q$, model);
+    EXECUTE format($q$INSERT INTO %I.lane_override (axis_id, abscissa, ordinality, along_axis, width) SELECT axis_id, ST_Length(geom) / 2, 1, axis_id %% 2 = 0, 2.5 FROM %1$I.axis WHERE axis_id %% 7 = 0$q$, model);
 END $$;
 DO $$ BEGIN
   PERFORM pg_temp.town(m) FROM unnest(ARRAY['town', 'town_single', 'town_halves', 'town_edited']::name[]) m;
@@ -152,6 +154,7 @@ DO $$ BEGIN
   PERFORM streetgen.generate('town_single', ARRAY[axis_id]) FROM (SELECT axis_id FROM town_single.axis ORDER BY md5(axis_id::text)) a;
   PERFORM streetgen.generate('town_halves', array_agg(axis_id)) FROM town_halves.axis GROUP BY axis_id % 2;
 END $$;
+SELECT 'a town has lanes of each kind and lanes made by hand', count(DISTINCT kind) = 3 AND count(*) FILTER (WHERE method = 'by_hand') > 10 FROM town.lane;
 SELECT 'a town has no error', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
 SELECT 'a town axis by axis in any order gives the same model', test.same('town', 'town_single');
 SELECT 'a town by halves gives the same model', test.same('town', 'town_halves');
@@ -159,7 +162,7 @@ CREATE TABLE public.town_row AS SELECT test.rows('town') AS rows;
 SELECT 'a second run over a town reports no change', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT 'a second run over a town writes no row', (SELECT rows FROM town_row) = test.rows('town');
 UPDATE town_edited.axis SET width = 20 WHERE axis_id = 1;
-SELECT 'an edit in a town updates few rows', sum(updated) BETWEEN 1 AND 40 FROM streetgen.generate('town_edited', '{1}');
+SELECT 'an edit in a town updates few rows of a table', max(updated) BETWEEN 1 AND 15 FROM streetgen.generate('town_edited', '{1}');
 SELECT 'an edit by its axis equals a run over all', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town_edited');
 UPDATE town_edited.axis SET width = (SELECT width FROM town.axis t WHERE t.axis_id = 1) WHERE axis_id = 1;
 SELECT 'taking the edit back updates', bool_or(updated > 0) FROM streetgen.generate('town_edited', '{1}');

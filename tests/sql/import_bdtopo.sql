@@ -44,6 +44,11 @@ SELECT 'version 3: heights without data come from the same line, or are 0',
        (SELECT array_agg(ST_Z(ST_EndPoint(geom)) ORDER BY source_ref) = '{20,0,5}' FROM import_v3.axis)
    AND (SELECT ST_Z(ST_PointN(source_geom, 2)) = 15 FROM import_v3.axis WHERE source_ref = 'A');
 SELECT 'version 3: lines with such heights are named', (SELECT source_refs = '{A,B,C}' FROM import_report WHERE what LIKE 'height without data%');
+ALTER TABLE import_bdtopo3 ADD reserve_aux_bus text, ADD bande_cyclable text;
+UPDATE import_bdtopo3 SET reserve_aux_bus = CASE cleabs WHEN 'B' THEN 'Sens inverse' END, nombre_de_voies = 3, bande_cyclable = CASE cleabs WHEN 'A' THEN 'Deux sens' WHEN 'C' THEN 'Sens inverse' END;
+DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;
+SELECT 'version 3: bus and cycle lanes', (SELECT array_agg(concat_ws(' ', kind_forward, '/', kind_backward) ORDER BY source_ref) = '{general|general|cycle / general|cycle,/ bus,/ general|general|general|cycle}' FROM import_v3.axis);
+SELECT 'version 3: a bus lane against the traffic is one of the lanes', (SELECT (u.lanes_forward, u.lanes_backward) = (2, 1) FROM import_v3.axis_used u JOIN import_v3.axis a USING (axis_id) WHERE source_ref = 'B');
 SELECT 'a table that is no BD TOPO is 22023', pg_temp.state($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) = '22023';
 DROP TABLE import_bdtopo2, import_bdtopo3, import_report;
 DO $$ BEGIN

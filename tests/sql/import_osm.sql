@@ -31,6 +31,37 @@ SELECT 'a width of zero is unknown and named', (SELECT source_refs = '{4}' FROM 
 SELECT 'a width beyond the lanes is named, a runway''s is believed', (SELECT source_refs = '{8}' FROM import_report WHERE what = 'width not believed');
 SELECT 'a cycleway is not taken', (SELECT count = 1 FROM import_report WHERE what LIKE 'not taken%' AND class = 'cycleway');
 SELECT 'the taken ways are axes', (SELECT count(*) = 7 FROM import_osm.axis);
+-- Lanes, one by one.
+ALTER TABLE import_line ADD turn_lanes text, ADD turn_lanes_forward text, ADD turn_lanes_backward text, ADD width_lanes text, ADD bus_lanes text, ADD lanes_bus text, ADD busway text,
+  ADD cycleway text, ADD cycleway_left text, ADD cycleway_right text, ADD cycleway_left_oneway text, ADD parking_right text, ADD parking_lane_both text;
+INSERT INTO import_line (way_id, class, geom, oneway, lanes, lanes_forward, turn_lanes, turn_lanes_forward, turn_lanes_backward, width_lanes, bus_lanes, lanes_bus, busway, cycleway, cycleway_left, cycleway_right,
+    cycleway_left_oneway, parking_right, parking_lane_both)
+SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631), oneway, lanes, lanes_forward, turn, turn_forward, turn_backward, widths, buses, bus, busway, cycleway, cycle_left, cycle_right, left_oneway, parking, parking_both
+FROM (VALUES
+  (20::bigint, 'yes', '3', NULL, 'left|through;Right | none', NULL, NULL, '3.5|3 m|', NULL, NULL, NULL, NULL, NULL, 'lane', NULL, NULL, NULL),
+  (21, '-1', '2', NULL, 'left|', NULL, NULL, NULL, 'yes|designated', NULL, NULL, 'lane', NULL, NULL, NULL, NULL, NULL),
+  (22, NULL, '3', '2', NULL, 'left|through', 'through;right', NULL, NULL, NULL, NULL, 'lane', NULL, NULL, NULL, 'lane', NULL),
+  (23, NULL, NULL, NULL, 'left|right', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL),
+  (24, 'yes', '2', NULL, 'left|next_lane', NULL, NULL, 'wide|3', NULL, '1', NULL, NULL, 'lane', NULL, '-1', NULL, NULL),
+  (25, 'yes', '1', NULL, NULL, NULL, NULL, NULL, NULL, NULL, 'opposite_lane', 'opposite_lane', NULL, NULL, NULL, NULL, 'parallel'),
+  (26, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 'lane', 'track', NULL, NULL, NULL, NULL, NULL)
+) v(way_id, oneway, lanes, lanes_forward, turn, turn_forward, turn_backward, widths, buses, bus, busway, cycleway, cycle_left, cycle_right, left_oneway, parking, parking_both);
+DELETE FROM import_report;
+INSERT INTO import_report SELECT * FROM streetgen.import_osm('import_osm', 'import');
+SELECT 'turns, widths and a cycle lane of a one-way street',
+       (SELECT (lanes_forward, lanes_backward, turn_forward, lane_width_forward, kind_forward, kind_backward) IS NOT DISTINCT FROM (3, NULL::integer, 'left|through;right|none', '3.5|3|', 'general|general|general|cycle', NULL::text) FROM import_osm.axis WHERE source_ref = '20');
+SELECT 'the same against the line', (SELECT (direction, lanes_backward, turn_backward, kind_backward, kind_forward) IS NOT DISTINCT FROM ('reverse', 2, 'left|', 'general|bus|cycle', NULL::text) FROM import_osm.axis WHERE source_ref = '21');
+SELECT 'both directions of a two-way street',
+       (SELECT (lanes_forward, lanes_backward, turn_forward, turn_backward, kind_forward, kind_backward) = (2, 1, 'left|through', 'through;right', 'general|general|cycle|parking', 'general|cycle') FROM import_osm.axis WHERE source_ref = '22');
+SELECT 'turn:lanes of a two-way street is of no direction: left out and named', (SELECT turn_forward IS NULL AND turn_backward IS NULL FROM import_osm.axis WHERE source_ref = '23')
+    AND (SELECT source_refs = '{23,24}' FROM import_report WHERE what LIKE 'turn not understood%');
+SELECT 'lists that mean nothing are unknown and named, what is known stays', (SELECT (turn_forward, lane_width_forward, kind_forward, kind_backward) IS NOT DISTINCT FROM (NULL::text, NULL::text, 'general|bus', 'cycle') FROM import_osm.axis WHERE source_ref = '24')
+    AND (SELECT source_refs = '{24}' FROM import_report WHERE what LIKE 'lane_width not understood%');
+SELECT 'bus and cycle lanes against a one-way street, parking along both kerbs', (SELECT (kind_forward, kind_backward) = ('parking|general|parking', 'bus|cycle') FROM import_osm.axis WHERE source_ref = '25');
+SELECT 'a bus lane each way beside the usual lane', (SELECT (kind_forward, kind_backward) = ('general|bus', 'general|bus') FROM import_osm.axis WHERE source_ref = '26');
+SELECT 'importing again changes nothing', (SELECT count = 0 FROM streetgen.import_osm('import_osm', 'import') WHERE what = 'new or changed');
+SELECT 'their lanes are generated without an error', (SELECT bool_and(deleted = 0) FROM streetgen.generate('import_osm')) AND NOT EXISTS (SELECT FROM streetgen.check_model('import_osm') WHERE severity = 'error');
+SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('import_osm') WHERE rule LIKE '%not those of all lanes%');
 DROP TABLE import_line, import_report;
 DO $$ BEGIN
   PERFORM streetgen.drop_model('import_osm');

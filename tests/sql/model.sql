@@ -54,7 +54,7 @@ SELECT 'every geometry of a model has its SRID and an index',
        NOT EXISTS (SELECT FROM geometry_columns g JOIN pg_class c ON c.relname = g.f_table_name AND c.relkind = 'r'
                      AND c.relnamespace = 'model_a'::regnamespace
                    WHERE g.f_table_schema = 'model_a' AND g.f_geometry_column <> 'source_geom'
-                     AND (g.f_table_name, g.f_geometry_column) NOT IN (('section_limit', 'border_line'), ('corner', 'centre'), ('report', 'geom'))
+                     AND (g.f_table_name, g.f_geometry_column) NOT IN (('section_limit', 'border_line'), ('corner', 'centre'), ('report', 'geom'), ('interconnection', 'control'), ('interconnection_override', 'control'))
                      AND (g.srid <> 2154 OR NOT EXISTS (
                        SELECT FROM pg_indexes i WHERE i.schemaname = 'model_a' AND i.tablename = g.f_table_name
                          AND i.indexdef LIKE '%gist (' || g.f_geometry_column || ')%')));
@@ -125,6 +125,8 @@ SELECT 'a reader writes nothing', NOT has_table_privilege('streetgen_test_reader
 SELECT 'an editor edits axes', has_table_privilege('streetgen_test_editor', 'model_a.axis', 'INSERT')
        AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'UPDATE')
        AND has_table_privilege('streetgen_test_editor', 'model_a.axis', 'DELETE');
+SELECT 'an editor decides by hand', has_table_privilege('streetgen_test_editor', 'model_a.lane_override', 'INSERT')
+       AND has_table_privilege('streetgen_test_editor', 'model_a.lane_override', 'DELETE');
 SELECT 'an editor writes no derived table', NOT has_table_privilege('streetgen_test_editor', 'model_a.section', 'INSERT, UPDATE, DELETE');
 SET ROLE streetgen_test_editor;
 INSERT INTO model_a.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860000,650050 6860000)');

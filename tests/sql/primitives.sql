@@ -16,6 +16,11 @@ SELECT 'variable_buffer: one side', abs(ST_Area(streetgen.variable_buffer('LINES
 SELECT 'turning_radius: equation 1', abs(streetgen.turning_radius(20, 7) - 18.6 * sqrt(20.0 / (10 * 3.5 + 65 - 20))) < 0.01;
 SELECT 'turning_radius: never beyond 15 m', streetgen.turning_radius(130, 7) = 15;
 SELECT 'clean: drops what is collinear, keeps what is kept', ST_AsText(streetgen.clean('LINESTRING(0 0,10 0,20 0,40 0)', '{f,f,t,f}', 0.3, 3)) = 'LINESTRING(0 0,20 0,40 0)';
+SELECT 'interconnection: its ends are exact: ' || rule, ST_StartPoint(path) = 'POINT(2 -10)'::geometry AND ST_EndPoint(path) = 'POINT(10 -2)'::geometry
+    FROM unnest(ARRAY['bezier', 'arcs', 'control']) rule, streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', rule) path;
+SELECT 'interconnection: the middle of the Bezier curve', ST_DWithin(streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'bezier', 0.001), 'POINT(3.5 -3.5)', 0.001);
+SELECT 'interconnection: the middle of the curve with a given control point', ST_DWithin(streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(2 -2)', 'control', 0.001), 'POINT(4 -4)', 0.001);
+SELECT 'interconnection: arcs of the radius that fits', ST_DWithin(streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'arcs', 0.001), ST_MakePoint(10 - 8 * sqrt(0.5), -10 + 8 * sqrt(0.5)), 0.001);
 SELECT 'the SRID stays', ST_SRID(streetgen.section_surface('SRID=2154;LINESTRING(0 0,50 0)', 7, 10, 40)) = 2154;
 
 SELECT 'bad input is 22023: ' || statement, pg_temp.sqlstate_of(statement) = '22023' FROM (VALUES
@@ -36,6 +41,12 @@ SELECT 'bad input is 22023: ' || statement, pg_temp.sqlstate_of(statement) = '22
     ($$SELECT streetgen.section_surface(ST_MakeLine(ST_MakePoint(0, 0), ST_MakePoint('Infinity', 1)), 7, 0, 10)$$),
     ($$SELECT streetgen.arc_centre('SRID=2154;LINESTRING(0 0,50 0)', 'SRID=32631;LINESTRING(0 0,0 50)', 6, 6, 4)$$),
     ($$SELECT streetgen.arc_centre('LINESTRING(0 0,50 0)', 'LINESTRING(0 0,0 50)', 6, 6, 'NaN')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT EMPTY')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'LINESTRING(0 0,1 1)')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,10 -2)', 'POINT(0 0)')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'spline')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'arcs', 'NaN')$$),
+    ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'SRID=2154;POINT(0 0)')$$),
     ($$SELECT streetgen.turning_radius('NaN', 7)$$), ($$SELECT streetgen.turning_radius(30, 7, 'guess')$$),
     ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2}')$$), ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2,5}', 'top')$$),
     ($$SELECT streetgen.intersection_surface(ARRAY['LINESTRING(0 0,50 0)']::geometry[], '{6,6}', '{4}')$$)) s(statement);

@@ -53,7 +53,13 @@ CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
         ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
         ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
         ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce'''),
-        ('transition_axis', '''{7}'''), ('transition_which', '''{start}'''), ('transition_kind_of', '''{right}'''), ('transition_length_of', '''{9}''')) v(name, value) $$;
+        ('transition_axis', '''{7}'''), ('transition_which', '''{start}'''), ('transition_kind_of', '''{right}'''), ('transition_length_of', '''{9}'''),
+        ('lanes_forward', '''{1,2}'''), ('lanes_backward', '''{1,0}'''), ('kind_forward', '''{"",general|bus}'''), ('kind_backward', '''{"",""}'''),
+        ('lane_width_forward', '''{"",3|}'''), ('lane_width_backward', '''{"",""}'''), ('turn_forward', '''{left;through,""}'''), ('turn_backward', '''{"",""}'''),
+        ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
+        ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
+        ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
+        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3')) v(name, value) $$;
 SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
@@ -66,6 +72,14 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"axis_id": "''{7,7}''"}', '22023', 'axis 7 stands more than once'), ('{"axis_id": "''{7,8,9}''"}', '2202E', 'geom has 2 elements for 3 axes'),
         ('{"width": "''{7,NaN}''"}', '22023', 'width of axis 8 is nan'), ('{"width_end": "''{7,201}''"}', '22023', 'width_end of axis 8 is 201, expected 0.001 to 200'),
         ('{"radius": "''{Infinity,3}''"}', '22023', 'radius of axis 7 is inf'), ('{"width": "''{7,NULL}''"}', '22004', 'width is NULL at position 2'),
+        ('{"lanes_forward": "''{1,-1}''"}', '22023', 'lanes of axis 8 is -1'), ('{"kind_forward": "''{tram,general}''"}', '22023', 'unknown lane of axis 7 "tram"'),
+        ('{"lane_width_forward": "''{3m,3|3}''"}', '22023', 'lane width of axis 7'), ('{"turn_forward": "''{up,left}''"}', '22023', '"up"'),
+        ('{"override_width": "''{-1}''"}', '22023', 'width of a lane override is -1'), ('{"override_abscissa": "''{1,2}''"}', '2202E', 'override_abscissa has 2 elements for 1 lane overrides'),
+        ('{"override_direction": "''{up}''"}', '22023', 'unknown direction of a lane override "up"'), ('{"lane_order": "''any''"}', '22023', 'unknown lane_order'),
+        ('{"driving_side": "''both''"}', '22023', 'unknown driving_side'), ('{"lane_width_minimal": "''NaN''"}', '22023', 'lane_width_minimal is nan'),
+        ('{"speed": "''{50,NaN}''"}', '22023', 'speed of axis 8 is nan'), ('{"restriction_x": "''{NaN}''"}', '22023', 'x of a turn restriction is nan'),
+        ('{"restriction_to": "''{}''"}', '2202E', 'restriction_to has 0 elements for 1 turn restrictions'), ('{"restriction_kind": "''{maybe}''"}', '22023', 'unknown kind of a turn restriction "maybe"'),
+        ('{"restriction_turn": "''{up}''"}', '22023', 'unknown turn of a turn restriction "up"'), ('{"trajectory": "''spline''"}', '22023', 'unknown trajectory'), ('{"trajectory_tolerance": "0"}', '22023', 'trajectory_tolerance is 0'), ('{"trajectory_radius": "''NaN''"}', '22023', 'trajectory_radius is nan'),
         ('{"transition_which": "''{middle}''"}', '22023', 'unknown transition end "middle", expected start or end'), ('{"transition_kind_of": "''{both}''"}', '22023', 'unknown transition_kind "both"'),
         ('{"transition_length_of": "''{NaN}''"}', '22023', 'transition length of axis 7 is nan'), ('{"transition_length_of": "''{1,2}''"}', '2202E', 'transition_length_of has 2 elements for 1 transitions'),
         ('{"transition_axis": "''{NULL}''"}', '22004', 'transition_axis is NULL at position 1 of the transitions'),

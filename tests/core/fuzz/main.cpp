@@ -41,11 +41,13 @@ int main(int count_of_arguments, char** arguments) {
       continue;
     }
     failed += count_faults("town", seed, town_faults);
+    failed += count_faults("lanes", seed, lane_faults);
+    failed += count_faults("interconnections", seed, interconnection_faults);
     failed += count_faults("primitives", seed, primitive_faults);
     failed += count_faults("door", seed, door_faults);
   }
   std::fprintf(stderr, "\n");
   std::printf("%llu checks, %d failed\n",
-              static_cast<unsigned long long>(tiling ? count : 3 * count), failed);
+              static_cast<unsigned long long>(tiling ? count : 5 * count), failed);
   return failed == 0 ? 0 : 1;
 }

@@ -18,6 +18,13 @@ Faults town_faults(std::uint64_t seed);
 // Ground of one owner each, edges covered.  Not reached yet in every such town: docs/quality.md.
 Faults tiling_faults(std::uint64_t seed);
 
+// Lanes of random wishes and overrides on such towns: sound, numbered, filling the roadway, inside
+// it.
+Faults lane_faults(std::uint64_t seed);
+
+// Every pair of lanes, paths from lane to lane, no dead lane, whatever the order of the axes.
+Faults interconnection_faults(std::uint64_t seed);
+
 // The constructions that are usable alone, on random lines and numbers in their range.
 Faults primitive_faults(std::uint64_t seed);
 

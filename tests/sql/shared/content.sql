@@ -11,6 +11,14 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'section', e.axis_id, e.start_abscissa, s.method, s.contested_area, s.surface::text) FROM @.section s JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'corner', a.axis_id, a.start_abscissa, k.end_a, b.axis_id, b.start_abscissa, k.end_b, k.radius_wanted, k.radius, k.method, k.arc::text)
       FROM @.corner k JOIN @.edge a ON a.edge_id = k.edge_a JOIN @.edge b ON b.edge_id = k.edge_b
+    UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.width, l.axis_offset, l.turn, l.method, l.geom::text, l.surface::text)
+      FROM @.lane l JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
+      FROM @.lane_separator p JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.kind, n.geom::text, m.geom::text, m.surface::text)
+      FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
+    UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, b.axis_id, b.start_abscissa, o.ordinality, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
+      FROM @.interconnection c JOIN @.node n USING (node_id) JOIN @.lane i ON i.lane_id = c.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = c.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$,
     '@', quote_ident(model));
 END $$;
@@ -28,7 +36,7 @@ DECLARE
   part text;
   t text;
 BEGIN
-  FOREACH t IN ARRAY ARRAY['node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report'] LOOP
+  FOREACH t IN ARRAY ARRAY['node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'lane', 'lane_separator', 'marking', 'report'] LOOP
     EXECUTE format('SELECT md5(string_agg(concat(ctid, xmin), '','' ORDER BY ctid)) FROM %I.%I', model, t) INTO part;
     result := result || t || coalesce(part, '-');
   END LOOP;

@@ -1,0 +1,73 @@
+// Interconnections: how traffic goes on at a node, lane to lane.  StreetGen paper, 2.7.3.
+//
+// Every lane that comes in is paired with every lane that goes out by another edge (setting
+// u_turn: also by the same edge); parking lanes take no part.  docs/geometry.md says how
+// plausible pairs are told from the others.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/lane.hpp"
+#include "streetgen/streets.hpp"
+#include "streetgen/trajectory.hpp"
+
+namespace streetgen {
+
+enum class Turn { through, left, right, u_turn };
+const char* turn_name(Turn turn) noexcept;
+
+// Why an interconnection is plausible, or why not.
+enum class Reason {
+  lane_order,   // the order of the lanes at the node
+  turn_lanes,   // the movements marked on the lane
+  only_way,     // plausible: else the lane in would lead nowhere or the lane out not be reached
+  restriction,  // not: a turn restriction
+  lane_kind,    // not: a lane of another kind
+  u_turn,       // not: it turns back where there are other ways on
+  radius,       // not: too tight for the speed where other ways do
+};
+const char* reason_name(Reason reason) noexcept;
+
+// From one axis to another at the node that lies within three tolerances of `via`, the nearest
+// that both axes meet; one without such a node changes nothing.  `turn` tells the edges of an
+// axis that goes on beyond the node apart.  What is forbidden stays so whatever else is allowed.
+struct TurnRestriction {
+  std::int64_t from_axis = 0;
+  std::int64_t to_axis = 0;
+  Point via;
+  bool only = false;  // the only way on from the edge; else: no way
+  std::optional<Turn> turn;
+};
+
+struct InterconnectionSettings {
+  bool u_turn = false;  // also between lanes of one edge
+  TrajectoryRule rule = TrajectoryRule::bezier;
+  double least_radius = 3;      // metres, see trajectory
+  double tolerance = 0.05;      // metres, of the trajectories' chords
+  double node_tolerance = 0.5;  // metres, of the network
+};
+
+struct Interconnection {
+  int node = 0;
+  int lane_in = 0;  // index into the lanes
+  int lane_out = 0;
+  Turn turn = Turn::through;  // through and u_turn: the lanes are parallel, as for the trajectory
+  double angle = 0;           // degrees in (-180, 180] from lane to lane, positive to the left
+  bool plausible = false;
+  Reason reason = Reason::lane_order;
+  Point control;
+  Line line;
+};
+
+// By (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the same streets;
+// `axes` as the streets were made from.
+std::vector<Interconnection> interconnections(const Streets& streets,
+                                              const std::vector<StreetAxis>& axes,
+                                              const std::vector<Lane>& lanes,
+                                              const std::vector<TurnRestriction>& restrictions,
+                                              const InterconnectionSettings& settings);
+
+}  // namespace streetgen

@@ -1,0 +1,131 @@
+// Lanes of edges, the lines between them, what is painted.  StreetGen paper, 2.5 and 2.7.2.
+//
+// Lanes fill the roadway of an edge from kerb to kerb between its two section limits, as
+// offset curves of the axis.  Where the width changes their shares of it stay.
+// Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
+// in the direction of the axis, and have no surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+
+enum class LaneKind { general, bus, cycle, parking };
+enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
+
+// How lanes are numbered: from the middle outwards, 1 the centre lane where there is one.
+enum class LaneOrder {
+  left_first,   // the published data
+  right_first,  // the paper
+};
+enum class DrivingSide { left, right };
+
+// The movements that a lane allows, as bits; 0: nothing is said.
+namespace turn {
+constexpr unsigned reverse = 1, sharp_left = 2, left = 4, slight_left = 8, through = 16,
+                   slight_right = 32, right = 64, sharp_right = 128, merge_left = 256,
+                   merge_right = 512;
+}  // namespace turn
+
+// What is known of one lane before it has a place.
+struct LaneWish {
+  LaneKind kind = LaneKind::general;
+  bool along_axis = true;
+  double width = 0;  // metres; 0: an equal share of what the others leave
+  unsigned turns = 0;
+};
+
+// The lanes of one axis, each list from left to right in its driving direction.
+struct AxisLanes {
+  std::vector<LaneWish> forward, backward;
+};
+
+// By hand: of the lane `ordinality` of the edge of the axis that holds `abscissa`.
+struct LaneOverride {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  int ordinality = 0;
+  enum class Direction { as_is, along, against } direction = Direction::as_is;
+  double width = 0;  // metres; 0: as it is
+};
+
+struct LaneSettings {
+  LaneOrder order = LaneOrder::left_first;
+  DrivingSide driving_side = DrivingSide::right;
+  double narrowest = 2;     // metres: lanes of unknown width get less only if all lanes do
+  bool edge_lines = false;  // separators along the kerbs too
+};
+
+struct Lane {
+  int edge = 0;
+  int ordinality = 0;  // from 1, by LaneOrder
+  int position = 0;    // from 1, at the left kerb
+  LaneSide side = LaneSide::centre;
+  bool along_axis = true;
+  LaneKind kind = LaneKind::general;
+  double width = 0;        // metres, at the start limit of the edge
+  double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
+  Line line;               // the centre line, in the point order of the axis
+  // The lanes of an edge tile its section; where a ring would not be simple, the buffer of the
+  // centre line.  Empty where the limits crossed.
+  MultiPolygon surface;
+  unsigned turns = 0;
+  Method method = Method::hypothesis;  // or crossed_limits, or by_hand
+};
+
+enum class SeparatorKind { centre, same_direction, edge };
+
+// The line between the lanes `position` and `position + 1`; 0 and the number of lanes: a kerb.
+struct LaneSeparator {
+  int edge = 0;
+  int position = 0;
+  SeparatorKind kind = SeparatorKind::same_direction;
+  bool dashed = false;
+  double axis_offset = 0;  // metres to the left of the axis, at the start limit
+  Line line;               // in the point order of the axis
+  MultiPolygon surface;    // its paint, dash by dash; empty where the limits crossed
+};
+
+enum class MarkingKind { stop, yield, arrow };
+
+struct Marking {
+  MarkingKind kind = MarkingKind::arrow;
+  int edge = 0;
+  int position = 0;  // of the lane
+  int node = 0;      // where the lane leads
+  Line line;         // stop and yield lines: across the lane; arrows: from foot to tip
+  MultiPolygon surface;
+};
+
+struct Lanes {
+  std::vector<Lane> lanes;                // by (edge, position)
+  std::vector<LaneSeparator> separators;  // by (edge, position)
+  std::vector<Marking> markings;          // by edge; at most one of a kind per lane
+};
+
+// By axis_id, each at most once; an axis that has none gets one lane along it.
+struct LanesOfAxis {
+  std::int64_t axis_id = 0;
+  AxisLanes lanes;
+};
+
+// Deterministic and independent of the order of axes and overrides (of two overrides of one
+// lane the last in (axis_id, abscissa) counts).  An override of a lane that is not there does
+// nothing.
+Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
+            std::vector<LaneOverride> overrides, const LaneSettings& settings);
+
+// The lanes of one axis alone, from its start to its end; lines and surfaces only.
+std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,
+                             const AxisLanes& wanted, const LaneSettings& settings);
+
+// The line at a signed offset (metres, left of the axis positive), changing linearly to
+// `offset_end`, as a kerb runs: mitred in inner bends, round about outer ones, without the loops
+// that a bend tighter than the offset would make.
+Line offset_line(const Line& axis, double offset, double offset_end);
+
+}  // namespace streetgen

@@ -1,0 +1,41 @@
+// The path of a vehicle from one lane to another.  StreetGen paper, 2.7.3.
+//
+// Lanes are polylines of at least two distinct, finite points in their driving direction: the
+// path starts at the end of one and ends at the start of the other, exactly.
+#pragma once
+
+#include <optional>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+enum class TrajectoryRule {
+  bezier,  // quadratic, the paper's
+  arcs,    // at most two arcs and two straight pieces, tangent to both lanes and to each other
+};
+
+struct Trajectory {
+  Point control;  // of the Bezier curve; of the arcs: where the tangents meet
+  Line line;      // no farther than the tolerance from the curve
+};
+
+// The control point of the paper, u and v the directions of the lanes where the path touches
+// them, parallel when |cos(u, v)| >= 0.85 (with which the published data agrees to the last row):
+//   not parallel           half way from the crossing of the lanes' straight continuations to
+//   `centre` parallel               the middle of start and end: the path is straight parallel and
+//   opposite  half way from that middle to `centre`
+// Where that path is tighter than `least_radius` by quarter_radius and the continuations meet
+// ahead, the control point slides from half way towards their crossing, by eighths, until the path
+// is wide enough, else to where it is widest; least_radius 0: the paper's rule everywhere. A given
+// `control` makes the path the Bezier curve with that control point, by either rule. tolerance > 0,
+// metres; a curve has at most 1000 chords.
+Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& centre,
+                      TrajectoryRule rule, double tolerance, double least_radius = 0,
+                      const std::optional<Point>& control = {});
+
+// The least radius of the circles through successive quarter points of the path; infinite for a
+// straight path or one without length.
+double quarter_radius(const Line& path);
+
+}  // namespace streetgen

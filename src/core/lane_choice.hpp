@@ -1,0 +1,47 @@
+// Which lane goes on to which at one node.  docs/geometry.md, Plausible.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/interconnection.hpp"
+
+namespace streetgen {
+
+// Where a lane touches the intersection, and its driving direction there.
+struct LaneEnd {
+  LaneKind kind = LaneKind::general;
+  unsigned turns = 0;
+  Point place;
+  Point direction;
+};
+
+// An end of an edge at the node; lanes from left to right in their driving direction.
+struct Leg {
+  std::vector<LaneEnd> in, out;
+  int importance = 99;
+};
+
+struct Verdict {
+  bool plausible = false;
+  Reason reason = Reason::lane_order;
+};
+
+// From a leg to another (or back): a verdict for each pair, lanes in by lanes out.
+struct Movement {
+  int from = 0;  // index of the leg
+  int to = 0;
+  bool restricted = false;
+  double least_radius = 0;     // metres, what the speed needs
+  std::vector<double> radius;  // of the trajectory of each pair
+  std::vector<Verdict> verdicts;
+};
+
+// Degrees in (-180, 180], positive to the left.
+double turn_angle(const Point& from, const Point& to);
+Turn turn_of(double angle);
+
+// Fills the verdicts.  At most one movement from a leg to a leg.
+void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements);
+
+}  // namespace streetgen

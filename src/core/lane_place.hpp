@@ -1,0 +1,34 @@
+// Where the lanes of one edge lie: their order, their shares of the roadway, their lines.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/lane.hpp"
+
+namespace streetgen {
+
+// The piece of an edge that its lanes cover.
+struct LaneStrip {
+  Line axis;              // planar, without repeated points
+  double half_start = 0;  // half widths of the roadway at the ends of the axis
+  double half_end = 0;
+  double from = 0, to = 0;      // abscissas, from < to
+  Line from_border, to_border;  // from the left kerb to the right one
+  double width() const;         // metres, at `from`
+  double half_at(double abscissa) const;
+};
+
+// From the left kerb to the right kerb in the direction of the axis.
+std::vector<LaneWish> across(const AxisLanes& lanes, DrivingSide side);
+
+int ordinality_of(int position, int count, LaneOrder order);
+LaneSide side_of(int position, int count);
+
+// The shares of the roadway, from the left kerb, where each lane begins: 0, ..., 1.
+std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
+                                double narrowest);
+
+// Along the strip, at `share` of the roadway from the left kerb; ends on the borders.
+Line line_at_share(const LaneStrip& strip, double share);
+
+}  // namespace streetgen

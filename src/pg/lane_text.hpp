@@ -1,0 +1,32 @@
+// Lists about the lanes of one direction, as columns of axis hold them: a word a lane, from left
+// to right in driving direction, parted by |.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "streetgen/lane.hpp"
+
+namespace streetgen::pg {
+
+// Widths of lanes that say none; 0: an equal share.
+struct KindWidths {
+  double cycle = 0, parking = 0;
+};
+
+// `count` general lanes, or those of `kinds`.  `widths` and `turns` that name another number of
+// lanes are not read; they may speak of the general and bus lanes only.  `what` ends each message
+// of Error{invalid_input}.
+std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
+                                 const std::string& turns, KindWidths defaults,
+                                 const std::string& what);
+
+// "left;through"; empty where nothing is said.
+std::string turn_text(unsigned turns);
+
+const char* lane_kind_name(LaneKind kind);
+const char* lane_side_name(LaneSide side);
+
+LaneSettings read_lane_settings(const char* order, const char* driving_side, double narrowest);
+
+}  // namespace streetgen::pg

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "../../../src/core/polyline.hpp"
+#include "streetgen/interconnection.hpp"
+#include "truths.hpp"
+
+namespace streetgen::fuzz {
+
+namespace {
+
+struct Asked {
+  std::vector<LanesOfAxis> axes;
+  std::vector<TurnRestriction> restrictions;
+  InterconnectionSettings settings;
+};
+
+std::vector<LaneWish> random_lanes(Random& random) {
+  std::vector<LaneWish> lanes(random.below(5));
+  for (LaneWish& lane : lanes) {
+    if (random.one_in(4))
+      lane.kind =
+          random.of(std::vector<LaneKind>{LaneKind::bus, LaneKind::cycle, LaneKind::parking});
+    if (random.one_in(3)) lane.turns = random.below(1024);
+  }
+  return lanes;
+}
+
+Asked random_traffic(Random& random, const Town& town) {
+  Asked asked;
+  for (const StreetAxis& axis : town.axes) {
+    asked.axes.push_back({axis.axis_id, {random_lanes(random), random_lanes(random)}});
+    if (!random.one_in(5)) continue;
+    const StreetAxis& to = random.of(town.axes);
+    asked.restrictions.push_back(
+        {axis.axis_id, to.axis_id, axis.line.back(), random.one_in(2),
+         random.one_in(2) ? std::optional<Turn>(Turn::left) : std::nullopt});
+  }
+  asked.settings.u_turn = random.one_in(3);
+  if (random.one_in(3)) asked.settings.rule = TrajectoryRule::arcs;
+  asked.settings.least_radius = random.one_in(3) ? 0 : random.scaled(0.1, 20);
+  asked.settings.tolerance = random.scaled(0.001, 1);
+  return asked;
+}
+
+// By node, what comes in and what goes out, as (edge, lane).
+struct NodeLanes {
+  std::vector<std::pair<int, int>> in, out;
+};
+
+std::map<int, NodeLanes> lanes_of_nodes(const Network& network, const std::vector<Lane>& lanes) {
+  std::map<int, NodeLanes> nodes;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const Lane& lane = lanes[i];
+    if (lane.kind == LaneKind::parking) continue;
+    const Edge& edge = network.edges[lane.edge];
+    const std::pair<int, int> entry{lane.edge, static_cast<int>(i)};
+    nodes[lane.along_axis ? edge.to_node : edge.from_node].in.push_back(entry);
+    nodes[lane.along_axis ? edge.from_node : edge.to_node].out.push_back(entry);
+  }
+  return nodes;
+}
+
+void find_missing(const Network& network, const std::vector<Lane>& lanes, bool u_turn,
+                  const std::vector<Interconnection>& pairs, Faults& faults) {
+  std::size_t expected = 0;
+  for (const auto& [node, of_node] : lanes_of_nodes(network, lanes))
+    for (const auto& in : of_node.in)
+      for (const auto& out : of_node.out)
+        if (u_turn || in.first != out.first) ++expected;
+  if (pairs.size() != expected)
+    faults.push_back(std::to_string(pairs.size()) + " pairs of " + std::to_string(expected));
+}
+
+void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
+                  Faults& faults) {
+  for (const Interconnection& pair : pairs) {
+    const std::string name =
+        " from lane " + std::to_string(pair.lane_in) + " to " + std::to_string(pair.lane_out);
+    const Lane &in = lanes[pair.lane_in], &out = lanes[pair.lane_out];
+    const Point start = in.along_axis ? in.line.back() : in.line.front();
+    const Point end = out.along_axis ? out.line.front() : out.line.back();
+    if (distance(pair.line.front(), start) > 0 || distance(pair.line.back(), end) > 0)
+      faults.push_back("a path off its lanes" + name);
+    for (const Point& p : pair.line)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+        faults.push_back("a path that is not finite" + name);
+        break;
+      }
+    if (!(pair.angle > -180 && pair.angle <= 180))
+      faults.push_back("an angle of " + std::to_string(pair.angle) + name);
+    if (pair.plausible && pair.reason != Reason::lane_order && pair.reason != Reason::turn_lanes &&
+        pair.reason != Reason::only_way)
+      faults.push_back(std::string("plausible by ") + reason_name(pair.reason) + name);
+  }
+}
+
+// Where a pair is allowed to a lane, one is plausible: to a lane out, where it is of another edge;
+// bus and cycle lanes may meet in vain.
+void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
+               Faults& faults) {
+  std::map<int, bool> leads_on, reached;
+  for (const Interconnection& pair : pairs) {
+    const LaneKind in = lanes[pair.lane_in].kind, out = lanes[pair.lane_out].kind;
+    const bool fits = in == out || in == LaneKind::general || out == LaneKind::general;
+    if (pair.reason == Reason::restriction || !fits) continue;
+    leads_on[pair.lane_in] |= pair.plausible;
+    const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;
+    if (!turns_back || pair.plausible) reached[pair.lane_out] |= pair.plausible;
+  }
+  for (const auto& [lane, holds] : leads_on)
+    if (!holds) faults.push_back("lane " + std::to_string(lane) + " leads nowhere");
+  for (const auto& [lane, holds] : reached)
+    if (!holds) faults.push_back("lane " + std::to_string(lane) + " is not reached");
+}
+
+bool same(const Interconnection& a, const Interconnection& b) {
+  return a.node == b.node && a.lane_in == b.lane_in && a.lane_out == b.lane_out &&
+         a.plausible == b.plausible && a.reason == b.reason && a.angle == b.angle &&
+         a.line.size() == b.line.size();
+}
+
+}  // namespace
+
+Faults interconnection_faults(std::uint64_t seed) {
+  Faults faults;
+  Random random(seed);
+  Town town = random_town(seed);
+  Asked asked = random_traffic(random, town);
+  const auto run = [&](std::vector<Lane>* all, Network* network) {
+    const Streets built = streets(town.axes, town.settings);
+    const Lanes made = lanes(built, asked.axes, {}, {});
+    if (all) *all = made.lanes;
+    if (network) *network = built.network;
+    return interconnections(built, town.axes, made.lanes, asked.restrictions, asked.settings);
+  };
+  std::vector<Lane> all;
+  Network network;
+  const std::vector<Interconnection> pairs = run(&all, &network);
+  find_missing(network, all, asked.settings.u_turn, pairs, faults);
+  find_unsound(all, pairs, faults);
+  find_dead(all, pairs, faults);
+  std::reverse(town.axes.begin(), town.axes.end());
+  std::reverse(asked.axes.begin(), asked.axes.end());
+  std::reverse(asked.restrictions.begin(), asked.restrictions.end());
+  const std::vector<Interconnection> again = run(nullptr, nullptr);
+  if (!std::equal(pairs.begin(), pairs.end(), again.begin(), again.end(), same))
+    faults.push_back("another order of the axes gives other interconnections");
+  return faults;
+}
+
+}  // namespace streetgen::fuzz

@@ -1,0 +1,36 @@
+-- Turn restrictions as osm2pgsql writes them.  (name, holds)
+SET client_min_messages = warning;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('restricted', 2154);
+END $$;
+CREATE TABLE town_line (way_id bigint, class text NOT NULL, geom geometry(LineString, 2154));
+ALTER TABLE town_line ADD COLUMN name text, ADD lanes text, ADD lanes_forward text, ADD lanes_backward text, ADD width text, ADD oneway text,
+  ADD junction text, ADD layer text, ADD bridge text, ADD tunnel text, ADD maxspeed text, ADD area text;
+INSERT INTO town_line (way_id, class, geom) VALUES
+  (1, 'residential', 'SRID=2154;LINESTRING(649900 6860000,650000 6860000)'), (2, 'residential', 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)'),
+  (3, 'residential', 'SRID=2154;LINESTRING(650000 6860000,650000 6860100)'), (4, 'footway', 'SRID=2154;LINESTRING(650000 6860000,650000 6859900)');
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_osm('restricted', 'town');
+SELECT 'without a table of restrictions it is said' AS name, (SELECT count(*) = 1 FROM import_report WHERE what LIKE 'no table of turn restrictions%') AS holds;
+
+CREATE TABLE town_restriction (relation_id bigint, restriction text, from_way bigint, to_way bigint, via_way boolean, geom geometry);
+INSERT INTO town_restriction SELECT id, restriction, from_way, to_way, via_way, ST_GeomFromText(CASE WHEN via_way THEN 'GEOMETRYCOLLECTION(LINESTRING(0 0,1 1))' ELSE 'GEOMETRYCOLLECTION(LINESTRING(649900 6860000,650000 6860000),POINT(650000 6860000))' END, 2154)
+FROM (VALUES (10, 'no_left_turn', 1, 3, false), (10, 'no_left_turn', 1, 3, false), (11, 'only_straight_on', 1, 2, false), (12, 'no_u_turn', 1, 1, false), (13, 'no_entry', 3, 2, false),
+             (14, NULL, 1, 2, false), (15, 'no_dancing', 1, 2, false), (16, 'no_left_turn', 1, 2, true), (17, 'no_left_turn', 1, 4, false)) v(id, restriction, from_way, to_way, via_way);
+DROP TABLE import_report;
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_osm('restricted', 'town');
+SELECT 'restrictions name axes, kind and turn', (SELECT array_agg(concat_ws(' ', split_part(r.source_ref, '/', 1), a.source_ref, b.source_ref, r.kind, r.turn) ORDER BY r.source_ref)
+    = '{10 1 3 no left,11 1 2 only through,12 1 1 no u_turn,13 3 2 no}' FROM restricted.turn_restriction r JOIN restricted.axis a ON a.axis_id = from_axis JOIN restricted.axis b ON b.axis_id = to_axis);
+SELECT 'their place is the via node', (SELECT bool_and(ST_Equals(geom, 'SRID=2154;POINT(650000 6860000)')) FROM restricted.turn_restriction);
+SELECT 'what is left out is said: ' || what, (SELECT source_refs = ARRAY[ref] FROM import_report r WHERE r.what = 'turn restriction ' || e.what || ', left out')
+    FROM (VALUES ('not for all traffic', '14'), ('not understood', '15'), ('via a way', '16'), ('of ways that are no axes', '17')) e(what, ref);
+DELETE FROM town_restriction WHERE relation_id = 11;
+CREATE TABLE before AS SELECT turn_restriction_id, xmin::text AS writer FROM restricted.turn_restriction;
+DO $$ BEGIN
+  INSERT INTO restricted.turn_restriction (from_axis, to_axis, geom, kind) VALUES (2, 3, 'SRID=2154;POINT(650000 6860000)', 'no');
+  PERFORM streetgen.import_osm('restricted', 'town');
+END $$;
+SELECT 'importing again follows the table', NOT EXISTS (SELECT FROM restricted.turn_restriction WHERE source_ref LIKE '11/%');
+SELECT 'and leaves the others untouched', (SELECT count(*) = 3 FROM restricted.turn_restriction r JOIN before USING (turn_restriction_id) WHERE r.xmin::text = writer);
+SELECT 'one made by hand stays', (SELECT count(*) = 1 FROM restricted.turn_restriction WHERE source IS NULL);
+SELECT 'a kind that is none is refused', test.state($q$INSERT INTO restricted.turn_restriction (from_axis, to_axis, geom, kind) VALUES (2, 3, 'SRID=2154;POINT(0 0)', 'maybe')$q$) = '23514';
+DROP TABLE town_line, town_restriction, import_report, before;
