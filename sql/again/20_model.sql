@@ -45,18 +45,21 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
 COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_model(model name) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
+    IF model IS NULL THEN
+        RAISE EXCEPTION 'the model is NULL' USING ERRCODE = '22004', HINT = 'SELECT name FROM streetgen.model lists them.';
+    END IF;
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_model.model) THEN
         RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
             HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist.';
+COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._check_model(model);
@@ -401,7 +404,8 @@ BEGIN
     ELSE
         expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
         BEGIN
-            holds := value = '' OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^\d{1,2}$' OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400));
+            -- Only a radius has another law to fall back on.
+            holds := value = '' AND setting = 'radius_by_importance' OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^[1-9]\d?$' OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400));
         EXCEPTION WHEN data_exception THEN
             holds := false;
         END;

@@ -1,10 +1,12 @@
 // Which boxes lie near a box: a packed R-tree.
 #pragma once
 
+#include <algorithm>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "overlap.hpp"

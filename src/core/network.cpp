@@ -94,6 +94,7 @@ class Builder {
     cut_at_joined_vertices();
     cut_at_ends_on_segments();
     cut_at_crossings();
+    join_cuts_at_one_place();
     make_nodes();
     make_edges();
     number_nodes();
@@ -299,6 +300,18 @@ class Builder {
     }
   }
 
+  // Ends on either side of an axis may meet it at one abscissa: apart, they would sever it there.
+  void join_cuts_at_one_place() {
+    for (const Cuts& cuts : cuts_) {
+      const Cut* before = nullptr;
+      for (const Cut& cut : cuts) {
+        if (before != nullptr && before->abscissa == cut.abscissa)
+          groups_.join(before->group, cut.group);
+        before = &cut;
+      }
+    }
+  }
+
   Point place_of(int group) const {
     const auto crossing = crossing_points_.find(group);
     return crossing != crossing_points_.end() ? crossing->second : vertices_[group].point;
@@ -307,8 +320,9 @@ class Builder {
   void make_nodes() {
     for (int a = 0; a < static_cast<int>(axes_.size()); ++a)
       for (const Cut& cut : cuts_[a]) {
-        const auto [slot, fresh] = node_of_.try_emplace(cut.group, out_.nodes.size());
-        if (fresh) out_.nodes.push_back({place_of(cut.group), {}});
+        const int group = groups_.of(cut.group);
+        const auto [slot, fresh] = node_of_.try_emplace(group, out_.nodes.size());
+        if (fresh) out_.nodes.push_back({place_of(group), {}});
         out_.nodes[slot->second].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
       }
   }
@@ -320,12 +334,13 @@ class Builder {
         const Cut& from = *next++;
         if (next == cuts_[a].end()) break;
         const Cut& to = *next;
-        const bool back = from.group == to.group;
+        const int from_group = groups_.of(from.group), to_group = groups_.of(to.group);
+        const bool back = from_group == to_group;
         if (to.abscissa - from.abscissa <= (back ? 4 * tolerance_ : 0)) continue;
         Edge edge;
         edge.axis_id = axes_[a]->axis_id;
-        edge.from_node = node_of_.at(from.group);
-        edge.to_node = node_of_.at(to.group);
+        edge.from_node = node_of_.at(from_group);
+        edge.to_node = node_of_.at(to_group);
         edge.level = axes_[a]->level;
         edge.start_abscissa = from.abscissa;
         edge.end_abscissa = to.abscissa;

@@ -29,6 +29,15 @@ TEST(Network, CutsAxesAtASharedVertex) {
   EXPECT_EQ(degree(n, {50, 0}), 3);
 }
 
+TEST(Network, IsNotSeveredWhereTwoEndsMeetASegmentFaceToFace) {
+  const Network n = network({axis(1, {{0, 0}, {100, 0}}), axis(2, {{50, 0.4}, {50, 60}}),
+                             axis(3, {{50, -0.4}, {50, -60}})},
+                            0.5, Crossing::over);
+  EXPECT_EQ(n.edges.size(), 4u);
+  EXPECT_EQ(n.nodes.size(), 5u);
+  EXPECT_EQ(degree(n, {50, 0}), 4);
+}
+
 TEST(Network, JoinsUndershootsAndOvershootsInTheMiddleOfASegment) {
   for (const double y : {0.4, -0.4, 0.0}) {
     const Network n =

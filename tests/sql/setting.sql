@@ -18,7 +18,8 @@ CREATE FUNCTION pg_temp.untouched() RETURNS boolean LANGUAGE sql AS $$ SELECT co
 CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('tolerance', 'NaN'), ('tolerance', '0'), ('tolerance', 'Infinity'), ('tolerance', 'wide'), ('tolerance', '1e400'), ('crossing', 'under'),
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
-    ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": ')) v(name, value)
+    ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
+    ('speed_by_importance', ''), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
     UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name <> 'max_width_per_lane';
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
@@ -87,3 +88,5 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
     LATERAL (SELECT pg_temp.refusal(pg_temp.streets(given)) AS r) t;
+SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT pg_temp.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
+    'SELECT streetgen.set(NULL, ''tolerance'', ''1'')', 'SELECT streetgen.set_transition(NULL, 1)', 'SELECT streetgen.svg(NULL)']) call) t;
