@@ -128,19 +128,32 @@ Geos::Geometry Geos::difference_on_grid(const GEOSGeometry* a, const GEOSGeometr
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
-  std::vector<GEOSGeometry*> all;
-  for (const MultiPolygon& part : parts) {
+  std::vector<Geometry> all;
+  for (const MultiPolygon& part : parts)
     for (const Polygon& one : part) {
       Geometry geometry = polygon(one);
       if (!valid(geometry.get())) geometry = own(GEOSMakeValid_r(handle_, geometry.get()));
-      all.push_back(geometry.release());
+      all.push_back(std::move(geometry));
     }
-  }
+  return united(std::move(all));
+}
+
+Geos::Geometry Geos::unite_valid(const std::vector<const MultiPolygon*>& surfaces) {
+  std::vector<Geometry> all;
+  for (const MultiPolygon* surface : surfaces)
+    for (const Polygon& one : *surface) all.push_back(polygon(one));
+  return united(std::move(all));
+}
+
+Geos::Geometry Geos::united(std::vector<Geometry> parts) {
+  std::vector<GEOSGeometry*> all;
+  for (Geometry& part : parts) all.push_back(part.release());
   const Geometry collection =
       own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
   if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, collection.get())) return own(result);
   poll_cancel();
-  return own(GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
+  return own(
+      GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
 }
 
 }  // namespace streetgen

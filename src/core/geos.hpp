@@ -35,13 +35,15 @@ class Geos {
   Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
   // On a grid of a micrometre: exact overlay may drop parts beside edges that nearly coincide.
   Geometry difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b);
-  Geometry unite(const std::vector<MultiPolygon>& parts);
+  Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
+  Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 
  private:
   using Overlay = decltype(&GEOSDifference_r);
   using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
   Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                    const GEOSGeometry* b);
+  Geometry united(std::vector<Geometry> parts);
   Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double least_hole = 1e-6;  // square metres: below it is the noise of coordinates
 constexpr double touching = 1e-6;    // metres
+constexpr double hole_extent = 20;   // metres
 
 std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
   std::vector<Ring> holes;
@@ -45,9 +46,14 @@ double shared_border(const Ring& hole, const MultiPolygon& surface) {
   return shared;
 }
 
-// Claims of one level joined by disputes, with those that share an edge with them: without a
-// dispute there is no small hole.
-std::vector<std::set<int>> groups(const std::vector<Claim>& claims,
+Box shared_box(const Box& a, const Box& b) {
+  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
+          std::min(a.max_y, b.max_y)};
+}
+
+// Claims of one level joined by disputes, with those near a dispute that share an edge with its
+// claims: the ring of a small hole turns where two surfaces overlap.
+std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
                                   const std::vector<std::pair<int, int>>& disputes) {
   std::vector<int> parent(claims.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -61,14 +67,17 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims,
   for (int i = 0; i < static_cast<int>(claims.size()); ++i)
     for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
   std::map<int, std::set<int>> by_root;
-  for (const auto& [i, j] : disputes)
+  for (const auto& [i, j] : disputes) {
+    const Box place = shared_box(boxes[i], boxes[j]).grown(hole_extent);
     for (const int claim : {i, j}) {
       std::set<int>& group = by_root[root(claim)];
       group.insert(claim);
       for (const int edge : claims[claim].edges)
         for (const int neighbour : on_edge[edge])
-          if (claims[neighbour].level == claims[claim].level) group.insert(neighbour);
+          if (claims[neighbour].level == claims[claim].level && boxes[neighbour].meets(place, 0))
+            group.insert(neighbour);
     }
+  }
   std::vector<std::set<int>> all;
   for (auto& [of, group] : by_root) all.push_back(std::move(group));
   return all;
@@ -84,18 +93,19 @@ void fill_holes(MultiPolygon& surface, double max_area) {
 
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area) {
-  std::vector<Box> boxes;
+  std::vector<Box> boxes, solid_boxes;
   std::vector<int> solid;  // the claims with ground
   for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
-    if (claims[i].surface->empty()) continue;
     boxes.push_back(box_of(*claims[i].surface));
+    if (claims[i].surface->empty()) continue;
+    solid_boxes.push_back(boxes.back());
     solid.push_back(i);
   }
-  const BoxIndex index(boxes);
+  const BoxIndex index(solid_boxes);
   const auto united = [&](const auto& members) {
-    std::vector<MultiPolygon> parts;
-    for (const int i : members) parts.push_back(*claims[i].surface);
-    return geos.polygons(geos.unite(parts).get());
+    std::vector<const MultiPolygon*> surfaces;
+    for (const int i : members) surfaces.push_back(claims[i].surface);
+    return geos.polygons(geos.unite_valid(surfaces).get());
   };
   // By a surface of the level, or by one of another that tiles with one of the level.
   const auto covered = [&](const Ring& ring, const std::vector<int>& around) {
@@ -121,13 +131,13 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
              other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
     });
   };
-  for (const std::set<int>& group : groups(claims, disputes)) {
+  for (const std::set<int>& group : groups(claims, boxes, disputes)) {
     poll_cancel();
     for (const Ring& found : small_holes(united(group), max_area)) {
       const Box box = box_of({{found}});
       std::vector<int> around;
       for (const int i : group)
-        if (box_of(*claims[i].surface).meets(box, touching)) around.push_back(i);
+        if (boxes[i].meets(box, touching)) around.push_back(i);
       std::sort(around.begin(), around.end(), [&](int i, int j) {
         return std::tie(claims[i].axis_id, claims[i].place) <
                std::tie(claims[j].axis_id, claims[j].place);
