@@ -85,12 +85,16 @@ start_cluster() {
   [ "$(id -u)" = 0 ] && chown streetgen "$home" "$home/run"
   chmod -R a+rX "$stage"
   if ! [ -s "$home/data/PG_VERSION" ]; then
-    as_server "$(pg_bin)/initdb" -D "$home/data" -U gis -A trust -E UTF8 --locale=C.UTF-8 >"$build/initdb.log" 2>&1 ||
+    # The socket is closed to other users of the machine; TCP, for QGIS, asks for the password.
+    as_server sh -c "umask 077; od -An -N9 -tx1 /dev/urandom | tr -d ' \n' >'$home/password'"
+    as_server "$(pg_bin)/initdb" -D "$home/data" -U gis --auth-local=trust --auth-host=scram-sha-256 --pwfile="$home/password" \
+      -E UTF8 --locale=C.UTF-8 >"$build/initdb.log" 2>&1 ||
       { cat "$build/initdb.log" >&2; fail "initdb failed"; }
     as_server tee -a "$home/data/postgresql.conf" >/dev/null <<EOF
 listen_addresses = '127.0.0.1'
 port = $(free_port)
 unix_socket_directories = '$home/run'
+unix_socket_permissions = 0700
 extension_destdir = '$stage'
 dynamic_library_path = '$stage$(pg_config --pkglibdir):\$libdir'
 shared_buffers = 256MB
@@ -110,6 +114,13 @@ EOF
 
 # The cluster and the build; the system user goes with the last checkout that uses it.
 remove_all() {
+  local folder
+  for folder in "$home" "$build"; do
+    [ -d "$folder" ] || continue
+    # STREETGEN_HOME and STREETGEN_BUILD may name any folder.
+    [ -e "$folder/data/PG_VERSION" ] || [ -e "$folder/release/CMakeCache.txt" ] || [ -z "$(ls -A "$folder")" ] ||
+      fail "$folder holds neither a cluster nor a build of ours: remove it by hand"
+  done
   stop_cluster
   rm -rf "$home" "$build"
   [ "$(id -u)" = 0 ] || return 0
