@@ -170,6 +170,14 @@ class Pipeline {
     }
   }
 
+  static Corner without_arc(Corner corner, Method method) {
+    corner.radius = 0;
+    corner.centre.reset();
+    corner.arc.reset();
+    corner.method = method;
+    return corner;
+  }
+
   void solve_corners() {
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
       Around& around = around_[n];
@@ -193,6 +201,8 @@ class Pipeline {
       Arm &first = arms_[slot(around.ends[0])], &second = arms_[slot(around.ends[1])];
       if (degree == 2 && changes_width(first, second)) {
         choose_transition(around);
+        for (auto corner = out_.corners.end() - 2; corner != out_.corners.end(); ++corner)
+          *corner = without_arc(*corner, Method::transition);
         for (Arm* arm : {&first, &second})
           arm->limit = std::min(around.transition->length / 2, 0.4 * length(arm->line));
       }
