@@ -68,4 +68,5 @@ UPDATE grown SET bytes = bytes + pg_temp.resident() WHERE nth = 100;
 INSERT INTO grown SELECT 101, 'generate', '22023', pg_temp.soak(true), -pg_temp.resident();
 SELECT 'DO $do$ BEGIN PERFORM pg_temp.soak(true); END $do$' FROM generate_series(1, :calls / 50) \gexec
 UPDATE grown SET bytes = bytes + pg_temp.resident() WHERE nth = 101;
-SELECT format('%s, SQLSTATE %s, grows by %s kB', name, state, bytes / 1024), bytes < least(5e6, 1e6 + 500 * :calls) AND state = wanted FROM grown ORDER BY nth;
+-- What the allocator keeps after a whole run goes up and down by megabytes, so that only the bar itself holds for it.
+SELECT format('%s, SQLSTATE %s, grows by %s kB', name, state, bytes / 1024), bytes < CASE name WHEN 'generate' THEN 5e6 ELSE least(5e6, 1e6 + 500 * :calls) END AND state = wanted FROM grown ORDER BY nth;
