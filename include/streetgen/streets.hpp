@@ -29,6 +29,9 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
+  // Sections and intersections come out for the edges of asked axes and for their nodes; the others
+  // are what these are computed with.
+  bool asked = true;
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -113,6 +116,7 @@ struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
+  bool asked = true;
 };
 
 struct Streets {
@@ -120,8 +124,8 @@ struct Streets {
   std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
-  std::vector<Section> sections;            // one per edge
-  std::vector<Intersection> intersections;  // one per node of degree two and more
+  std::vector<Section> sections;            // one per asked edge
+  std::vector<Intersection> intersections;  // one per node of degree two and more of an asked edge
 };
 
 // Deterministic and independent of the order of `axes`.

@@ -83,6 +83,19 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::v
   return all;
 }
 
+// Those of a group that a hole beside a wanted one may touch.
+std::vector<int> near_wanted(const std::set<int>& group, const std::vector<Claim>& claims,
+                             const std::vector<Box>& boxes) {
+  std::vector<Box> wanted;
+  for (const int i : group)
+    if (claims[i].wanted) wanted.push_back(boxes[i].grown(hole_extent));
+  const BoxIndex index(wanted);
+  std::vector<int> near;
+  for (const int i : group)
+    if (index.any_near(boxes[i], 0, [](int) { return true; })) near.push_back(i);
+  return near;
+}
+
 }  // namespace
 
 void fill_holes(MultiPolygon& surface, double max_area) {
@@ -131,8 +144,9 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
              other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
     });
   };
-  for (const std::set<int>& group : groups(claims, boxes, disputes)) {
+  for (const std::set<int>& whole : groups(claims, boxes, disputes)) {
     poll_cancel();
+    const std::vector<int> group = near_wanted(whole, claims, boxes);
     for (const Ring& found : small_holes(united(group), max_area)) {
       const Box box = box_of({{found}});
       std::vector<int> around;
@@ -144,7 +158,8 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
       });
       // Once more from its neighbours alone: the same whatever else was united.
       for (const Ring& ring : small_holes(united(around), max_area))
-        if (box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
+        if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
+            box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
           holes.push_back({ring, around});
     }
   }

@@ -20,7 +20,7 @@ struct Hole {
 
 // Holes under `max_area` square metres in the union of a level's surfaces. Only surfaces in a
 // dispute and those that share an edge with them are looked at: without a dispute there is no such
-// hole.
+// hole. Only holes beside a wanted claim are found.
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area);
 

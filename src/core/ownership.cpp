@@ -228,23 +228,39 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     if (!slot) slot = geos.surface(*claims[i].surface);
     return slot.get();
   };
-  for (const auto& [i, j] : disputes) {
+  const auto judge = [&](int i, int j) {
     poll_cancel();
     const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
     const MultiPolygon ground = geos.polygons(shared.get());
-    if (area(ground) <= negligible) continue;
+    if (area(ground) <= negligible) return;
     const Box box = box_of(ground);
     if (skeletons_cross(claims[i], claims[j], box)) {
       const auto [winner, loser] = before(claims[i], claims[j]) ? std::pair(i, j) : std::pair(j, i);
       lost[loser].push_back(ground);
       won.push_back({winner, loser, ground});
-      continue;
+      return;
     }
     const Geos::Geometry clean = geos.surface(ground);
     const MultiPolygon ground_of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
     const MultiPolygon ground_of_j = without(geos, ground, {ground_of_i});
     if (!ground_of_i.empty()) lost[j].push_back(ground_of_i);
     if (!ground_of_j.empty()) lost[i].push_back(ground_of_j);
+  };
+  // What a winner gets back depends on the settled ground of all its rivals.
+  std::vector<bool> wanted;
+  for (const Claim& claim : claims) wanted.push_back(claim.wanted);
+  std::vector<std::pair<int, int>> open = disputes;
+  for (std::size_t judged = 1; judged > 0;) {
+    const auto rest = std::stable_partition(open.begin(), open.end(), [&](const auto& pair) {
+      return !wanted[pair.first] && !wanted[pair.second];
+    });
+    judged = open.end() - rest;
+    std::for_each(rest, open.end(), [&](const auto& pair) { judge(pair.first, pair.second); });
+    open.erase(rest, open.end());
+    std::vector<bool> winner(claims.size(), false);
+    for (const Won& each : won) winner[each.winner] = winner[each.winner] || wanted[each.winner];
+    for (const auto& [i, j] : disputes)
+      if (winner[i] || winner[j]) wanted[i] = wanted[j] = true;
   }
   for (const auto& [i, grounds] : lost) {
     poll_cancel();

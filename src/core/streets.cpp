@@ -78,7 +78,7 @@ class Pipeline {
                2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
-      out_.roadways.push_back({2 * start, 2 * end, axis.importance});
+      out_.roadways.push_back({2 * start, 2 * end, axis.importance, axis.asked});
       const Line line = distinct(planar(edge.line));
       arms_[2 * e] = {line, start, end, 0, {}};
       arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
@@ -251,6 +251,13 @@ class Pipeline {
     }
   }
 
+  bool asked(const Section& section) const { return out_.roadways[section.edge].asked; }
+  bool asked(const Intersection& intersection) const {
+    const auto& ends = around_[intersection.node].ends;
+    return std::any_of(ends.begin(), ends.end(),
+                       [&](const EdgeEnd& end) { return out_.roadways[end.edge].asked; });
+  }
+
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
 
   void build_surfaces() {
@@ -326,6 +333,7 @@ class Pipeline {
       const Arm& arm = arms_[2 * section.edge];
       Claim claim;
       claim.surface = &section.surface;
+      claim.wanted = asked(section);
       const Edge& edge = out_.network.edges[section.edge];
       claim.level = edge.level;
       claim.edges = {section.edge};
@@ -339,6 +347,7 @@ class Pipeline {
     for (Intersection& intersection : out_.intersections) {
       Claim claim;
       claim.surface = &intersection.surface;
+      claim.wanted = asked(intersection);
       claim.level = intersection.level;
       const NodeAnchor& anchor = out_.network.nodes[intersection.node].anchors.front();
       claim.axis_id = anchor.axis_id;
@@ -356,6 +365,8 @@ class Pipeline {
     }
     const auto pairs = disputes(claims);
     const auto holes = holes_between(geos_, claims, pairs, settings_.max_hole_area);
+    for (const Hole& hole : holes)
+      for (const int i : hole.around) claims[i].wanted = true;
     settle_ownership(geos_, claims, pairs);
     give_holes(geos_, claims, holes);
     std::size_t i = 0;
@@ -364,6 +375,8 @@ class Pipeline {
         row.contested_area = claims[i++].contested_area;
         if (row.contested_area > contested_at_least) row.method = Method::contested;
       }
+      rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !asked(row); }),
+                 rows.end());
     };
     read(out_.sections);
     read(out_.intersections);
