@@ -29,6 +29,13 @@ void report(const Outcome& outcome) {
   ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message)));
 }
 
+std::string_view bytes_of(Datum datum) {
+  const auto* value = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
+  return {VARDATA_ANY(value), VARSIZE_ANY_EXHDR(value)};
+}
+
+std::string text_of(Datum datum) { return std::string(bytes_of(datum)); }
+
 Datum bytes_datum(const std::string& bytes) {
   auto* out = static_cast<bytea*>(palloc(VARHDRSZ + bytes.size()));
   SET_VARSIZE(out, VARHDRSZ + bytes.size());

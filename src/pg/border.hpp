@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -89,6 +90,10 @@ Outcome compute(Work&& work) noexcept {
 
 // Raises what `compute` caught: no C++ frame is left by now.
 void report(const Outcome& outcome);
+
+// What a bytea or text holds, detoasted by the take step: PostgreSQL owns it during the call.
+std::string_view bytes_of(Datum datum);
+std::string text_of(Datum datum);
 
 // A bytea in the current memory context.
 Datum bytes_datum(const std::string& bytes);

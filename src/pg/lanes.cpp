@@ -47,7 +47,7 @@ void give(const Found& found, ReturnSetInfo* result) {
 STREETGEN_FUNCTION(streetgen_lanes) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  const struct varlena* axis = PG_GETARG_BYTEA_PP(0);
+  const std::string_view axis = bytes_of(PointerGetDatum(PG_GETARG_BYTEA_PP(0)));
   const double width = PG_GETARG_FLOAT8(1), width_end = PG_GETARG_FLOAT8(2);
   const int counts[2] = {PG_GETARG_INT32(3), PG_GETARG_INT32(4)};
   const char* words[6];
@@ -56,7 +56,7 @@ STREETGEN_FUNCTION(streetgen_lanes) {
   Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new Found;
-    const ReadLine read = read_line({VARDATA_ANY(axis), VARSIZE_ANY_EXHDR(axis)}, "axis");
+    const ReadLine read = read_line(axis, "axis");
     const auto list = [&](int way) {
       return read_lanes(static_cast<int>(in_range(counts[way], 0, 40, "lanes")), words[way],
                         words[2 + way], "", {}, "");

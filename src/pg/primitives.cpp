@@ -20,12 +20,7 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-Bytes bytes_of(Datum datum) {
-  const auto* value = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
-  return {VARDATA_ANY(value), VARSIZE_ANY_EXHDR(value)};
-}
-
-Bytes take_bytes(FunctionCallInfo fcinfo, int argument) {
+std::string_view take_bytes(FunctionCallInfo fcinfo, int argument) {
   return bytes_of(PointerGetDatum(PG_GETARG_BYTEA_PP(argument)));
 }
 
@@ -54,7 +49,7 @@ struct Pair {
   ReadLine a, b;
 };
 
-Pair read_pair(Bytes a, Bytes b) {
+Pair read_pair(std::string_view a, std::string_view b) {
   Pair pair{read_line(a, "axis_a"), read_line(b, "axis_b")};
   if (pair.a.srid != pair.b.srid)
     throw Error(ErrorKind::invalid_input, "axis_a has SRID " + std::to_string(pair.a.srid) +
@@ -94,7 +89,7 @@ using namespace streetgen;
 using namespace streetgen::pg;
 
 STREETGEN_FUNCTION(streetgen_arc_centre) {
-  const Bytes a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
+  const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
   const double wa = PG_GETARG_FLOAT8(2), wb = PG_GETARG_FLOAT8(3), r = PG_GETARG_FLOAT8(4);
   return geometry_result(fcinfo, [&](Result& result) {
     const Pair pair = read_pair(a, b);
@@ -105,7 +100,7 @@ STREETGEN_FUNCTION(streetgen_arc_centre) {
 }
 
 STREETGEN_FUNCTION(streetgen_corner_arc) {
-  const Bytes a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
+  const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
   const double wa = PG_GETARG_FLOAT8(2), wb = PG_GETARG_FLOAT8(3), r = PG_GETARG_FLOAT8(4);
   return geometry_result(fcinfo, [&](Result& result) {
     const Pair pair = read_pair(a, b);
@@ -116,7 +111,7 @@ STREETGEN_FUNCTION(streetgen_corner_arc) {
 }
 
 STREETGEN_FUNCTION(streetgen_max_corner_radius) {
-  const Bytes a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
+  const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
   const double wa = PG_GETARG_FLOAT8(2), wb = PG_GETARG_FLOAT8(3);
   bool found = false;
   double radius = 0;
@@ -133,7 +128,7 @@ STREETGEN_FUNCTION(streetgen_max_corner_radius) {
 }
 
 STREETGEN_FUNCTION(streetgen_border_line) {
-  const Bytes axis = take_bytes(fcinfo, 0);
+  const std::string_view axis = take_bytes(fcinfo, 0);
   const double abscissa = PG_GETARG_FLOAT8(1), width = PG_GETARG_FLOAT8(2);
   return geometry_result(fcinfo, [&](Result& result) {
     const ReadLine read = read_line(axis, "axis");
@@ -144,7 +139,7 @@ STREETGEN_FUNCTION(streetgen_border_line) {
 }
 
 STREETGEN_FUNCTION(streetgen_section_surface) {
-  const Bytes axis = take_bytes(fcinfo, 0);
+  const std::string_view axis = take_bytes(fcinfo, 0);
   const double width = PG_GETARG_FLOAT8(1), start = PG_GETARG_FLOAT8(2), end = PG_GETARG_FLOAT8(3);
   return geometry_result(fcinfo, [&](Result& result) {
     const ReadLine read = read_line(axis, "axis");
@@ -156,7 +151,7 @@ STREETGEN_FUNCTION(streetgen_section_surface) {
 }
 
 STREETGEN_FUNCTION(streetgen_offset_line) {
-  const Bytes axis = take_bytes(fcinfo, 0);
+  const std::string_view axis = take_bytes(fcinfo, 0);
   const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
   return geometry_result(fcinfo, [&](Result& result) {
     const ReadLine read = read_line(axis, "axis");
@@ -198,7 +193,7 @@ STREETGEN_FUNCTION(streetgen_intersection_surface) {
 }
 
 STREETGEN_FUNCTION(streetgen_variable_buffer) {
-  const Bytes line = take_bytes(fcinfo, 0);
+  const std::string_view line = take_bytes(fcinfo, 0);
   const Numbers radii = take_numbers(fcinfo, 1);
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   const char* ends = text_to_cstring(PG_GETARG_TEXT_PP(3));
@@ -225,7 +220,7 @@ STREETGEN_FUNCTION(streetgen_turning_radius) {
 }
 
 STREETGEN_FUNCTION(streetgen_clean) {
-  const Bytes line = take_bytes(fcinfo, 0);
+  const std::string_view line = take_bytes(fcinfo, 0);
   Datum* keep;
   bool* nulls;
   int count;
@@ -242,7 +237,8 @@ STREETGEN_FUNCTION(streetgen_clean) {
 }
 
 STREETGEN_FUNCTION(streetgen_interconnection) {
-  const Bytes in = take_bytes(fcinfo, 0), out = take_bytes(fcinfo, 1), at = take_bytes(fcinfo, 2);
+  const std::string_view in = take_bytes(fcinfo, 0), out = take_bytes(fcinfo, 1),
+                         at = take_bytes(fcinfo, 2);
   const char* rule = text_to_cstring(PG_GETARG_TEXT_PP(3));
   const double tolerance = PG_GETARG_FLOAT8(4);
   return geometry_result(fcinfo, [&](Result& result) {

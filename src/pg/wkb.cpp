@@ -24,23 +24,23 @@ constexpr std::uint32_t z_flag = 0x80000000, m_flag = 0x40000000, srid_flag = 0x
 
 class Reader {
  public:
-  Reader(Bytes bytes, const std::string& what) : bytes_(bytes), what_(what) {}
+  Reader(std::string_view bytes, const std::string& what) : bytes_(bytes), what_(what) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw Error(ErrorKind::invalid_input, what_ + " " + why);
   }
   template <class T>
   T take() {
-    if (at_ + sizeof(T) > bytes_.size) refuse("is cut off");
+    if (at_ + sizeof(T) > bytes_.size()) refuse("is cut off");
     T value;
-    std::memcpy(&value, bytes_.data + at_, sizeof(T));
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
     at_ += sizeof(T);
     return value;
   }
-  std::size_t left() const { return bytes_.size - at_; }
+  std::size_t left() const { return bytes_.size() - at_; }
 
  private:
-  Bytes bytes_;
+  std::string_view bytes_;
   const std::string& what_;
   std::size_t at_ = 0;
 };
@@ -134,7 +134,7 @@ Point read_vertex(Reader& reader, bool has_z, std::uint32_t number) {
 
 }  // namespace
 
-ReadPoint read_point(Bytes wkb, const std::string& what) {
+ReadPoint read_point(std::string_view wkb, const std::string& what) {
   Reader reader(wkb, what);
   const Head head = read_head(reader);
   if (head.type != point_type)
@@ -142,7 +142,7 @@ ReadPoint read_point(Bytes wkb, const std::string& what) {
   return {read_vertex(reader, head.has_z, 1), head.srid};
 }
 
-ReadLine read_line(Bytes wkb, const std::string& what) {
+ReadLine read_line(std::string_view wkb, const std::string& what) {
   Reader reader(wkb, what);
   Head head = read_head(reader);
   ReadLine read{{}, head.srid, head.has_z};

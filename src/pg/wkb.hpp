@@ -1,18 +1,12 @@
 // Geometries as EWKB, the form of PostGIS' casts to and from bytea.
 #pragma once
 
-#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "streetgen/geometry.hpp"
 
 namespace streetgen::pg {
-
-// Bytes that PostgreSQL owns; valid during the call.
-struct Bytes {
-  const char* data = nullptr;
-  std::size_t size = 0;
-};
 
 struct ReadLine {
   Line line;
@@ -22,7 +16,7 @@ struct ReadLine {
 
 // A LINESTRING of two points or more, or a MULTILINESTRING of one part, with finite coordinates
 // and two distinct points; M is refused.  `what` opens the message of each Error{invalid_input}.
-ReadLine read_line(Bytes wkb, const std::string& what);
+ReadLine read_line(std::string_view wkb, const std::string& what);
 
 struct ReadPoint {
   Point point;
@@ -30,7 +24,7 @@ struct ReadPoint {
 };
 
 // A POINT that is not empty, refused as a line is.
-ReadPoint read_point(Bytes wkb, const std::string& what);
+ReadPoint read_point(std::string_view wkb, const std::string& what);
 
 struct Form {
   int srid = 0;

@@ -1,0 +1,111 @@
+#include "streets_call.hpp"
+
+extern "C" {
+#include <catalog/pg_type.h>
+#include <utils/array.h>
+#include <utils/builtins.h>
+#include <utils/lsyscache.h>
+}
+
+namespace streetgen::pg {
+
+namespace {
+
+// Arrays that belong together: one element each for every axis, override and the like.
+struct Columns {
+  FunctionCallInfo fcinfo;
+  const char* of;
+  int count = -1;  // of the first one read
+};
+
+// One column of a list: an array argument as long as the others, without NULL.
+Datum* column(Columns* list, int argument, const char* name, Oid type) {
+  FunctionCallInfo fcinfo = list->fcinfo;
+  int16 size;
+  bool by_value;
+  char align;
+  get_typlenbyvalalign(type, &size, &by_value, &align);
+  Datum* datums;
+  bool* nulls;
+  int found;
+  deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), type, size, by_value, align, &datums, &nulls,
+                    &found);
+  for (int i = 0; i < found; ++i)
+    if (nulls[i])
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+                      errmsg("%s is NULL at position %d of the %s", name, i + 1, list->of)));
+  if (list->count >= 0 && found != list->count)
+    ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
+                    errmsg("%s has %d elements for %d %s", name, found, list->count, list->of)));
+  list->count = found;
+  return datums;
+}
+
+}  // namespace
+
+void take(FunctionCallInfo fcinfo, StreetsCall* call) {
+  Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
+  Columns overrides{fcinfo, "lane overrides"};
+  Columns restrictions{fcinfo, "turn restrictions"};
+  call->axis_id = column(&axes, 0, "axis_id", INT8OID);
+  call->geom = column(&axes, 1, "geom", BYTEAOID);
+  call->width = column(&axes, 2, "width", FLOAT8OID);
+  call->width_end = column(&axes, 3, "width_end", FLOAT8OID);
+  call->radius = column(&axes, 4, "radius", FLOAT8OID);
+  call->importance = column(&axes, 5, "importance", INT4OID);
+  call->level = column(&axes, 6, "level", INT4OID);
+  call->count = axes.count;
+  for (int i = 0; i < call->count; ++i)
+    call->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(call->geom[i]));
+  call->srid = PG_GETARG_INT32(7);
+  call->tolerance = PG_GETARG_FLOAT8(8);
+  call->crossing = text_to_cstring(PG_GETARG_TEXT_PP(9));
+  call->max_arc_distance = PG_GETARG_FLOAT8(10);
+  call->radius_minimal = PG_GETARG_FLOAT8(11);
+  call->transition_length = PG_GETARG_FLOAT8(12);
+  call->transition_kind = text_to_cstring(PG_GETARG_TEXT_PP(13));
+  call->radius_rule = text_to_cstring(PG_GETARG_TEXT_PP(14));
+  call->round_dead_ends = PG_GETARG_BOOL(15);
+  call->max_hole_area = PG_GETARG_FLOAT8(16);
+  call->reach = PG_GETARG_FLOAT8(17);
+  call->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
+  call->transition_axis = column(&transitions, 19, "transition_axis", INT8OID);
+  call->transition_which = column(&transitions, 20, "transition_which", TEXTOID);
+  call->transition_kind_of = column(&transitions, 21, "transition_kind_of", TEXTOID);
+  call->transition_length_of = column(&transitions, 22, "transition_length_of", FLOAT8OID);
+  call->transition_count = transitions.count;
+  call->lanes_forward = column(&axes, 23, "lanes_forward", INT4OID);
+  call->lanes_backward = column(&axes, 24, "lanes_backward", INT4OID);
+  call->kind_forward = column(&axes, 25, "kind_forward", TEXTOID);
+  call->kind_backward = column(&axes, 26, "kind_backward", TEXTOID);
+  call->lane_width_forward = column(&axes, 27, "lane_width_forward", TEXTOID);
+  call->lane_width_backward = column(&axes, 28, "lane_width_backward", TEXTOID);
+  call->turn_forward = column(&axes, 29, "turn_forward", TEXTOID);
+  call->turn_backward = column(&axes, 30, "turn_backward", TEXTOID);
+  call->override_axis = column(&overrides, 31, "override_axis", INT8OID);
+  call->override_abscissa = column(&overrides, 32, "override_abscissa", FLOAT8OID);
+  call->override_ordinality = column(&overrides, 33, "override_ordinality", INT4OID);
+  call->override_direction = column(&overrides, 34, "override_direction", TEXTOID);
+  call->override_width = column(&overrides, 35, "override_width", FLOAT8OID);
+  call->override_count = overrides.count;
+  call->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(36));
+  call->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(37));
+  call->lane_width_minimal = PG_GETARG_FLOAT8(38);
+  call->cycle_lane_width = PG_GETARG_FLOAT8(39);
+  call->parking_lane_width = PG_GETARG_FLOAT8(40);
+  call->edge_lines = PG_GETARG_BOOL(41);
+  call->speed = column(&axes, 42, "speed", FLOAT8OID);
+  call->restriction_from = column(&restrictions, 43, "restriction_from", INT8OID);
+  call->restriction_to = column(&restrictions, 44, "restriction_to", INT8OID);
+  call->restriction_x = column(&restrictions, 45, "restriction_x", FLOAT8OID);
+  call->restriction_y = column(&restrictions, 46, "restriction_y", FLOAT8OID);
+  call->restriction_kind = column(&restrictions, 47, "restriction_kind", TEXTOID);
+  call->restriction_turn = column(&restrictions, 48, "restriction_turn", TEXTOID);
+  call->restriction_count = restrictions.count;
+  call->u_turn = PG_GETARG_BOOL(49);
+  call->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
+  call->trajectory_tolerance = PG_GETARG_FLOAT8(51);
+  call->trajectory_radius = PG_GETARG_FLOAT8(52);
+}
+
+}  // namespace streetgen::pg
