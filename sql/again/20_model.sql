@@ -319,6 +319,7 @@ BEGIN
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
     EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._make_views(model);
+    PERFORM streetgen._make_remap(model);
     PERFORM streetgen._comment_model(model);
     PERFORM streetgen._register_model(model, srid, dimension);
 END $$;
@@ -360,6 +361,7 @@ BEGIN
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._make_views(schema);
+    PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._comment_model(schema);
     -- Who may read the axes may read the views that were lost.
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee NOT IN (0, relowner) LOOP
