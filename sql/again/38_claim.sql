@@ -37,6 +37,9 @@ DECLARE
     size float8;
     -- No roadway is wider.
     widest float8;
+    -- Of the written axes those that are not deleted, and their widths.
+    there bigint[];
+    width_of float8[];
 BEGIN
     SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(c.width) FROM %1$I.axis_class c))
@@ -49,14 +52,13 @@ BEGIN
         SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
         UNION SELECT unnest(asked)) w;
-    SELECT coalesce(array_agg(DISTINCT axis_id), '{}') INTO stale FROM (SELECT unnest(written) EXCEPT SELECT unnest(asked)) w(axis_id)
-        JOIN %1$I.edge e USING (axis_id) JOIN (SELECT axis_id, input_hash FROM %1$I.axis_used WHERE axis_id = ANY (written)) u USING (axis_id) WHERE e.input_hash <> u.input_hash;
+    SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
+           coalesce(array_agg(axis_id) FILTER (WHERE axis_id <> ALL (asked) AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)), '{}')
+        INTO there, width_of, stale FROM %1$I.axis_used u WHERE axis_id = ANY (written);
     -- What that depends on, with whatever may share a node: ends are never 10 m apart.
     SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') INTO gathered FROM (
-        WITH line AS MATERIALIZED (
-            SELECT geom, greatest(width, width_end) AS width FROM %1$I.axis_used WHERE axis_id = ANY (written))
-        SELECT DISTINCT a.axis_id, a.geom FROM line l JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
-            AND ST_DWithin(a.geom, l.geom, reach + (l.width + coalesce((SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e WHERE e.axis_id = a.axis_id), widest)) / 2)) n
+        SELECT DISTINCT a.axis_id, a.geom FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis l USING (axis_id) JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (w.width + widest) / 2)
+            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e WHERE e.axis_id = a.axis_id), widest)) / 2)) n
         JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10);
     -- A run writes every axis near the asked ones whole, ends included.
     SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (

@@ -85,12 +85,14 @@ gone_edge AS (
 set_node AS (
     INSERT INTO %1$I.node AS t (node_id, geom) SELECT node_id, geom::geometry FROM node_id_of
     ON CONFLICT (node_id) DO UPDATE SET geom = excluded.geom WHERE t.geom::bytea <> excluded.geom::bytea RETURNING xmax = 0 AS fresh),
-gone_node AS (
-    DELETE FROM %1$I.node d USING (SELECT from_node AS node_id FROM old_edge WHERE axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE axis_id = ANY ($1)
-                                   UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL) o
-    WHERE d.node_id = o.node_id AND NOT EXISTS (SELECT FROM node_id_of n WHERE n.node_id = d.node_id)
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.from_node AND NOT e.axis_id = ANY ($1))
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.to_node AND NOT e.axis_id = ANY ($1)) RETURNING d.node_id),
+-- LIMIT: asked of each node, and not joined.
+left_node AS MATERIALIZED (
+    SELECT node_id FROM (
+        SELECT from_node AS node_id FROM old_edge WHERE axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE axis_id = ANY ($1) UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL
+        EXCEPT SELECT node_id FROM node_id_of) o
+    WHERE (SELECT true FROM %1$I.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id = ANY ($1) LIMIT 1) IS NULL
+        AND (SELECT true FROM %1$I.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id = ANY ($1) LIMIT 1) IS NULL),
+gone_node AS (DELETE FROM %1$I.node d USING left_node o WHERE d.node_id = o.node_id RETURNING d.node_id),
 set_edge AS (
     INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash)
     SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
