@@ -128,6 +128,9 @@ struct Streets {
   std::vector<Intersection> intersections;  // one per node of degree two and more of an asked edge
 };
 
+// By node: whether an edge that is asked starts or ends there.
+std::vector<bool> asked_nodes(const Streets& streets);
+
 // Deterministic and independent of the order of `axes`.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
 

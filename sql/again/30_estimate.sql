@@ -1,28 +1,28 @@
 -- What the source lacks, by named functions; their coefficients are settings of the model.
 
 CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END;
 COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS 'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count believes all.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8, width_default float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT least(coalesce(lane_count * lane_width, class_width, width_default), 200) $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN least(coalesce(lane_count * lane_width, class_width, width_default), 200);
 COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
 
 CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT (table_of ->> (SELECT max(key::integer) FROM jsonb_object_keys(table_of) key WHERE key::integer <= importance)::text)::float8 $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN (table_of ->> (SELECT max(key::integer) FROM jsonb_object_keys(table_of) key WHERE key::integer <= importance)::text)::float8;
 COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width))) $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width)));
 COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance, else from the width (metres), 20 to 110.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer)) $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer));
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
@@ -36,8 +36,8 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
 
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END;
 COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic).';
 
 CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text, near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
@@ -69,10 +69,10 @@ CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS 
 COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
 
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT coalesce(radius,
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(radius,
         CASE WHEN importance IS NOT NULL AND radius_by_importance <> '' THEN coalesce(streetgen._by_importance(importance, radius_by_importance::jsonb), 0) END,
-        streetgen.turning_radius(least(speed, 400), width, mode)) $$;
+        streetgen.turning_radius(least(speed, 400), width, mode));
 COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (a null entry: 0, no arc), else turning_radius.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()

@@ -1,400 +1,60 @@
--- claim, then one set-based statement.
-
--- Height for a line or point computed in the plane: that of the nearest place of its axis.
-CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RETURNS bytea
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT CASE WHEN count(*) = 1 THEN (array_agg(point))[1] ELSE ST_MakeLine(point ORDER BY path) END::bytea
-    FROM (SELECT d.path, ST_SetSRID(ST_MakePoint(ST_X(d.geom), ST_Y(d.geom),
-                   ST_Z(ST_LineInterpolatePoint(axis, ST_LineLocatePoint(ST_Force2D(axis), d.geom)))), ST_SRID(axis)) AS point
-          FROM ST_DumpPoints(place::geometry) d) p
-    $$;
-COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
-
-CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8) RETURNS SETOF integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    -- Bound when made, and thus inlined.
-    BEGIN ATOMIC
-        -- Of four times as many places as cells hardly a cell is free.
-        SELECT generate_series(1, 1024) WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
-        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
-            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x, generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
-            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <= 4096;
-    END;
-COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS 'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
-
-CREATE OR REPLACE FUNCTION streetgen._cells(model name, axes bigint[], far float8) RETURNS integer[]
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    cells integer[];
-BEGIN
-    -- A run for an axis writes every axis near it whole, ends included: 10 m is more than ends can be apart.
-    EXECUTE format($sql$
-WITH asked AS MATERIALIZED (
-    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
-written AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)),
-line AS (
-    SELECT geom, $2 AS reach FROM asked
-    UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id IN (SELECT axis_id FROM written)
-    UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id IN (SELECT axis_id FROM written))
-SELECT coalesce(array_agg(DISTINCT cell ORDER BY cell), '{}')
-FROM line, (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s,
-     streetgen._cell(ST_XMin(geom) - reach, ST_YMin(geom) - reach, ST_XMax(geom) + reach, ST_YMax(geom) + reach, size) cell $sql$, model) INTO cells USING axes, far;
-    RETURN cells;
-END $$;
-COMMENT ON FUNCTION streetgen._cells(name, bigint[], float8) IS 'The cells of all that a run for the axes reads or writes, ascending.';
-
-CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], cells integer[], far float8) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    outside bigint[];
-BEGIN
-    EXECUTE format($sql$
-WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
-size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
-held AS (
-    SELECT DISTINCT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)),
-inside AS (
-    SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
-    WHERE axis_id = ANY ($1) AND cell = ANY ($2)
-    UNION ALL SELECT a.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.axis a ON ST_DWithin(a.geom, e.geom, $3)
-    UNION ALL SELECT f.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.edge f ON ST_DWithin(f.geom, e.geom, $3))
-SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, cells, far;
-    RETURN outside;
-END $$;
-COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[], float8) IS 'Those of the axes for which a run reads or writes nothing in the cells.';
-
-CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, far float8) RETURNS bigint[]
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    -- More cells than this are not worth their locks.
-    most_cells constant integer := 64;
-    -- The first key of each lock: the model; 0 as second key: the whole model.
-    model_key constant integer := hashtext('streetgen.' || model);
-    held integer[] := '{}';
-    missed integer[] := '{}';
-    whole constant boolean := axes IS NULL;
-    wanted integer[];
-    cell integer;
-BEGIN
-    IF current_setting('transaction_isolation') <> 'read committed' THEN
-        RAISE EXCEPTION 'generate needs isolation level read committed, this transaction has %', current_setting('transaction_isolation')
-            USING ERRCODE = '0A000', HINT = 'Under a higher level it would compute from a snapshot older than its locks.';
-    END IF;
-    IF whole THEN
-        IF wait THEN
-            PERFORM pg_advisory_xact_lock(model_key, 0);
-            RETURN NULL;
-        ELSIF pg_try_advisory_xact_lock(model_key, 0) THEN
-            RETURN NULL;
-        END IF;
-        -- Another session edits: go on axis by axis with the places that are free.
-        EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO axes;
-    END IF;
-    LOOP
-        wanted := ARRAY(SELECT c FROM unnest(CASE WHEN whole THEN ARRAY(SELECT generate_series(1, 1024)) ELSE streetgen._cells(model, axes, far) END) c WHERE c <> ALL (held || missed));
-        -- Once nothing new is found under the locks, no other session can add to it.
-        EXIT WHEN wanted = '{}';
-        IF cardinality(held || missed) = 0 THEN
-            IF cardinality(wanted) > most_cells THEN
-                IF wait THEN
-                    PERFORM pg_advisory_xact_lock(model_key, 0);
-                    RETURN axes;
-                ELSIF pg_try_advisory_xact_lock(model_key, 0) THEN
-                    RETURN axes;
-                END IF;
-            END IF;
-            IF wait THEN
-                PERFORM pg_advisory_xact_lock_shared(model_key, 0);
-            ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, 0) THEN
-                RETURN '{}';
-            END IF;
-        END IF;
-        FOREACH cell IN ARRAY wanted LOOP
-            IF wait THEN
-                PERFORM pg_advisory_xact_lock(model_key, cell);
-            ELSIF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
-                missed := missed || cell;
-                CONTINUE;
-            END IF;
-            held := held || cell;
-        END LOOP;
-    END LOOP;
-    RETURN CASE missed WHEN '{}' THEN axes ELSE streetgen._outside(model, axes, missed, far) END;
-END $$;
-COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean, float8) IS 'Locks the places of the axes for this transaction, in one order; returns those that were free (NULL: the whole model).';
+-- generate: claim, then one set-based statement.
 
 CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT NULL, wait boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint, hard bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
-    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
-    SET enable_nestloop = off SET work_mem = '64MB'
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    claimed bigint[];
-    asked_axes bigint;
-    skipped_axes bigint;
-    written bigint[];
-    gathered bigint[];
-    far float8;
-    place text;
+    -- More axes than this are worth a plan of their own.
+    most_planned constant integer := 200;
+    asked bigint[] := axes;
+    claimed record;
+    skipped_axes bigint := 0;
     lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
-    IF wait IS NOT TRUE THEN
+    wait := coalesce(wait, false);
+    IF NOT wait THEN
         -- Long enough for a table that another session makes longer, which is over at once.
         PERFORM set_config('lock_timeout', '100ms', true);
     END IF;
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
-    -- How far an axis can change others: along the network, and by its roadway.
-    EXECUTE format($sql$SELECT (SELECT value::float8 FROM %1$I.setting WHERE name = 'reach') + 2 * coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0)$sql$, model) INTO far;
-    IF axes IS NULL THEN
-        EXECUTE format('SELECT count(*) FROM %I.axis', model) INTO asked_axes;
-        claimed := streetgen._claim(model, NULL, wait, far);
+    IF axes IS NULL AND streetgen._enter(model, wait, alone => true) THEN
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL) u;
     ELSE
-        asked_axes := (SELECT count(DISTINCT id) FROM unnest(axes) id);
-        -- An id that is neither an axis nor has left rows behind is skipped.
-        EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
-            WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge WHERE axis_id = id)$sql$, model) INTO claimed USING axes;
-        claimed := streetgen._claim(model, claimed, wait, far);
+        IF asked IS NULL THEN
+            -- Another session edits: go on axis by axis with the places that are free.
+            EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO asked;
+        ELSE
+            -- An id that is neither an axis nor has left rows behind is skipped.
+            skipped_axes := (SELECT count(DISTINCT id) FROM unnest(asked) id);
+            EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
+                WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge WHERE axis_id = id)$sql$, model) INTO asked USING asked;
+            skipped_axes := skipped_axes - cardinality(asked);
+        END IF;
+        IF streetgen._setting_changed(model) THEN
+            RAISE EXCEPTION 'settings of model "%" changed since its streets were computed', model USING ERRCODE = '55000',
+                HINT = format('SELECT * FROM streetgen.generate(%L, wait => true) computes all of it: a part would mix old and new.', model);
+        END IF;
+        IF streetgen._enter(model, wait, alone => false) THEN
+            claimed := streetgen._claim(model, asked, wait);
+            skipped_axes := skipped_axes + cardinality(asked) - cardinality(claimed.asked);
+        ELSE
+            skipped_axes := skipped_axes + cardinality(asked);
+            SELECT '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO claimed;
+        END IF;
+        IF cardinality(claimed.written) > most_planned THEN
+            RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, u.hard
+                FROM streetgen._upsert_set(model, claimed.written, claimed.gathered) u;
+        ELSE
+            RETURN QUERY EXECUTE format($sql$SELECT relation, inserted, updated, deleted, unchanged, CASE WHEN relation = 'edge' THEN $3 ELSE 0 END, hard FROM %I._upsert($1, $2)$sql$, model)
+                USING claimed.written, claimed.gathered, skipped_axes;
+        END IF;
     END IF;
-    skipped_axes := CASE WHEN claimed IS NULL THEN 0 ELSE greatest(asked_axes - cardinality(claimed), 0) END;
-    IF claimed IS NOT NULL THEN
-        -- What the asked axes can change, and what that depends on.
-        EXECUTE format($sql$
-            WITH asked AS (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
-            SELECT coalesce(array_agg(DISTINCT id), '{}') FROM (
-                SELECT e.axis_id AS id FROM asked a JOIN %1$I.edge e ON ST_DWithin(e.geom, a.geom, $2)
-                UNION ALL SELECT unnest($1)) w $sql$, model) INTO written USING claimed, far;
-        EXECUTE format($sql$
-            WITH near AS (SELECT DISTINCT b.axis_id, b.geom FROM %1$I.axis w JOIN %1$I.axis b ON ST_DWithin(w.geom, b.geom, $2) WHERE w.axis_id = ANY ($1))
-            SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') FROM near n JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10) $sql$, model) INTO gathered USING written, far;
-    END IF;
-    -- A subquery by key and no join, which would spoil the estimates of all that follows.
-    place := CASE (SELECT m.dimension FROM streetgen.model m WHERE m.name = model)
-        WHEN 3 THEN format('(SELECT streetgen._with_height(geom_1, a.geom) FROM %I.axis a WHERE a.axis_id = ?)', model) ELSE 'geom_1' END;
-    RETURN QUERY EXECUTE format($sql$
-WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
-used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE $2 IS NULL OR axis_id = ANY ($2)),
-result AS MATERIALIZED (
-    SELECT s.* FROM setting, (
-        SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
-               array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
-               array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed,
-               array_agg(lanes_forward ORDER BY axis_id) AS lanes_forward, array_agg(lanes_backward ORDER BY axis_id) AS lanes_backward,
-               array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
-               array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
-               array_agg(coalesce(turn_forward, '') ORDER BY axis_id) AS turn_forward, array_agg(coalesce(turn_backward, '') ORDER BY axis_id) AS turn_backward FROM used) u, (
-        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
-               coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
-        FROM %1$I.transition_override, setting WHERE $2 IS NULL OR axis_id = ANY ($2)) t, (
-        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(abscissa), '{}') AS abscissa, coalesce(array_agg(ordinality), '{}') AS ordinality,
-               coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END), '{}') AS direction, coalesce(array_agg(coalesce(width, 0)), '{}') AS width
-        FROM %1$I.lane_override WHERE $2 IS NULL OR axis_id = ANY ($2)) o, (
-        SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
-               coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
-               coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
-        FROM %1$I.turn_restriction WHERE $2 IS NULL OR from_axis = ANY ($2)) b,
-    LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
-        (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
-        (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
-        (v ->> 'reach')::float8, v ->> 'short_axis', t.axis_id, t.which, t.kind, t.length,
-        u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
-        o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
-        v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8) s),
-new_edge AS MATERIALIZED (
-    SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %4$s AS geom
-    FROM result WHERE relation = 'edge' AND ($1 IS NULL OR of_axis = ANY ($1))),
-new_node AS MATERIALIZED (
-    SELECT row_index, %5$s AS geom, anchor_axis, anchor_abscissa FROM result
-    WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
--- Identity: an axis end is known by its side, a shared vertex by its abscissa.
-old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE $2 IS NULL OR axis_id = ANY ($1) OR axis_id = ANY ($2)),
-old_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM old_edge GROUP BY axis_id),
-old_anchor AS (
-    SELECT DISTINCT o.axis_id, CASE WHEN start_abscissa = first THEN -1 ELSE round((start_abscissa * 100)::numeric) END AS place, from_node AS node_id FROM old_edge o JOIN old_span USING (axis_id)
-    UNION SELECT o.axis_id, CASE WHEN end_abscissa = last THEN -2 ELSE round((end_abscissa * 100)::numeric) END, to_node FROM old_edge o JOIN old_span USING (axis_id)),
-new_span AS (SELECT of_axis AS axis_id, min(measure_1) AS first, max(measure_2) AS last FROM result WHERE relation = 'edge' GROUP BY of_axis),
-new_anchor AS (
-    SELECT row_index, a.axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round((abscissa * 100)::numeric) END AS place
-    FROM new_node, unnest(anchor_axis, anchor_abscissa) AS a(axis_id, abscissa) LEFT JOIN new_span USING (axis_id)),
-claim_of AS (SELECT row_index, node_id, min(axis_id) AS axis_id FROM new_anchor JOIN old_anchor USING (axis_id, place) GROUP BY row_index, node_id),
-heir AS (SELECT DISTINCT ON (node_id) node_id, row_index FROM claim_of ORDER BY node_id, axis_id, row_index),
-kept_node AS (SELECT row_index, min(node_id) AS node_id FROM heir GROUP BY row_index),
-node_id_of AS MATERIALIZED (
-    SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom
-    FROM (SELECT n.row_index, k.node_id, n.geom FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
-old_key AS (SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn FROM old_edge),
-edge_id_of AS MATERIALIZED (
-    SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom
-    FROM (SELECT e.*, o.edge_id FROM (
-            SELECT e.*, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id ORDER BY e.start_abscissa) AS turn
-            FROM new_edge e JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
-          LEFT JOIN old_key o USING (axis_id, from_node, turn) ORDER BY e.row_index OFFSET 0) t),
-gone_edge AS (
-    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND ($1 IS NULL OR o.axis_id = ANY ($1))
-        AND NOT EXISTS (SELECT FROM edge_id_of n WHERE n.edge_id = o.edge_id) RETURNING d.edge_id, d.from_node, d.to_node),
-set_node AS (
-    INSERT INTO %1$I.node AS t (node_id, geom) SELECT node_id, geom::geometry FROM node_id_of
-    ON CONFLICT (node_id) DO UPDATE SET geom = excluded.geom WHERE t.geom::bytea <> excluded.geom::bytea RETURNING xmax = 0 AS fresh),
-gone_node AS (
-    DELETE FROM %1$I.node d USING (SELECT from_node AS node_id FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE $1 IS NULL OR axis_id = ANY ($1)
-                                   UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL) o
-    WHERE d.node_id = o.node_id AND NOT EXISTS (SELECT FROM node_id_of n WHERE n.node_id = d.node_id)
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.from_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1)))
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE d.node_id = e.to_node AND NOT ($1 IS NULL OR e.axis_id = ANY ($1))) RETURNING d.node_id),
-set_edge AS (
-    INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash)
-    SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom::geometry, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash
-    FROM edge_id_of e JOIN used u USING (axis_id) ORDER BY e.row_index
-    ON CONFLICT (edge_id) DO UPDATE SET axis_id = excluded.axis_id, from_node = excluded.from_node, to_node = excluded.to_node, level = excluded.level, start_abscissa = excluded.start_abscissa,
-        end_abscissa = excluded.end_abscissa, geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, speed = excluded.speed,
-        importance = excluded.importance, estimated = excluded.estimated, input_hash = excluded.input_hash, setting_hash = excluded.setting_hash
-    WHERE (t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom::bytea, t.width, t.width_end, t.lane_count, t.lanes_forward, t.lanes_backward, t.speed, t.importance, t.estimated, t.input_hash, t.setting_hash)
-        IS DISTINCT FROM (excluded.axis_id, excluded.from_node, excluded.to_node, excluded.level, excluded.start_abscissa, excluded.end_abscissa, excluded.geom::bytea, excluded.width, excluded.width_end,
-                          excluded.lane_count, excluded.lanes_forward, excluded.lanes_backward, excluded.speed, excluded.importance, excluded.estimated, excluded.input_hash, excluded.setting_hash)
-    RETURNING xmax = 0 AS fresh),
-new_limit AS MATERIALIZED (
-    SELECT l.section_limit_id, e.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS which, r.measure_1 AS wanted, r.measure_2 AS abscissa, %6$s AS geom_1, r.geom_2, r.method
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a
-    LEFT JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = CASE WHEN r.start_a THEN 'start' ELSE 'end' END WHERE r.relation = 'section_limit'),
-set_limit AS (
-    INSERT INTO %1$I.section_limit AS t (section_limit_id, edge_id, which, wanted_abscissa, abscissa, geom, border_line, method)
-    SELECT coalesce(section_limit_id, nextval('%1$I.section_limit_section_limit_id_seq')), edge_id, which, wanted, abscissa, geom_1::geometry, geom_2::geometry, method FROM new_limit
-    ON CONFLICT (section_limit_id) DO UPDATE SET wanted_abscissa = excluded.wanted_abscissa, abscissa = excluded.abscissa, geom = excluded.geom, border_line = excluded.border_line, method = excluded.method
-    WHERE (t.wanted_abscissa, t.abscissa, t.geom::bytea, t.border_line::bytea, t.method) IS DISTINCT FROM (excluded.wanted_abscissa, excluded.abscissa, excluded.geom::bytea, excluded.border_line::bytea, excluded.method)
-    RETURNING xmax = 0 AS fresh),
-new_section AS MATERIALIZED (
-    SELECT e.edge_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a WHERE r.relation = 'section'),
-set_section AS (
-    INSERT INTO %1$I.section AS t SELECT edge_id, level, surface::geometry, method, contested_area FROM new_section
-    ON CONFLICT (edge_id) DO UPDATE SET level = excluded.level, surface = excluded.surface, method = excluded.method, contested_area = excluded.contested_area
-    WHERE (t.level, t.surface::bytea, t.method, t.contested_area) IS DISTINCT FROM (excluded.level, excluded.surface::bytea, excluded.method, excluded.contested_area) RETURNING xmax = 0 AS fresh),
-new_corner AS MATERIALIZED (
-    SELECT k.corner_id, n.node_id, a.edge_id AS edge_a, CASE WHEN r.start_a THEN 'start' ELSE 'end' END AS end_a, b.edge_id AS edge_b, CASE WHEN r.start_b THEN 'start' ELSE 'end' END AS end_b,
-           r.geom_1 AS centre, r.measure_1 AS radius_wanted, r.measure_2 AS radius, r.geom_2 AS arc, r.method
-    FROM result r JOIN node_id_of n ON n.row_index = r.node_a JOIN edge_id_of a ON a.row_index = r.edge_a JOIN edge_id_of b ON b.row_index = r.edge_b
-    LEFT JOIN %1$I.corner k ON (k.node_id, k.edge_a, k.end_a, k.edge_b, k.end_b)
-        = (n.node_id, a.edge_id, CASE WHEN r.start_a THEN 'start' ELSE 'end' END, b.edge_id, CASE WHEN r.start_b THEN 'start' ELSE 'end' END)
-    WHERE r.relation = 'corner' ORDER BY r.row_index),
-set_corner AS (
-    INSERT INTO %1$I.corner AS t (corner_id, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method)
-    SELECT coalesce(corner_id, nextval('%1$I.corner_corner_id_seq')), node_id, edge_a, end_a, edge_b, end_b, centre::geometry, radius_wanted, radius, arc::geometry, method FROM new_corner
-    ON CONFLICT (corner_id) DO UPDATE SET centre = excluded.centre, radius_wanted = excluded.radius_wanted, radius = excluded.radius, arc = excluded.arc, method = excluded.method
-    WHERE (t.centre::bytea, t.radius_wanted, t.radius, t.arc::bytea, t.method) IS DISTINCT FROM (excluded.centre::bytea, excluded.radius_wanted, excluded.radius, excluded.arc::bytea, excluded.method)
-    RETURNING xmax = 0 AS fresh),
-gone_corner AS (
-    DELETE FROM %1$I.corner k USING node_id_of n WHERE k.node_id = n.node_id
-        AND k.edge_a IN (SELECT edge_id FROM edge_id_of) AND k.edge_b IN (SELECT edge_id FROM edge_id_of)
-        AND NOT EXISTS (SELECT FROM new_corner c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
-new_intersection AS MATERIALIZED (
-    SELECT n.node_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
-    FROM result r JOIN node_id_of n ON n.row_index = r.node_a WHERE r.relation = 'intersection'),
-set_intersection AS (
-    INSERT INTO %1$I.intersection AS t SELECT node_id, level, surface::geometry, method, contested_area FROM new_intersection
-    ON CONFLICT (node_id) DO UPDATE SET level = excluded.level, surface = excluded.surface, method = excluded.method, contested_area = excluded.contested_area
-    WHERE (t.level, t.surface::bytea, t.method, t.contested_area) IS DISTINCT FROM (excluded.level, excluded.surface::bytea, excluded.method, excluded.contested_area) RETURNING xmax = 0 AS fresh),
-gone_intersection AS (
-    DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id
-        AND NOT EXISTS (SELECT FROM new_intersection c WHERE c.node_id = i.node_id) RETURNING i.node_id),
-new_lane AS MATERIALIZED (
-    SELECT row_index, coalesce(lane_id, nextval('%1$I.lane_lane_id_seq')) AS lane_id, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method FROM (
-    SELECT r.row_index, l.lane_id, e.edge_id, e.axis_id, r.ordinality, r.lane_position, r.side, r.start_a AS along_axis, r.kind, r.measure_1 AS width, r.measure_2 AS axis_offset, r.turn, r.geom_1 AS geom, r.geom_2 AS surface, r.method
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane l ON (l.edge_id, l.ordinality) = (e.edge_id, r.ordinality) WHERE r.relation = 'lane' ORDER BY r.row_index OFFSET 0) t),
-set_lane AS (
-    INSERT INTO %1$I.lane AS t (lane_id, edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method)
-    SELECT lane_id, edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom::geometry, surface::geometry, method FROM new_lane
-    ON CONFLICT (lane_id) DO UPDATE SET lane_position = excluded.lane_position, side = excluded.side, along_axis = excluded.along_axis, kind = excluded.kind, width = excluded.width,
-        axis_offset = excluded.axis_offset, turn = excluded.turn, geom = excluded.geom, surface = excluded.surface, method = excluded.method
-    WHERE (t.lane_position, t.side, t.along_axis, t.kind, t.width, t.axis_offset, t.turn, t.geom::bytea, t.surface::bytea, t.method)
-        IS DISTINCT FROM (excluded.lane_position, excluded.side, excluded.along_axis, excluded.kind, excluded.width, excluded.axis_offset, excluded.turn, excluded.geom::bytea, excluded.surface::bytea, excluded.method)
-    RETURNING xmax = 0 AS fresh),
-gone_lane AS (
-    DELETE FROM %1$I.lane l USING edge_id_of e WHERE l.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_lane n WHERE n.lane_id = l.lane_id) RETURNING 1),
-new_separator AS MATERIALIZED (
-    SELECT s.lane_separator_id, e.edge_id, r.lane_position, r.kind, r.start_a AS dashed, r.measure_2 AS axis_offset, r.geom_1 AS geom, r.geom_2 AS surface
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane_separator s ON (s.edge_id, s.lane_position) = (e.edge_id, r.lane_position) WHERE r.relation = 'lane_separator'),
-set_separator AS (
-    INSERT INTO %1$I.lane_separator AS t (lane_separator_id, edge_id, lane_position, kind, dashed, axis_offset, geom, surface)
-    SELECT coalesce(lane_separator_id, nextval('%1$I.lane_separator_lane_separator_id_seq')), edge_id, lane_position, kind, dashed, axis_offset, geom::geometry, surface::geometry FROM new_separator
-    ON CONFLICT (lane_separator_id) DO UPDATE SET kind = excluded.kind, dashed = excluded.dashed, axis_offset = excluded.axis_offset, geom = excluded.geom, surface = excluded.surface
-    WHERE (t.kind, t.dashed, t.axis_offset, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.kind, excluded.dashed, excluded.axis_offset, excluded.geom::bytea, excluded.surface::bytea)
-    RETURNING xmax = 0 AS fresh),
-gone_separator AS (
-    DELETE FROM %1$I.lane_separator s USING edge_id_of e WHERE s.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_separator n WHERE n.lane_separator_id = s.lane_separator_id) RETURNING 1),
-new_marking AS MATERIALIZED (
-    SELECT m.marking_id, e.edge_id, r.lane_position, n.node_id, r.kind, r.geom_1 AS geom, r.geom_2 AS surface
-    FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a JOIN node_id_of n ON n.row_index = r.node_a
-    LEFT JOIN %1$I.marking m ON (m.edge_id, m.kind, m.lane_position) = (e.edge_id, r.kind, r.lane_position) WHERE r.relation = 'marking'),
-set_marking AS (
-    INSERT INTO %1$I.marking AS t (marking_id, edge_id, lane_position, node_id, kind, geom, surface)
-    SELECT coalesce(marking_id, nextval('%1$I.marking_marking_id_seq')), edge_id, lane_position, node_id, kind, geom::geometry, surface::geometry FROM new_marking
-    ON CONFLICT (marking_id) DO UPDATE SET node_id = excluded.node_id, geom = excluded.geom, surface = excluded.surface
-    WHERE (t.node_id, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.node_id, excluded.geom::bytea, excluded.surface::bytea) RETURNING xmax = 0 AS fresh),
-gone_marking AS (
-    DELETE FROM %1$I.marking m USING edge_id_of e WHERE m.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_marking n WHERE n.marking_id = m.marking_id) RETURNING 1),
-interconnection_decided AS MATERIALIZED (
-    SELECT DISTINCT ON (r.row_index) r.row_index, d.connecting, d.control
-    FROM %1$I.interconnection_override d JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out)
-    JOIN result r ON r.relation = 'interconnection' AND (r.edge_a, r.edge_b) = (i.row_index, o.row_index) JOIN node_id_of n ON n.row_index = r.node_a CROSS JOIN setting
-    WHERE ST_DWithin(d.geom, n.geom::geometry, 3 * (v ->> 'tolerance')::float8) ORDER BY r.row_index, d.interconnection_override_id DESC),
-new_interconnection AS MATERIALIZED (
-    SELECT k.interconnection_id, n.node_id, i.lane_id AS lane_in, o.lane_id AS lane_out, r.turn, r.measure_1 AS angle, r.start_a AS plausible, r.kind AS reason, coalesce(d.connecting, r.start_a) AS connecting,
-           CASE WHEN d.control IS NOT NULL THEN d.control::bytea WHEN drawn THEN r.geom_2 END AS control,
-           CASE WHEN d.control IS NULL AND drawn THEN r.geom_1
-                ELSE streetgen._trajectory(v ->> 'trajectory', i.geom::geometry, i.along_axis, o.geom::geometry, o.along_axis, n.geom::geometry, d.control, (v ->> 'trajectory_tolerance')::float8)::bytea END AS geom,
-           CASE WHEN d.row_index IS NULL THEN 'hypothesis' ELSE 'by_hand' END AS method
-    FROM result r CROSS JOIN (SELECT v, v ->> 'trajectory' IN ('bezier', 'arcs') AS drawn FROM setting) s
-    JOIN node_id_of n ON n.row_index = r.node_a JOIN new_lane i ON i.row_index = r.edge_a JOIN new_lane o ON o.row_index = r.edge_b
-    LEFT JOIN interconnection_decided d ON d.row_index = r.row_index LEFT JOIN %1$I.interconnection k ON (k.lane_in, k.lane_out) = (i.lane_id, o.lane_id)
-    WHERE r.relation = 'interconnection' ORDER BY r.row_index),
-set_interconnection AS (
-    INSERT INTO %1$I.interconnection AS t (interconnection_id, node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method)
-    SELECT coalesce(interconnection_id, nextval('%1$I.interconnection_interconnection_id_seq')), node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control::geometry, geom::geometry, method FROM new_interconnection
-    ON CONFLICT (interconnection_id) DO UPDATE SET node_id = excluded.node_id, turn = excluded.turn, angle = excluded.angle, plausible = excluded.plausible, reason = excluded.reason,
-        connecting = excluded.connecting, control = excluded.control, geom = excluded.geom, method = excluded.method
-    WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
-        IS DISTINCT FROM (excluded.node_id, excluded.turn, excluded.angle, excluded.plausible, excluded.reason, excluded.connecting, excluded.control::bytea, excluded.geom::bytea, excluded.method)
-    RETURNING xmax = 0 AS fresh),
--- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch.
-gone_interconnection AS (
-    DELETE FROM %1$I.interconnection k USING node_id_of n WHERE k.node_id = n.node_id
-        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT ($1 IS NULL OR e.axis_id = ANY ($1)))
-        AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
-new_report AS MATERIALIZED (
-    SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
-    FROM result WHERE relation = 'report' AND ($1 IS NULL OR of_axis = ANY ($1))),
-gone_report AS (
-    DELETE FROM %1$I.report o WHERE ($1 IS NULL OR o.axis_a = ANY ($1))
-        AND NOT EXISTS (SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom::bytea) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom::bytea)) RETURNING 1),
-set_report AS (
-    INSERT INTO %1$I.report SELECT n.* FROM new_report n
-    WHERE NOT EXISTS (SELECT FROM %1$I.report o WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom::bytea) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom::bytea)) RETURNING 1),
-counted(relation, place, total, inserted, updated, deleted, hard) AS (
-    SELECT 'node', 1, (SELECT count(*) FROM node_id_of), (SELECT count(*) FROM set_node WHERE fresh), (SELECT count(*) FROM set_node WHERE NOT fresh), (SELECT count(*) FROM gone_node), 0
-    UNION ALL SELECT 'edge', 2, (SELECT count(*) FROM edge_id_of), (SELECT count(*) FROM set_edge WHERE fresh), (SELECT count(*) FROM set_edge WHERE NOT fresh), (SELECT count(*) FROM gone_edge), 0
-    UNION ALL SELECT 'section_limit', 3, (SELECT count(*) FROM new_limit), (SELECT count(*) FROM set_limit WHERE fresh), (SELECT count(*) FROM set_limit WHERE NOT fresh), (SELECT 2 * count(*) FROM gone_edge), (SELECT count(*) FROM new_limit WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'section', 4, (SELECT count(*) FROM new_section), (SELECT count(*) FROM set_section WHERE fresh), (SELECT count(*) FROM set_section WHERE NOT fresh), (SELECT count(*) FROM gone_edge), (SELECT count(*) FROM new_section WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'corner', 5, (SELECT count(*) FROM new_corner), (SELECT count(*) FROM set_corner WHERE fresh), (SELECT count(*) FROM set_corner WHERE NOT fresh), (SELECT count(*) FROM gone_corner), (SELECT count(*) FROM new_corner WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'intersection', 6, (SELECT count(*) FROM new_intersection), (SELECT count(*) FROM set_intersection WHERE fresh), (SELECT count(*) FROM set_intersection WHERE NOT fresh), (SELECT count(*) FROM gone_intersection), (SELECT count(*) FROM new_intersection WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'lane', 7, (SELECT count(*) FROM new_lane), (SELECT count(*) FROM set_lane WHERE fresh), (SELECT count(*) FROM set_lane WHERE NOT fresh), (SELECT count(*) FROM gone_lane), (SELECT count(*) FROM new_lane WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'lane_separator', 8, (SELECT count(*) FROM new_separator), (SELECT count(*) FROM set_separator WHERE fresh), (SELECT count(*) FROM set_separator WHERE NOT fresh), (SELECT count(*) FROM gone_separator), 0
-    UNION ALL SELECT 'marking', 9, (SELECT count(*) FROM new_marking), (SELECT count(*) FROM set_marking WHERE fresh), (SELECT count(*) FROM set_marking WHERE NOT fresh), (SELECT count(*) FROM gone_marking), 0
-    UNION ALL SELECT 'interconnection', 10, (SELECT count(*) FROM new_interconnection), (SELECT count(*) FROM set_interconnection WHERE fresh), (SELECT count(*) FROM set_interconnection WHERE NOT fresh), (SELECT count(*) FROM gone_interconnection), (SELECT count(*) FROM new_interconnection WHERE method <> 'hypothesis')
-    UNION ALL SELECT 'report', 20, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
-SELECT relation, inserted, updated, deleted, total - inserted - updated, CASE WHEN relation = 'edge' THEN %3$s ELSE 0 END::bigint, hard::bigint FROM counted ORDER BY place
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), skipped_axes,
-    replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id')) USING written, gathered;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
 EXCEPTION WHEN lock_not_available THEN
-    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03',
+    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model),
         HINT = CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.' ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock with another session (40P01): repeat the transaction.';

@@ -229,6 +229,7 @@ CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._pause();
     EXECUTE format('CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM %I.axis_class', model);
 END $$;
 COMMENT ON FUNCTION streetgen._take_classes(name) IS 'Copies the classes of the model for the import of this transaction.';

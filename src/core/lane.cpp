@@ -120,6 +120,7 @@ class Builder {
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
           std::vector<LaneOverride> overrides, const LaneSettings& settings)
       : streets_(streets),
+        asked_node_(asked_nodes(streets)),
         axes_(std::move(axes)),
         overrides_(std::move(overrides)),
         settings_(settings) {
@@ -136,6 +137,7 @@ class Builder {
     const std::vector<NodeRank> ranks = ranks_of(streets_);
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
+      if (!meets_asked(e)) continue;
       poll_cancel();
       const LaneStrip strip = strip_of(streets_, e);
       const bool crossed = streets_.limits[2 * e].method == Method::crossed_limits;
@@ -158,6 +160,11 @@ class Builder {
   }
 
  private:
+  bool meets_asked(int e) const {
+    const Edge& edge = streets_.network.edges[e];
+    return asked_node_[edge.from_node] || asked_node_[edge.to_node];
+  }
+
   std::vector<LaneWish> wishes_of(int e) const {
     const Edge& edge = streets_.network.edges[e];
     const auto found = std::lower_bound(
@@ -192,6 +199,7 @@ class Builder {
   }
 
   const Streets& streets_;
+  const std::vector<bool> asked_node_;
   std::vector<LanesOfAxis> axes_;
   std::vector<LaneOverride> overrides_;
   const LaneSettings& settings_;

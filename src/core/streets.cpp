@@ -252,11 +252,7 @@ class Pipeline {
   }
 
   bool asked(const Section& section) const { return out_.roadways[section.edge].asked; }
-  bool asked(const Intersection& intersection) const {
-    const auto& ends = around_[intersection.node].ends;
-    return std::any_of(ends.begin(), ends.end(),
-                       [&](const EdgeEnd& end) { return out_.roadways[end.edge].asked; });
-  }
+  bool asked(const Intersection& intersection) const { return asked_node_[intersection.node]; }
 
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
 
@@ -326,6 +322,7 @@ class Pipeline {
   }
 
   void settle_owners() {
+    asked_node_ = asked_nodes(out_);
     std::vector<Claim> claims;
     for (Section& section : out_.sections) {
       const SectionLimit &start = out_.limits[2 * section.edge],
@@ -388,6 +385,7 @@ class Pipeline {
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
+  std::vector<bool> asked_node_;
   Geos geos_;
 };
 
@@ -417,6 +415,16 @@ const char* method_name(Method method) noexcept {
       return "by_hand";
   }
   return "";
+}
+
+std::vector<bool> asked_nodes(const Streets& streets) {
+  std::vector<bool> asked(streets.network.nodes.size());
+  for (std::size_t e = 0; e < streets.network.edges.size(); ++e) {
+    if (!streets.roadways[e].asked) continue;
+    asked[streets.network.edges[e].from_node] = true;
+    asked[streets.network.edges[e].to_node] = true;
+  }
+  return asked;
 }
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings) {

@@ -106,6 +106,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
   call->trajectory_tolerance = PG_GETARG_FLOAT8(51);
   call->trajectory_radius = PG_GETARG_FLOAT8(52);
+  call->asked = column(&axes, 53, "asked", BOOLOID);
 }
 
 }  // namespace streetgen::pg

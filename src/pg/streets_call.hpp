@@ -30,6 +30,7 @@ struct StreetsCall {
   bool u_turn;
   const char *trajectory;
   double trajectory_tolerance, trajectory_radius;
+  Datum *asked;
 };
 
 // Raises where a list has a NULL or lists that belong together differ in length.

@@ -63,6 +63,7 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.importance = DatumGetInt32(call.importance[i]);
     axis.level = DatumGetInt32(call.level[i]);
     axis.speed = in_range(DatumGetFloat8(call.speed[i]), 0, 1000, "speed" + of_axis);
+    axis.asked = DatumGetBool(call.asked[i]);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));

@@ -1,0 +1,215 @@
+-- Which axes a change concerns, and the locks on their places.
+
+CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8) RETURNS SETOF integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        -- Of four times as many places as cells hardly a cell is free.
+        SELECT generate_series(1, 1024) WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
+        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
+            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x, generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
+            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <= 4096;
+    END;
+COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS 'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
+
+CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, description text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %I', model, signature, (SELECT nspowner::regrole::text FROM pg_namespace WHERE nspname = model));
+    EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+    EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
+    EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
+END $$;
+COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS 'Gives a function in the schema of a model to its owner, with a comment: nobody else may call it, and it goes with the extension.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+    AS $body$
+DECLARE
+    reach float8;
+    size float8;
+    -- No roadway is wider.
+    widest float8;
+    -- Of the written axes those that are not deleted, and their widths.
+    there bigint[];
+    width_of float8[];
+BEGIN
+    SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
+           greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(c.width) FROM %1$I.axis_class c))
+        INTO reach, size, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'width_default');
+    -- What the asked axes can change: along the network, and by their roadway.
+    SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (
+        WITH line AS MATERIALIZED (
+            SELECT geom, greatest(width, width_end) AS width FROM %1$I.axis_used WHERE axis_id = ANY (asked)
+            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked))
+        SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+            AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
+        UNION SELECT unnest(asked)) w;
+    SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
+           coalesce(array_agg(axis_id) FILTER (WHERE axis_id <> ALL (asked) AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)), '{}')
+        INTO there, width_of, stale FROM %1$I.axis_used u WHERE axis_id = ANY (written);
+    -- What that depends on, with whatever may share a node: ends are never 10 m apart.
+    SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') INTO gathered FROM (
+        SELECT DISTINCT a.axis_id, a.geom FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis l USING (axis_id) JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (w.width + widest) / 2)
+            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e WHERE e.axis_id = a.axis_id), widest)) / 2)) n
+        JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10);
+    -- A run writes every axis near the asked ones whole, ends included.
+    SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (
+        SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
+        UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
+        UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line,
+        streetgen._cell(ST_XMin(geom) - margin, ST_YMin(geom) - margin, ST_XMax(geom) + margin, ST_YMax(geom) + margin, size) cell;
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes, all that these are computed with, and the cells of all that it reads or writes, ascending');
+END $$;
+COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the function of a model that tells how far a run for some axes reaches.';
+
+CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], missed integer[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    far float8;
+    outside bigint[];
+BEGIN
+    -- No pair of roadways reaches farther.
+    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name = 'reach'$sql$, model) INTO far;
+    EXECUTE format($sql$
+WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
+size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+held AS (
+    SELECT DISTINCT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)),
+inside AS (
+    SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
+    WHERE axis_id = ANY ($1) AND cell = ANY ($2)
+    UNION ALL SELECT a.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.axis a ON ST_DWithin(a.geom, e.geom, $3)
+    UNION ALL SELECT f.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.edge f ON ST_DWithin(f.geom, e.geom, $3))
+SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, missed, far;
+    RETURN outside;
+END $$;
+COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[]) IS 'Those of the axes for which a run reads or writes nothing in the cells missed.';
+
+CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT asked bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    stale bigint[] := axes;
+BEGIN
+    asked := '{}';
+    -- An axis that changed while nobody followed changes what is around it too.
+    WHILE stale <> '{}' LOOP
+        asked := asked || stale;
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells USING asked;
+    END LOOP;
+    cells := coalesce(cells, '{}');
+END $$;
+COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS 'What a run for some axes asks, writes and gathers, and its cells: stale axes near the asked ones are asked too.';
+
+CREATE OR REPLACE FUNCTION streetgen._setting_changed(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    changed boolean;
+BEGIN
+    -- No run mixes settings: any edge tells.
+    EXECUTE format('SELECT (SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.axis_used LIMIT 1)', model) INTO changed;
+    RETURN coalesce(changed, false);
+END $$;
+COMMENT ON FUNCTION streetgen._setting_changed(name) IS 'Were settings of the model changed since its streets were computed?';
+
+CREATE OR REPLACE FUNCTION streetgen._holders(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+    SELECT string_agg(format('%s (process %s, since %s)', coalesce(a.usename, '?'), l.pid, to_char(a.xact_start, 'HH24:MI:SS')), ', ' ORDER BY l.pid)
+    FROM (SELECT DISTINCT pid FROM pg_locks WHERE locktype = 'advisory' AND objsubid = 2 AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid AND granted AND pid <> pg_backend_pid()) l
+    LEFT JOIN pg_stat_activity a USING (pid) $$;
+COMMENT ON FUNCTION streetgen._holders(name) IS 'The other sessions that hold places of a model, as text; NULL: none.';
+
+CREATE OR REPLACE FUNCTION streetgen._enter(model name, wait boolean, alone boolean) RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    model_key constant integer := hashtext('streetgen.' || model);
+BEGIN
+    IF current_setting('transaction_isolation') <> 'read committed' THEN
+        RAISE EXCEPTION 'streets of model "%" need isolation level read committed, this transaction has %', model, current_setting('transaction_isolation')
+            USING ERRCODE = '0A000', HINT = 'Under a higher level they would be computed from a snapshot older than the locks.';
+    END IF;
+    CASE
+        WHEN wait AND alone THEN PERFORM pg_advisory_xact_lock(model_key, 0);
+        WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, 0);
+        WHEN alone THEN RETURN pg_try_advisory_xact_lock(model_key, 0);
+        ELSE RETURN pg_try_advisory_xact_lock_shared(model_key, 0);
+    END CASE;
+    RETURN true;
+EXCEPTION WHEN lock_not_available THEN
+    RAISE EXCEPTION 'another session holds model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+END $$;
+COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- More cells than this are not worth their locks.
+    most_cells constant integer := 64;
+    -- The first key of each lock is the model; of the second 0 is the model, -1 all its cells.
+    model_key constant integer := hashtext('streetgen.' || model);
+    wanted integer[];
+    missed integer[] := '{}';
+    reach record;
+    cell integer;
+BEGIN
+    reach := streetgen._reach_of(model, axes);
+    wanted := reach.cells;
+    LOOP
+        -- Locks are taken in one order: where more turn out to be needed, those taken here are given back first.
+        BEGIN
+            IF cardinality(wanted) > most_cells THEN
+                IF wait THEN
+                    PERFORM pg_advisory_xact_lock(model_key, -1);
+                ELSIF NOT pg_try_advisory_xact_lock(model_key, -1) THEN
+                    missed := wanted;
+                END IF;
+            ELSIF wait THEN
+                PERFORM pg_advisory_xact_lock_shared(model_key, -1);
+                FOREACH cell IN ARRAY wanted LOOP
+                    PERFORM pg_advisory_xact_lock(model_key, cell);
+                END LOOP;
+            ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, -1) THEN
+                missed := wanted;
+            ELSE
+                FOREACH cell IN ARRAY wanted LOOP
+                    IF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
+                        missed := missed || cell;
+                    END IF;
+                END LOOP;
+            END IF;
+            reach := streetgen._reach_of(model, axes);
+            IF NOT reach.cells <@ wanted THEN
+                wanted := ARRAY(SELECT DISTINCT c FROM unnest(wanted || reach.cells) c ORDER BY c);
+                missed := '{}';
+                RAISE SQLSTATE 'SG001';
+            END IF;
+        EXCEPTION
+            WHEN SQLSTATE 'SG001' THEN CONTINUE;
+            WHEN lock_not_available THEN
+                RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+        END;
+        EXIT;
+    END LOOP;
+    IF missed <> '{}' THEN
+        axes := streetgen._outside(model, axes, missed);
+        reach := streetgen._reach_of(model, axes);
+    END IF;
+    asked := axes;
+    written := reach.written;
+    gathered := reach.gathered;
+END $$;
+COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order; without wait those of the axes whose places are free. Gives these axes, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';
