@@ -61,7 +61,7 @@ place AS MATERIALIZED (
     SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, p.relation IN ('interconnection_override', 'turn_restriction', 'corner_override') AS at_node,
            (SELECT ST_Force2D(a.geom) FROM %1$I.axis a WHERE a.axis_id = p.axis_id) AS line
     FROM %1$I.override_place p LEFT JOIN changed c USING (axis_id)
-    WHERE p.geom IS NOT NULL AND (c.axis_id IS NOT NULL OR EXISTS (SELECT FROM changed n WHERE n.after && ST_Expand(p.geom, p.reach)))),
+    WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END)),
 -- The node was moved: all axes that are named meet at the new place of a vertex that was there.
 moved AS MATERIALIZED (
     SELECT DISTINCT ON (relation, override_id) relation, override_id, p.geom AS old_place, v.geom AS new_place
@@ -93,7 +93,7 @@ $sql$, model) $$;
 COMMENT ON FUNCTION streetgen._remap_places(name) IS 'The beginning of the statements of _remap: the CTEs moved (overrides whose node is elsewhere) and found (which axis each override near changed axes is on).';
 
 CREATE OR REPLACE FUNCTION streetgen._remap(model name, axes bigint[], before geometry[], after geometry[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 DECLARE
     concerned text;
@@ -196,14 +196,16 @@ DECLARE
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.override_place WITH (security_invoker = true) AS
-WITH t AS (SELECT value::float8 AS tolerance FROM %1$I.setting WHERE name = 'tolerance')
-SELECT 'transition_override' AS relation, transition_override_id AS override_id, 'axis_id' AS role, axis_id, geom, tolerance AS reach FROM %1$I.transition_override, t
-UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, tolerance FROM %1$I.lane_override, t
-UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, tolerance FROM %1$I.section_limit_override, t
-UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom, width / 2 + tolerance FROM %1$I.kerb_point_override, t
-UNION ALL SELECT 'corner_override', corner_override_id, role, axis_id, geom, 3 * tolerance FROM %1$I.corner_override, t, LATERAL (VALUES ('axis_a', axis_a), ('axis_b', axis_b)) v(role, axis_id)
-UNION ALL SELECT 'interconnection_override', interconnection_override_id, role, axis_id, geom, 3 * tolerance FROM %1$I.interconnection_override, t, LATERAL (VALUES ('axis_in', axis_in), ('axis_out', axis_out)) v(role, axis_id)
-UNION ALL SELECT 'turn_restriction', turn_restriction_id, role, axis_id, geom, 3 * tolerance FROM %1$I.turn_restriction, t, LATERAL (VALUES ('from_axis', from_axis), ('to_axis', to_axis)) v(role, axis_id)
+SELECT 'transition_override' AS relation, transition_override_id AS override_id, 'axis_id' AS role, axis_id AS axis_id, geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') AS reach FROM %1$I.transition_override
+UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.lane_override
+UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
+UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom, width / 2 + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.kerb_point_override
+UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
+UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
+UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_in', axis_in, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
+UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_out', axis_out, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
 $sql$, model);
     EXECUTE format($sql$
 COMMENT ON VIEW %1$I.override_place IS 'Where each decision by hand lies, and the axes that it names, a row for each of them';
@@ -222,28 +224,27 @@ $sql$, model);
     LOOP
         -- Static SQL, whose plans a session keeps: most models have few overrides, most edits none near.
         EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
 DECLARE
     axes bigint[];
     lines_before geometry[];
     lines_after geometry[];
+    extent geometry;
 BEGIN
     IF EXISTS (SELECT FROM %1$I.override_place) THEN
-        SELECT array_agg(axis_id), array_agg(before), array_agg(after) INTO axes, lines_before, lines_after FROM (%3$s) c;
-        IF EXISTS (SELECT FROM %1$I.override_place p WHERE p.axis_id = ANY (axes)
-                OR ST_Expand(p.geom, p.reach) && (SELECT ST_Extent(line)::geometry FROM unnest(lines_after) line)) THEN
+        SELECT array_agg(axis_id), array_agg(before), array_agg(after), ST_Extent(ST_Collect(before, after)) INTO axes, lines_before, lines_after, extent FROM (%3$s) c;
+        -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
+        IF EXISTS (SELECT FROM %1$I.override_place p WHERE p.geom && ST_Expand(extent, CASE p.relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END)) THEN
             PERFORM streetgen._remap(%1$L, axes, lines_before, lines_after);
         END IF;
     END IF;
     RETURN NULL;
 END $body$;
-COMMENT ON FUNCTION %1$I.%2$I() IS 'Trigger: overrides stay on the piece of road where they lie';
-REVOKE ALL ON FUNCTION %1$I.%2$I() FROM PUBLIC;
-ALTER FUNCTION %1$I.%2$I() DEPENDS ON EXTENSION streetgen;
 CREATE OR REPLACE TRIGGER %2$I AFTER %4$s ON %1$I.axis %5$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I();
 COMMENT ON TRIGGER %2$I ON %1$I.axis IS 'Overrides find their axes again'
 $sql$, model, 'remap_' || followed.event, followed.changed, upper(followed.event), followed.tables);
+        PERFORM streetgen._own_function(model, format('%I()', 'remap_' || followed.event), 'After an edit of axes: overrides stay on the piece of road where they lie');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_remap(name) IS 'Makes the view override_place of a model and the triggers on its axes that keep overrides where they lie.';
