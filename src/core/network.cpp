@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 #include "box_index.hpp"
+#include "groups.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -55,27 +55,6 @@ class Cuts {
 
  private:
   std::multiset<Cut> cuts_;
-};
-
-class Groups {
- public:
-  explicit Groups(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int add() {
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
-  }
-  int of(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    i = of(i), j = of(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-  int size() const { return static_cast<int>(parent_.size()); }
-
- private:
-  std::vector<int> parent_;
 };
 
 class Builder {
