@@ -134,6 +134,25 @@ TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
 }
 
+// Bent to either side: the corner inside the bend, or both where it is slight, would take an arc.
+TEST(Streets, AChangeOfWidthHasNoCornerArc) {
+  for (const double y : {-30.0, -5.0, 0.0, 5.0, 30.0}) {
+    const Streets town = streets({{1, {{-80, 0, 0}, {0, 0, 0}}, 0, 10, 10, 5, 3},
+                                  {2, {{0, 0, 0}, {80, y, 0}}, 0, 6, 6, 5, 3}},
+                                 {});
+    ASSERT_EQ(town.corners.size(), 2u) << y;
+    for (const Corner& corner : town.corners) {
+      EXPECT_EQ(corner.method, Method::transition) << y;
+      EXPECT_EQ(corner.radius_wanted, 5) << y;
+      EXPECT_EQ(corner.radius, 0) << y;
+      EXPECT_FALSE(corner.centre.has_value()) << y;
+      EXPECT_FALSE(corner.arc.has_value()) << y;
+    }
+    ASSERT_EQ(town.intersections.size(), 1u) << y;
+    EXPECT_EQ(town.intersections.front().method, Method::transition) << y;
+  }
+}
+
 TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   const Streets town = streets(random_town(21, 60), {});
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
