@@ -22,6 +22,7 @@ class Groups {
     i = of(i), j = of(j);
     parent_[std::max(i, j)] = std::min(i, j);
   }
+  int size() const { return static_cast<int>(parent_.size()); }
 
  private:
   std::vector<int> parent_;

@@ -161,7 +161,10 @@ TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
 }
 
 TEST(Streets, AnAxisShorterThanAMillimetreHasFiniteLimits) {
-  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, {});
+  StreetSettings settings;
+  settings.tolerance = 1e-10;
+  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, settings);
+  ASSERT_EQ(town.limits.size(), 2u);
   for (const SectionLimit& limit : town.limits) EXPECT_TRUE(std::isfinite(limit.abscissa));
 }
 
