@@ -126,7 +126,15 @@ Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, cons
     return surface(polygons(own(GEOSMakeValid_r(handle_, g)).get()));
   };
   const Geometry of_a = areal(a), of_b = areal(b);
-  return own(snapped(handle_, of_a.get(), of_b.get(), coarse_grid(handle_, a)));
+  const double grid = coarse_grid(handle_, a);
+  if (GEOSGeometry* result = snapped(handle_, of_a.get(), of_b.get(), grid)) return own(result);
+  poll_cancel();
+  // Where both fail together, each may be put on the grid by itself.
+  const auto rounded = [&](const Geometry& g) {
+    return own(GEOSGeom_setPrecision_r(handle_, g.get(), grid, 0));
+  };
+  const Geometry rounded_a = rounded(of_a), rounded_b = rounded(of_b);
+  return own(snapped(handle_, rounded_a.get(), rounded_b.get(), grid));
 }
 
 Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {

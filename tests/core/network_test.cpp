@@ -141,15 +141,16 @@ TEST(Network, AnAxisIsCutNowhereTwiceWithinTheTolerance) {
     whole += !wide;
     for (std::size_t e = 0; e < n.edges.size(); ++e) {
       const Edge& edge = n.edges[e];
-      if (!wide) EXPECT_GT(edge.end_abscissa - edge.start_abscissa, tolerance) << round;
+      EXPECT_TRUE(wide || edge.end_abscissa - edge.start_abscissa > tolerance) << round;
       for (const auto& [at, node] : {std::pair(edge.start_abscissa, edge.from_node),
                                      std::pair(edge.end_abscissa, edge.to_node)}) {
         const Line& line = axes[edge.axis_id - 1].line;
         EXPECT_LE(distance(place_at(line, at).point, n.nodes[node].point), 3 * tolerance) << round;
       }
       // Not severed.
-      if (e > 0 && n.edges[e - 1].axis_id == edge.axis_id)
+      if (e > 0 && n.edges[e - 1].axis_id == edge.axis_id) {
         EXPECT_EQ(n.edges[e - 1].to_node, edge.from_node) << round;
+      }
     }
     std::shuffle(axes.begin(), axes.end(), random);
     const Network other = network(axes, tolerance, Crossing::split);
