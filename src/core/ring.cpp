@@ -58,11 +58,18 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
   ring.push_back(to);
 }
 
+// Whether the outside of a bend is round. Two streets of different width that leave within a right
+// angle of each other are no bend but a fork: behind the node both end flat.
+bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
+  return gap.angle > M_PI &&
+         (gap.angle < 3 * M_PI / 2 || std::abs(a.half_start - b.half_start) <= same_width);
+}
+
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
   if (!gap.meets) {
     outline.follow(a, a.limit, 0, +1, false, true);
-    if (gap.angle > M_PI)
+    if (rounds(a, b, gap))
       append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
     outline.follow(b, 0, b.limit, -1, true, false);
     return;
@@ -312,7 +319,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
-    } else if (gaps[i].angle > M_PI) {
+    } else if (rounds(a, b, gaps[i])) {
       const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
       if (!join.front().empty()) parts.push_back({join});
     }

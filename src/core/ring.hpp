@@ -11,6 +11,9 @@ namespace streetgen {
 
 constexpr double same_place = 1e-6;  // metres: nearer, a point was only made in two ways
 
+// Metres; half widths that differ by less go on as one street.
+constexpr double same_width = 0.005;
+
 // One end of an edge at a node, seen from the node.
 struct Arm {
   Line line;              // starts at the node

@@ -21,9 +21,6 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
-// Metres; half widths that differ by less go on as one street.
-constexpr double same_width = 0.005;
-
 struct EdgeEnd {
   int edge = 0;
   bool at_start = true;

@@ -9,7 +9,6 @@
 namespace streetgen {
 
 namespace {
-constexpr double same_width = 0.005;      // half widths, metres
 constexpr double widest_bend = M_PI / 3;  // beyond it two axes meet in a corner
 constexpr double step_length = 0.5;       // metres on which the other kerb steps
 }  // namespace

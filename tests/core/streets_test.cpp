@@ -230,6 +230,25 @@ TEST(Streets, NeighboursShareTheirBorderLineVertexForVertex) {
     EXPECT_GT(seen[method], 50) << method_name(method);
 }
 
+// Two axes that leave a node nearly side by side: one street in a hairpin, or two streets that
+// fork.
+TEST(Streets, OnlyOneStreetIsRoundBehindAHairpin) {
+  for (const double width : {10.5, 3.5}) {
+    const Streets town = streets({{1, {{0, 0, 0}, {80, 0, 0}}, 0, 10.5, 10.5, 6, 3},
+                                  {2, {{0, 0, 0}, {80, 20, 0}}, 0, width, width, 6, 3}},
+                                 {});
+    ASSERT_EQ(town.intersections.size(), 1u);
+    const Point second = unit({80, 20, 0});
+    double behind = 0;  // both flat ends
+    for (const Point& p : town.intersections.front().surface.front().front())
+      behind = std::max(behind, std::min(-p.x, -dot(p, second)));
+    if (width == 10.5)
+      EXPECT_GT(behind, 5);
+    else
+      EXPECT_NEAR(behind, 0, 1e-6);
+  }
+}
+
 TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   const Streets town = streets(random_town(21, 60), {});
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
