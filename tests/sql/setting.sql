@@ -48,20 +48,7 @@ SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s
 SELECT 'max_width_per_lane may be NULL', (pg_temp.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 
 -- The border proves again what the core cannot bear.
-CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
-    SELECT 'SELECT count(*) FROM streetgen._streets(' || string_agg(name || ' => ' || coalesce(given::jsonb ->> name, value), ', ') || ')' FROM (VALUES
-        ('axis_id', '''{7,8}'''), ('geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(0 0,0 50)''::geometry::bytea]'),
-        ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
-        ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
-        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce'''),
-        ('transition_axis', '''{7}'''), ('transition_which', '''{start}'''), ('transition_kind_of', '''{right}'''), ('transition_length_of', '''{9}'''),
-        ('lanes_forward', '''{1,2}'''), ('lanes_backward', '''{1,0}'''), ('kind_forward', '''{"",general|bus}'''), ('kind_backward', '''{"",""}'''),
-        ('lane_width_forward', '''{"",3|}'''), ('lane_width_backward', '''{"",""}'''), ('turn_forward', '''{left;through,""}'''), ('turn_backward', '''{"",""}'''),
-        ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
-        ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
-        ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
-        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3')) v(name, value) $$;
-SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
+SELECT 'the border takes what is good', (pg_temp.refusal(test.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
         ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
@@ -87,6 +74,6 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
-    LATERAL (SELECT pg_temp.refusal(pg_temp.streets(given)) AS r) t;
+    LATERAL (SELECT pg_temp.refusal(test.streets(given)) AS r) t;
 SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT pg_temp.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
     'SELECT streetgen.set(NULL, ''tolerance'', ''1'')', 'SELECT streetgen.set_transition(NULL, 1)', 'SELECT streetgen.svg(NULL)']) call) t;
