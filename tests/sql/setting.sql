@@ -1,12 +1,5 @@
 -- Settings, wherever they come from: proven before they are used.  Each test is a row (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.refusal(statement text, OUT state text, OUT said text, OUT hint text) LANGUAGE plpgsql AS $$
-BEGIN
-    EXECUTE statement;
-    state := 'none';
-EXCEPTION WHEN OTHERS THEN
-    GET STACKED DIAGNOSTICS state = RETURNED_SQLSTATE, said = MESSAGE_TEXT, hint = PG_EXCEPTION_HINT;
-END $$;
 SELECT streetgen.create_model('town', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6);
@@ -29,7 +22,7 @@ DECLARE
 BEGIN
     FOR w IN SELECT * FROM wrong LOOP
         UPDATE town.setting SET value = w.value WHERE name = w.name;
-        r := pg_temp.refusal('SELECT streetgen.generate(''town'')');
+        r := test.refusal('SELECT streetgen.generate(''town'')');
         INSERT INTO tried VALUES (w.name, w.value, w.state, r.state, r.said, r.hint, pg_temp.untouched());
         UPDATE town.setting s SET value = d.value FROM streetgen._default_setting() d WHERE d.name = s.name AND s.name = w.name;
     END LOOP;
@@ -38,17 +31,17 @@ SELECT format('generate refuses %s = %s', name, coalesce(value, 'NULL')), state 
 SELECT 'a refused setting changes no row', bool_and(untouched) FROM tried;
 
 DELETE FROM town.setting WHERE name = 'tolerance';
-SELECT 'a setting that was deleted is 22004', (r).state = '22004' AND (r).said LIKE '%"tolerance"%' FROM (SELECT pg_temp.refusal('SELECT streetgen.generate(''town'')') AS r) t;
-SELECT 'nor can axes be cleaned without it', (r).state = '22004' FROM (SELECT pg_temp.refusal($$SELECT streetgen.import_axes('town', 'town.axis', '{}')$$) AS r) t;
+SELECT 'a setting that was deleted is 22004', (r).state = '22004' AND (r).said LIKE '%"tolerance"%' FROM (SELECT test.refusal('SELECT streetgen.generate(''town'')') AS r) t;
+SELECT 'nor can axes be cleaned without it', (r).state = '22004' FROM (SELECT test.refusal($$SELECT streetgen.import_axes('town', 'town.axis', '{}')$$) AS r) t;
 SELECT 'it deletes nothing', pg_temp.untouched();
-SELECT (pg_temp.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
-SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT pg_temp.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
+SELECT (test.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
+SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT test.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
 SELECT 'and generate goes on as before', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town')) AND pg_temp.untouched();
 SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s WHERE name = 'tolerance')::text = (SELECT d FROM streetgen._default_setting() d WHERE name = 'tolerance')::text;
-SELECT 'max_width_per_lane may be NULL', (pg_temp.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
+SELECT 'max_width_per_lane may be NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 
 -- The border proves again what the core cannot bear.
-SELECT 'the border takes what is good', (pg_temp.refusal(test.streets('{}'))).state = 'none';
+SELECT 'the border takes what is good', (test.refusal(test.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
         ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
@@ -74,6 +67,6 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
-    LATERAL (SELECT pg_temp.refusal(test.streets(given)) AS r) t;
-SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT pg_temp.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
+    LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
+SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT test.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
     'SELECT streetgen.set(NULL, ''tolerance'', ''1'')', 'SELECT streetgen.set_transition(NULL, 1)', 'SELECT streetgen.svg(NULL)']) call) t;
