@@ -70,3 +70,11 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
     LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
 SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT test.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
     'SELECT streetgen.set(NULL, ''tolerance'', ''1'')', 'SELECT streetgen.set_transition(NULL, 1)', 'SELECT streetgen.svg(NULL)']) call) t;
+
+-- By importance: an entry holds up to the next one, the first also before itself.
+SELECT format('a corner of importance %s wants %s m', importance, wanted), streetgen.wanted_radius(NULL, importance, 50, 7, '{"3": 8, "5": null, "7": 2}', 'paper') = wanted
+    FROM (VALUES (1, 8), (2, 8), (3, 8), (4, 8), (5, 0), (6, 0), (7, 2), (99, 2)) v(importance, wanted);
+SELECT format('an axis of importance %s has %s km/h', importance, wanted), streetgen.estimated_speed(importance, 7, '{"3": 50, "5": 30}', 6) = wanted
+    FROM (VALUES (1, 50), (3, 50), (4, 50), (5, 30), (99, 30)) v(importance, wanted);
+SELECT format('no entry at all leaves it to turning_radius: %s', quote_literal(entries)), streetgen.wanted_radius(NULL, 1, 50, 7, entries, 'paper') = streetgen.turning_radius(50, 7, 'paper')
+    FROM (VALUES (''), ('{}')) v(entries);
