@@ -346,7 +346,7 @@ DECLARE
     srid integer;
     dimension integer;
     missing text[];
-    reader regrole;
+    reader oid;
 BEGIN
     missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
         WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
@@ -362,8 +362,8 @@ BEGIN
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._comment_model(schema);
     -- Who may read the axes may read the views that were lost.
-    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee NOT IN (0, relowner) LOOP
-        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group TO %2$s', schema, reader);
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
+        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.conflict TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';
