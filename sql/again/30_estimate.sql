@@ -12,8 +12,8 @@ COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) I
 
 CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT (table_of ->> (SELECT coalesce(max(key::integer) FILTER (WHERE key::integer <= importance), min(key::integer)) FROM jsonb_object_keys(table_of) key)::text)::float8 $$;
-COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance, before the first entry the first.';
+    AS $$ SELECT (table_of ->> (SELECT coalesce(max(key::integer) FILTER (WHERE key::integer <= importance), min(key::integer)) FROM jsonb_object_keys(table_of) key WHERE importance IS NOT NULL)::text)::float8 $$;
+COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance, before the first entry the first; NULL for none.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

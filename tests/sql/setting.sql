@@ -76,5 +76,6 @@ SELECT format('a corner of importance %s wants %s m', importance, wanted), stree
     FROM (VALUES (1, 8), (2, 8), (3, 8), (4, 8), (5, 0), (6, 0), (7, 2), (99, 2)) v(importance, wanted);
 SELECT format('an axis of importance %s has %s km/h', importance, wanted), streetgen.estimated_speed(importance, 7, '{"3": 50, "5": 30}', 6) = wanted
     FROM (VALUES (1, 50), (3, 50), (4, 50), (5, 30), (99, 30)) v(importance, wanted);
+SELECT 'unknown importance leaves it to the width', streetgen.estimated_speed(NULL, 7, '{"3": 50}', 6) = 42 AND streetgen.wanted_radius(NULL, NULL, 50, 7, '{"3": 8}', 'paper') = streetgen.turning_radius(50, 7, 'paper');
 SELECT format('no entry at all leaves it to turning_radius: %s', quote_literal(entries)), streetgen.wanted_radius(NULL, 1, 50, 7, entries, 'paper') = streetgen.turning_radius(50, 7, 'paper')
     FROM (VALUES (''), ('{}')) v(entries);
