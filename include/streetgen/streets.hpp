@@ -29,9 +29,8 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
-  // Sections and intersections come out for the edges of asked axes and for their nodes; the others
-  // are what these are computed with.
-  bool asked = true;
+  bool changed = true;  // false: as it was when the streets about it were computed
+  bool beside = false;  // unchanged, but its roadway meets ground that changed axes left
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -50,11 +49,41 @@ struct StreetSettings {
   double reach = 60;             // metres along the network: how far a corner follows its axes
   ShortAxis short_axis = ShortAxis::reduce;
   // Where two axes of different width meet and neither wants its own; where both do, that of the
-  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller axis_id.
+  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
+  // axis_id.
   Transition transition;
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
+};
+
+// By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.
+// It stays on its edge, 0.1 m and more from a node where other edges meet; on an edge that the snap
+// made longer or shorter it lies in proportion.  A computed limit that it passes meets it there,
+// two by hand that pass each other meet in between (crossed_limits).  One at a dead end, or on no
+// edge, changes nothing.
+struct SectionLimitOverride {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  bool at_start = true;
+};
+
+// By hand: the radius wanted, metres, of the corner counter-clockwise from axis_a to axis_b at the
+// node within three tolerances of `place`, the nearest that has one. Where axes that go on beyond
+// the node make two such corners: the one on whose side of the node `place` lies, both where it
+// lies on the node. 0: no arc. One that does not fit becomes the largest that does, its centre
+// within max_arc_distance, or no arc. One without its corner changes nothing.
+struct CornerOverride {
+  Point place;
+  std::int64_t axis_a = 0;
+  std::int64_t axis_b = 0;
+  double radius = 0;
+};
+
+// Of two overrides of one thing the later holds.
+struct StreetOverrides {
+  std::vector<SectionLimitOverride> limits;
+  std::vector<CornerOverride> corners;
 };
 
 // How a row came about; the words are those of the `method` columns.
@@ -68,7 +97,7 @@ enum class Method {
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface
   robust_fallback,  // the ring was built by union, not piece by piece
-  by_hand,          // an override decided
+  by_hand,          // as an override says
 };
 const char* method_name(Method method) noexcept;
 
@@ -89,7 +118,7 @@ struct Corner {
 struct SectionLimit {
   int edge = 0;
   bool at_start = true;
-  double wanted_abscissa = 0;  // metres along the edge from its start
+  double wanted_abscissa = 0;  // by the corners or by hand, metres along the edge
   double abscissa = 0;
   Point point;
   Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
@@ -116,7 +145,21 @@ struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
-  bool asked = true;
+};
+
+// What was there before the change: it tells what else the change moves.
+struct FormerEdge {
+  std::int64_t axis_id = 0;
+  Line line;
+  bool crossed = false;  // its limits
+};
+struct FormerPlace {
+  Point point;
+  bool met = true;  // true: all that meets here may move; false: only the intersection
+};
+struct Former {
+  std::vector<FormerEdge> edges;
+  std::vector<FormerPlace> places;
 };
 
 struct Streets {
@@ -124,14 +167,19 @@ struct Streets {
   std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
+  // What changed axes can change, and only for that sections and intersections come out: their
+  // edges and those that they cut otherwise, what meets these at a node, corners that follow an
+  // axis to there, and claims on the same ground.  Where all axes changed, everything.
+  std::vector<bool> asked_edges, asked_nodes;
   std::vector<Section> sections;            // one per asked edge
-  std::vector<Intersection> intersections;  // one per node of degree two and more of an asked edge
+  std::vector<Intersection> intersections;  // one per asked node of degree two and more
 };
 
-// By node: whether an edge that is asked starts or ends there.
-std::vector<bool> asked_nodes(const Streets& streets);
+// Whether the two limits of the edge meet: it has no section.
+bool limits_crossed(const Streets& streets, int edge);
 
 // Deterministic and independent of the order of `axes`.
-Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+                const StreetOverrides& overrides = {}, const Former& former = {});
 
 }  // namespace streetgen

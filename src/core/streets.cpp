@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "around.hpp"
+#include "by_hand.hpp"
 #include "geos.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
@@ -21,28 +22,21 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
-// Metres; half widths that differ by less go on as one street.
-constexpr double same_width = 0.005;
-
-struct EdgeEnd {
-  int edge = 0;
-  bool at_start = true;
-};
-
-int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
 
 struct Around {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
   std::optional<Transition> transition;
   int along = 0;  // index in ends: the axis that the transition is seen along
+  std::vector<int> followed;  // further nodes that a corner looked at
 };
 
 // The named steps; each reads what the ones before it wrote.
 class Pipeline {
  public:
-  Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
-      : settings_(settings) {
+  Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+           const StreetOverrides& overrides, const Former& former)
+      : settings_(settings), overrides_(overrides), former_(former) {
     for (const StreetAxis& axis : axes) {
       axes_.emplace(axis.axis_id, &axis);
       lengths_.emplace(axis.axis_id, length(axis.line));
@@ -54,8 +48,11 @@ class Pipeline {
 
   Streets run() {
     orient_arms();
+    place_overrides();
     solve_corners();
     settle_limits();
+    join_borders();
+    ask_around_changes();
     build_surfaces();
     settle_owners();
     return std::move(out_);
@@ -78,7 +75,7 @@ class Pipeline {
                2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
-      out_.roadways.push_back({2 * start, 2 * end, axis.importance, axis.asked});
+      out_.roadways.push_back({2 * start, 2 * end, axis.importance});
       const Line line = distinct(planar(edge.line));
       arms_[2 * e] = {line, start, end, 0, {}};
       arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
@@ -92,6 +89,15 @@ class Pipeline {
       for (const std::size_t i : counter_clockwise(arms)) sorted.push_back(around.ends[i]);
       around.ends = std::move(sorted);
     }
+  }
+
+  void place_overrides() {
+    const EndsOfNode ends_of = [&](int node) -> const std::vector<EdgeEnd>& {
+      return around_[node].ends;
+    };
+    limits_by_hand_ = limits_by_hand(out_.network, arms_, ends_of, overrides_.limits);
+    radii_by_hand_ =
+        radii_by_hand(out_.network, arms_, ends_of, overrides_.corners, settings_.tolerance);
   }
 
   double wanted_radius(const EdgeEnd& a, const EdgeEnd& b) const {
@@ -110,7 +116,7 @@ class Pipeline {
 
   // The arm with the axes that go on in its direction, up to `reach` from the node: at each
   // further node the one that turns least, of the same level and width.
-  Arm longer(const EdgeEnd& end) const {
+  Arm longer(const EdgeEnd& end, std::vector<int>& followed) const {
     constexpr double least_cosine = 0.866;  // 30 degrees
     Arm arm = arms_[slot(end)];
     if (arm.half_start != arm.half_end) return arm;
@@ -120,7 +126,8 @@ class Pipeline {
       const Point direction = unit(arm.line.back() - arm.line[arm.line.size() - 2]);
       double best = least_cosine;
       const EdgeEnd* next = nullptr;
-      for (const EdgeEnd& other : around_[last.at_start ? edge.to_node : edge.from_node].ends) {
+      followed.push_back(last.at_start ? edge.to_node : edge.from_node);
+      for (const EdgeEnd& other : around_[followed.back()].ends) {
         const Arm& on = arms_[slot(other)];
         const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
         if (other.edge == last.edge || out_.network.edges[other.edge].level != edge.level ||
@@ -139,16 +146,17 @@ class Pipeline {
   }
 
   // Between ends[i] and the next.
-  SolvedCorner solve(const Around& around, std::size_t i, double radius) const {
+  SolvedCorner solve(Around& around, std::size_t i, double radius, bool by_hand) const {
     std::vector<const Arm*> arms;
     for (const EdgeEnd& end : around.ends) arms.push_back(&arms_[slot(end)]);
-    const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
+    const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal, by_hand};
     SolvedCorner solved = solve_corner(arms, i, wish);
     const bool reduced = solved.method == Method::radius_reduced;
     if (solved.method != Method::no_arc && !(reduced && settings_.short_axis == ShortAxis::follow))
       return solved;
     const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % around.ends.size()];
-    const auto followed = follow_corner(arms_[slot(a)], arms_[slot(b)], longer(a), longer(b), wish);
+    const auto followed = follow_corner(arms_[slot(a)], arms_[slot(b)], longer(a, around.followed),
+                                        longer(b, around.followed), wish);
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }
 
@@ -186,8 +194,11 @@ class Pipeline {
       poll_cancel();
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
-        const double radius = wanted_radius(a, b);
-        const SolvedCorner solved = solve(around, i, radius);
+        const auto by_hand = radii_by_hand_.find({n, i});
+        const bool decided = by_hand != radii_by_hand_.end();
+        const double radius = decided ? by_hand->second : wanted_radius(a, b);
+        SolvedCorner solved = solve(around, i, radius, decided);
+        if (decided && solved.gap.corner.radius == radius) solved.method = Method::by_hand;
         widen_limits(arms_[slot(a)], arms_[slot(b)], solved);
         around.gaps.push_back(solved.gap);
         Corner corner{n, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};
@@ -209,7 +220,7 @@ class Pipeline {
       if (degree >= 3)
         for (const EdgeEnd& end : around.ends) {
           Arm& arm = arms_[slot(end)];
-          arm.limit = std::max(arm.limit, std::min(0.1, length(arm.line) / 4));
+          arm.limit = std::max(arm.limit, least_limit(arm));
         }
     }
   }
@@ -220,15 +231,24 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       Arm &start = arms_[2 * e], &end = arms_[2 * e + 1];
       const double total = length(start.line);
+      const auto &put_start = limits_by_hand_[2 * e], &put_end = limits_by_hand_[2 * e + 1];
+      if (put_start) start.limit = *put_start;
+      if (put_end) end.limit = *put_end;
       const double wanted_start = start.limit, wanted_end = end.limit;
       const bool crossed = start.limit + end.limit > total - 1e-3;
-      if (crossed) {
+      const bool one_yields = crossed && put_start.has_value() != put_end.has_value();
+      if (one_yields) {
+        (put_start ? end : start).limit = total - (put_start ? start : end).limit;
+      } else if (crossed) {
         const double sum = start.limit + end.limit;
         start.limit = sum > 0 ? total * start.limit / sum : total / 2;
         end.limit = total - start.limit;
       } else {
-        const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;
-        const double clear_end = end.limit > 0 ? kerb_clear_limit(end, end.limit) : 0;
+        const auto clear = [](const Arm& arm, bool put) {
+          return put || arm.limit <= 0 ? arm.limit : kerb_clear_limit(arm, arm.limit);
+        };
+        const double clear_start = clear(start, put_start.has_value());
+        const double clear_end = clear(end, put_end.has_value());
         if (clear_start + clear_end < total - 1e-3) {
           start.limit = clear_start;
           end.limit = clear_end;
@@ -237,22 +257,106 @@ class Pipeline {
       start.border = border_across(start, start.limit);
       end.border = crossed ? Line{start.border[1], start.border[0]} : border_across(end, end.limit);
       for (const bool at_start : {true, false}) {
-        const Arm& arm = at_start ? start : end;
         SectionLimit limit;
         limit.edge = e;
         limit.at_start = at_start;
         limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
         limit.abscissa = at_start ? start.limit : total - end.limit;
         limit.point = place_at(edges[e].line, limit.abscissa).point;
-        limit.border_line = at_start ? arm.border : Line{arm.border[1], arm.border[0]};
-        limit.method = crossed ? Method::crossed_limits : Method::hypothesis;
+        const bool put = (at_start ? put_start : put_end).has_value();
+        limit.method = crossed && !(one_yields && put) ? Method::crossed_limits
+                       : put                           ? Method::by_hand
+                                                       : Method::hypothesis;
         out_.limits[2 * e + (at_start ? 0 : 1)] = limit;
       }
     }
   }
 
-  bool asked(const Section& section) const { return out_.roadways[section.edge].asked; }
-  bool asked(const Intersection& intersection) const { return asked_node_[intersection.node]; }
+  // The nodes at which something moved, or may have.
+  std::vector<bool> met_nodes() {
+    const auto& edges = out_.network.edges;
+    const auto same = [](const Line& a, const Line& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                        [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; });
+    };
+    std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
+    for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
+    std::vector<bool> met(around_.size());
+    for (const Edge& edge : edges) {
+      auto& lines = former[edge.axis_id];
+      const auto kept = std::find_if(lines.begin(), lines.end(), [&](const FormerEdge* old) {
+        return same(old->line, edge.line);
+      });
+      if (kept != lines.end() && !axes_.at(edge.axis_id)->changed)
+        lines.erase(kept);
+      else
+        met[edge.from_node] = met[edge.to_node] = true;
+    }
+    const auto near = [&](const Point& place, std::vector<bool>& nodes) {
+      for (std::size_t n = 0; n < around_.size(); ++n)
+        if (distance(out_.network.nodes[n].point, place) <= 3 * settings_.tolerance)
+          nodes[n] = true;
+    };
+    for (const auto& [axis_id, gone] : former)
+      for (const FormerEdge* edge : gone)
+        for (const Point& end : {edge->line.front(), edge->line.back()}) near(end, met);
+    for (const FormerPlace& place : former_.places)
+      near(place.point, place.met ? met : out_.asked_nodes);
+    for (const FormerEdge& edge : former_.edges) {
+      if (!edge.crossed) continue;
+      std::vector<bool> ends(around_.size());
+      near(edge.line.front(), ends);
+      near(edge.line.back(), ends);
+      bool moved = false;
+      for (std::size_t n = 0; n < ends.size(); ++n) moved = moved || (ends[n] && met[n]);
+      for (std::size_t n = 0; n < ends.size(); ++n)
+        if (moved && ends[n]) out_.asked_nodes[n] = true;
+    }
+    return met;
+  }
+
+  // The edges that changed axes can change, and the nodes.
+  void ask_around_changes() {
+    const auto& edges = out_.network.edges;
+    out_.asked_edges.resize(edges.size());
+    out_.asked_nodes.resize(around_.size());
+    const std::vector<bool> met = met_nodes();
+    std::vector<bool> concerned = met;
+    for (std::size_t n = 0; n < around_.size(); ++n)
+      for (const int node : around_[n].followed)
+        if (met[node]) concerned[n] = true;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const int from = edges[e].from_node, to = edges[e].to_node;
+      if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
+      out_.asked_edges[e] = true;
+      // The limits of an edge move together where they cross.
+      const bool both = !axis_of(e).beside && limits_crossed(out_, e);
+      for (const int node : {from, to})
+        if (both || concerned[node]) out_.asked_nodes[node] = true;
+    }
+  }
+
+  bool asked(const Section& section) const { return out_.asked_edges[section.edge]; }
+  bool asked(const Intersection& intersection) const {
+    return out_.asked_nodes[intersection.node];
+  }
+
+  // Border lines of neighbours that end on one kerb point end on the same.
+  void join_borders() {
+    for (const Around& around : around_)
+      for (std::size_t i = 0; i < around.ends.size(); ++i) {
+        const EdgeEnd& next = around.ends[(i + 1) % around.ends.size()];
+        const Point& kerb = arms_[slot(around.ends[i])].border[0];
+        Point& end = arms_[slot(next)].border[1];
+        if (distance(kerb, end) > same_place) continue;
+        end = kerb;
+        if (limits_crossed(out_, next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
+      }
+    for (SectionLimit& limit : out_.limits) {
+      const Line& border = arms_[slot({limit.edge, limit.at_start})].border;
+      limit.border_line = limit.at_start ? border : Line{border[1], border[0]};
+    }
+  }
 
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
 
@@ -263,7 +367,7 @@ class Pipeline {
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
-      if (start.method == Method::crossed_limits) {
+      if (limits_crossed(out_, e)) {
         section.method = Method::crossed_limits;
       } else {
         Built built = build_section(geos_, arms_[2 * e], start.abscissa, end.abscissa,
@@ -321,8 +425,28 @@ class Pipeline {
     claim.axis_id = std::min(claim.axis_id, axis.axis_id);
   }
 
+  void ask(std::vector<Claim>& claims, int claim) {
+    const int sections = static_cast<int>(out_.sections.size());
+    claims[claim].wanted = true;
+    if (claim < sections)
+      out_.asked_edges[out_.sections[claim].edge] = true;
+    else
+      out_.asked_nodes[out_.intersections[claim - sections].node] = true;
+  }
+
+  // What claims the ground of asked nodes and changed axes too.
+  void ask_rivals(std::vector<Claim>& claims, const std::vector<std::pair<int, int>>& pairs) {
+    const int sections = static_cast<int>(out_.sections.size());
+    std::vector<bool> changes;
+    for (int i = 0; i < static_cast<int>(claims.size()); ++i)
+      changes.push_back(i < sections ? axis_of(out_.sections[i].edge).changed : claims[i].wanted);
+    for (const auto& [i, j] : pairs) {
+      if (changes[i]) ask(claims, j);
+      if (changes[j]) ask(claims, i);
+    }
+  }
+
   void settle_owners() {
-    asked_node_ = asked_nodes(out_);
     std::vector<Claim> claims;
     for (Section& section : out_.sections) {
       const SectionLimit &start = out_.limits[2 * section.edge],
@@ -361,9 +485,10 @@ class Pipeline {
       claims.push_back(std::move(claim));
     }
     const auto pairs = disputes(claims);
+    ask_rivals(claims, pairs);
     const auto holes = holes_between(geos_, claims, pairs, settings_.max_hole_area);
     for (const Hole& hole : holes)
-      for (const int i : hole.around) claims[i].wanted = true;
+      for (const int i : hole.around) ask(claims, i);
     settle_ownership(geos_, claims, pairs);
     give_holes(geos_, claims, holes);
     std::size_t i = 0;
@@ -372,20 +497,24 @@ class Pipeline {
         row.contested_area = claims[i++].contested_area;
         if (row.contested_area > contested_at_least) row.method = Method::contested;
       }
-      rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !asked(row); }),
-                 rows.end());
+      rows.erase(
+          std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !asked(row); }),
+          rows.end());
     };
     read(out_.sections);
     read(out_.intersections);
   }
 
   const StreetSettings& settings_;
+  const StreetOverrides& overrides_;
+  const Former& former_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
-  std::vector<bool> asked_node_;
+  std::vector<std::optional<double>> limits_by_hand_;  // by slot, metres from the node
+  RadiiByHand radii_by_hand_;
   Geos geos_;
 };
 
@@ -417,18 +546,14 @@ const char* method_name(Method method) noexcept {
   return "";
 }
 
-std::vector<bool> asked_nodes(const Streets& streets) {
-  std::vector<bool> asked(streets.network.nodes.size());
-  for (std::size_t e = 0; e < streets.network.edges.size(); ++e) {
-    if (!streets.roadways[e].asked) continue;
-    asked[streets.network.edges[e].from_node] = true;
-    asked[streets.network.edges[e].to_node] = true;
-  }
-  return asked;
+bool limits_crossed(const Streets& streets, int edge) {
+  return streets.limits[2 * edge].method == Method::crossed_limits ||
+         streets.limits[2 * edge + 1].method == Method::crossed_limits;
 }
 
-Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings) {
-  return Pipeline(axes, settings).run();
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+                const StreetOverrides& overrides, const Former& former) {
+  return Pipeline(axes, settings, overrides, former).run();
 }
 
 }  // namespace streetgen
