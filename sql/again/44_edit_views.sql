@@ -87,12 +87,12 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._grant_edit_views(name) IS 'Who may read or write the axes of a model may do so with its edit views.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_edit_number(subject text, value float8, least float8, most float8, unit text, way_out text) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._check_edit_number(subject text, value float8, minimum float8, maximum float8, unit text, way_out text) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    IF NOT value BETWEEN least AND most THEN
-        RAISE EXCEPTION '% cannot be %', subject, value USING ERRCODE = '22023', DETAIL = concat_ws(' ', 'Expected', least, 'to', most, unit) || '.', HINT = way_out;
+    IF NOT value BETWEEN minimum AND maximum THEN
+        RAISE EXCEPTION '% cannot be %', subject, value USING ERRCODE = '22023', DETAIL = concat_ws(' ', 'Expected', minimum, 'to', maximum, unit) || '.', HINT = way_out;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_edit_number(text, float8, float8, float8, text, text) IS 'Raises 22023 for a value of an edit beyond its range, or NaN; NULL passes.';
