@@ -83,9 +83,10 @@ BEGIN
         WHERE c.oid = format('%I.axis', model)::regclass AND grantee NOT IN (0, c.relowner) AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.view, held.role);
+        EXECUTE format('GRANT SELECT ON %1$I.edit_log, %1$I.override_place TO %2$s', model, held.role);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._grant_edit_views(name) IS 'Who may read or write the axes of a model may do so with its edit views.';
+COMMENT ON FUNCTION streetgen._grant_edit_views(name) IS 'Who may read or write the axes of a model may do so with its edit views, and read its log.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_edit_number(subject text, value float8, minimum float8, maximum float8, unit text, way_out text) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

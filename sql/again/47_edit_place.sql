@@ -29,7 +29,7 @@ BEGIN
         NEW.abscissa := ST_LineLocatePoint(edge.geom, NEW.geom) * ST_Length2D(edge.geom);
     END IF;
     EXECUTE format('SELECT abscissa FROM %I.section_limit WHERE edge_id = $1 AND which <> $2', TG_TABLE_SCHEMA) INTO other USING OLD.edge_id, OLD.which;
-    IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom) OR CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END THEN
+    IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom) OR (CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END) THEN
         RAISE EXCEPTION '% cannot be at %', subject, coalesce(format('%s m', round(NEW.abscissa::numeric, 2)), 'NULL') USING ERRCODE = '22023',
             DETAIL = format('The edge is %s m long and its other limit is at %s m.', round(ST_Length2D(edge.geom)::numeric, 2), round(other::numeric, 2)),
             HINT = CASE OLD.which WHEN 'start' THEN 'Put it before the other limit.' ELSE 'Put it beyond the other limit.' END;
@@ -124,7 +124,7 @@ BEGIN
     at := ST_LineLocatePoint(axis, NEW.geom);
     foot := ST_LineInterpolatePoint(axis, at);
     -- A width that was typed puts the point where it means that width.
-    IF CASE TG_OP WHEN 'INSERT' THEN NEW.width IS NOT NULL ELSE NEW.width IS DISTINCT FROM OLD.width AND NEW.geom IS NOT DISTINCT FROM OLD.geom END THEN
+    IF TG_OP = 'INSERT' AND NEW.width IS NOT NULL OR TG_OP = 'UPDATE' AND NEW.width IS DISTINCT FROM OLD.width AND NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_number('the width of ' || subject, coalesce(NEW.width, 'NaN'), 0.001, 200, 'm', 'Delete the point to take it back.');
         IF ST_Distance(foot, NEW.geom) > 0 THEN
             NEW.geom := ST_SetSRID(ST_MakePoint(ST_X(foot) + (ST_X(NEW.geom) - ST_X(foot)) * NEW.width / 2 / ST_Distance(foot, NEW.geom),
