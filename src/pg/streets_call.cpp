@@ -41,22 +41,29 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
   return datums;
 }
 
+// One of geometries.
+Datum* bytes_column(Columns* list, int argument, const char* name) {
+  Datum* datums = column(list, argument, name, BYTEAOID);
+  for (int i = 0; i < list->count; ++i)
+    datums[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(datums[i]));
+  return datums;
+}
+
 }  // namespace
 
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
   Columns overrides{fcinfo, "lane overrides"};
   Columns restrictions{fcinfo, "turn restrictions"};
+  Columns limits{fcinfo, "section limit overrides"}, corners{fcinfo, "corner overrides"};
   call->axis_id = column(&axes, 0, "axis_id", INT8OID);
-  call->geom = column(&axes, 1, "geom", BYTEAOID);
+  call->geom = bytes_column(&axes, 1, "geom");
   call->width = column(&axes, 2, "width", FLOAT8OID);
   call->width_end = column(&axes, 3, "width_end", FLOAT8OID);
   call->radius = column(&axes, 4, "radius", FLOAT8OID);
   call->importance = column(&axes, 5, "importance", INT4OID);
   call->level = column(&axes, 6, "level", INT4OID);
   call->count = axes.count;
-  for (int i = 0; i < call->count; ++i)
-    call->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(call->geom[i]));
   call->srid = PG_GETARG_INT32(7);
   call->tolerance = PG_GETARG_FLOAT8(8);
   call->crossing = text_to_cstring(PG_GETARG_TEXT_PP(9));
@@ -107,6 +114,17 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->trajectory_tolerance = PG_GETARG_FLOAT8(51);
   call->trajectory_radius = PG_GETARG_FLOAT8(52);
   call->asked = column(&axes, 53, "asked", BOOLOID);
+  call->override_line = bytes_column(&overrides, 54, "override_line");
+  call->limit_axis = column(&limits, 55, "limit_axis", INT8OID);
+  call->limit_abscissa = column(&limits, 56, "limit_abscissa", FLOAT8OID);
+  call->limit_which = column(&limits, 57, "limit_which", TEXTOID);
+  call->limit_count = limits.count;
+  call->corner_a = column(&corners, 58, "corner_a", INT8OID);
+  call->corner_b = column(&corners, 59, "corner_b", INT8OID);
+  call->corner_x = column(&corners, 60, "corner_x", FLOAT8OID);
+  call->corner_y = column(&corners, 61, "corner_y", FLOAT8OID);
+  call->corner_radius = column(&corners, 62, "corner_radius", FLOAT8OID);
+  call->corner_count = corners.count;
 }
 
 }  // namespace streetgen::pg
