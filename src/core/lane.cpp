@@ -28,7 +28,7 @@ LaneStrip strip_of(const Streets& streets, int e) {
                   end.abscissa,
                   start.border_line,
                   end.border_line};
-  if (start.method != Method::crossed_limits) return strip;
+  if (!limits_crossed(streets, e)) return strip;
   const double total = length(strip.axis);
   std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
   if (strip.to - strip.from < least_length) {
@@ -133,7 +133,6 @@ class Builder {
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
           std::vector<LaneOverride> overrides, const LaneSettings& settings)
       : streets_(streets),
-        asked_node_(asked_nodes(streets)),
         axes_(std::move(axes)),
         overrides_(std::move(overrides)),
         settings_(settings) {
@@ -177,7 +176,7 @@ class Builder {
  private:
   bool meets_asked(int e) const {
     const Edge& edge = streets_.network.edges[e];
-    return asked_node_[edge.from_node] || asked_node_[edge.to_node];
+    return streets_.asked_nodes[edge.from_node] || streets_.asked_nodes[edge.to_node];
   }
 
   std::vector<LaneWish> wishes_of(int e) const {
@@ -220,7 +219,6 @@ class Builder {
   }
 
   const Streets& streets_;
-  const std::vector<bool> asked_node_;
   std::vector<LanesOfAxis> axes_;
   std::vector<LaneOverride> overrides_;
   const LaneSettings& settings_;

@@ -16,6 +16,7 @@ struct StreetsInput {
   std::vector<StreetAxis> axes;
   StreetSettings settings;
   StreetOverrides overrides;
+  std::vector<FormerNode> former;
   std::vector<LanesOfAxis> lanes;
   std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;
