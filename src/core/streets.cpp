@@ -293,7 +293,7 @@ class Pipeline {
       if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
       out_.asked_edges[e] = true;
       // The limits of an edge move together where they cross.
-      const bool both = !axis_of(e).beside && crossed(e);
+      const bool both = !axis_of(e).beside && limits_crossed(out_, e);
       for (const int node : {from, to})
         if (both || concerned[node]) out_.asked_nodes[node] = true;
     }
@@ -301,8 +301,6 @@ class Pipeline {
 
   bool asked(const Section& section) const { return out_.asked_edges[section.edge]; }
   bool asked(const Intersection& intersection) const { return out_.asked_nodes[intersection.node]; }
-
-  bool crossed(int edge) const { return limits_crossed(out_, edge); }
 
   // Border lines of neighbours that end on one kerb point end on the same.
   void join_borders() {
@@ -313,7 +311,8 @@ class Pipeline {
         Point& end = arms_[slot(next)].border[1];
         if (distance(kerb, end) > same_place) continue;
         end = kerb;
-        if (crossed(next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
+        if (limits_crossed(out_, next.edge))
+          arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
       }
     for (SectionLimit& limit : out_.limits) {
       const Line& border = arms_[slot({limit.edge, limit.at_start})].border;
@@ -330,7 +329,7 @@ class Pipeline {
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
-      if (crossed(e)) {
+      if (limits_crossed(out_, e)) {
         section.method = Method::crossed_limits;
       } else {
         Built built = build_section(geos_, arms_[2 * e], start.abscissa, end.abscissa,
