@@ -54,7 +54,8 @@ Datum* bytes_column(Columns* list, int argument, const char* name) {
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
   Columns overrides{fcinfo, "lane overrides"};
-  Columns restrictions{fcinfo, "turn restrictions"}, former{fcinfo, "former nodes"};
+  Columns restrictions{fcinfo, "turn restrictions"};
+  Columns former_edges{fcinfo, "former edges"}, former_places{fcinfo, "former places"};
   Columns limits{fcinfo, "section limit overrides"}, corners{fcinfo, "corner overrides"};
   call->axis_id = column(&axes, 0, "axis_id", INT8OID);
   call->geom = bytes_column(&axes, 1, "geom");
@@ -115,20 +116,24 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->trajectory_radius = PG_GETARG_FLOAT8(52);
   call->changed = column(&axes, 53, "changed", BOOLOID);
   call->beside = column(&axes, 54, "beside", BOOLOID);
-  call->former_x = column(&former, 55, "former_x", FLOAT8OID);
-  call->former_y = column(&former, 56, "former_y", FLOAT8OID);
-  call->former_met = column(&former, 57, "former_met", BOOLOID);
-  call->former_count = former.count;
-  call->override_line = bytes_column(&overrides, 58, "override_line");
-  call->limit_axis = column(&limits, 59, "limit_axis", INT8OID);
-  call->limit_abscissa = column(&limits, 60, "limit_abscissa", FLOAT8OID);
-  call->limit_which = column(&limits, 61, "limit_which", TEXTOID);
+  call->former_axis = column(&former_edges, 55, "former_axis", INT8OID);
+  call->former_geom = bytes_column(&former_edges, 56, "former_geom");
+  call->former_crossed = column(&former_edges, 57, "former_crossed", BOOLOID);
+  call->former_edge_count = former_edges.count;
+  call->former_x = column(&former_places, 58, "former_x", FLOAT8OID);
+  call->former_y = column(&former_places, 59, "former_y", FLOAT8OID);
+  call->former_met = column(&former_places, 60, "former_met", BOOLOID);
+  call->former_place_count = former_places.count;
+  call->override_line = bytes_column(&overrides, 61, "override_line");
+  call->limit_axis = column(&limits, 62, "limit_axis", INT8OID);
+  call->limit_abscissa = column(&limits, 63, "limit_abscissa", FLOAT8OID);
+  call->limit_which = column(&limits, 64, "limit_which", TEXTOID);
   call->limit_count = limits.count;
-  call->corner_a = column(&corners, 62, "corner_a", INT8OID);
-  call->corner_b = column(&corners, 63, "corner_b", INT8OID);
-  call->corner_x = column(&corners, 64, "corner_x", FLOAT8OID);
-  call->corner_y = column(&corners, 65, "corner_y", FLOAT8OID);
-  call->corner_radius = column(&corners, 66, "corner_radius", FLOAT8OID);
+  call->corner_a = column(&corners, 65, "corner_a", INT8OID);
+  call->corner_b = column(&corners, 66, "corner_b", INT8OID);
+  call->corner_x = column(&corners, 67, "corner_x", FLOAT8OID);
+  call->corner_y = column(&corners, 68, "corner_y", FLOAT8OID);
+  call->corner_radius = column(&corners, 69, "corner_radius", FLOAT8OID);
   call->corner_count = corners.count;
 }
 

@@ -16,7 +16,7 @@ struct StreetsInput {
   std::vector<StreetAxis> axes;
   StreetSettings settings;
   StreetOverrides overrides;
-  std::vector<FormerNode> former;
+  Former former;
   std::vector<LanesOfAxis> lanes;
   std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;

@@ -41,7 +41,7 @@ DO $$ BEGIN
   PERFORM streetgen.create_model('older', 32631);
   CREATE ROLE streetgen_test_decider;
   PERFORM streetgen."grant"('older', 'streetgen_test_decider', 'editor');
-  DROP TABLE older.section_limit_override, older.corner_override, older.kerb_point_override;
+  DROP TABLE older.section_limit_override, older.corner_override, older.kerb_point_override CASCADE;
   ALTER TABLE older.lane_override DROP COLUMN line, DROP COLUMN geom;
   ALTER TABLE older.transition_override DROP COLUMN geom;
   PERFORM streetgen.adopt_model('older') FROM generate_series(1, 2);
