@@ -137,7 +137,7 @@ END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
-    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = model::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION %1$I._enter_edit()', model, relation);
         FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
             EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I()', model, relation, event,
@@ -199,7 +199,7 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid
         -- What deletes the results of an axis with it stays on.
-        WHERE relnamespace = model::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete') AND (tgenabled <> 'D') <> live
+        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete') AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE' ELSE 'DISABLE' END, trigger.name);
     END LOOP;
