@@ -77,7 +77,7 @@ found AS MATERIALIZED (
         SELECT * FROM (
             SELECT 1 AS turn, p.axis_id, p.line, false AS redrawn WHERE ST_DWithin(streetgen._met(p.relation, p.line), p.geom, p.reach)
             UNION ALL SELECT 2, c.axis_id, c.after, false FROM changed c
-            WHERE c.axis_id <> p.axis_id AND ST_DWithin(streetgen._met(p.relation, c.after), p.geom, p.reach)
+            WHERE c.axis_id <> p.axis_id AND c.after && ST_Expand(p.geom, p.reach) AND ST_DWithin(streetgen._met(p.relation, c.after), p.geom, p.reach)
                 AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE
             UNION ALL SELECT 3, a.axis_id, ST_Force2D(a.geom), false FROM %1$I.axis a
             WHERE p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, p.geom, p.reach) AND ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
