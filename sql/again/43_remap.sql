@@ -70,25 +70,22 @@ moved AS MATERIALIZED (
         AND NOT EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
                         AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id AND ST_DWithin(a.geom, v.geom, o.reach)))
     ORDER BY relation, override_id, role),
--- Which axis each is on now: its own, if that still lies there; one that came by; the one that took its line over; its own, redrawn.
+-- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line over (3); its own, redrawn (4).
+heir AS (
+    SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
+           CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE THEN 2
+                WHEN p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value) THEN 3 END AS turn
+    FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach) LEFT JOIN changed c ON c.axis_id = a.axis_id
+    WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
+    UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
+    WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
+        AND (p.relation = 'transition_override' OR ST_LineLocatePoint(p.after, p.geom) > 0 AND ST_LineLocatePoint(p.after, p.geom) < 1)),
 found AS MATERIALIZED (
-    SELECT p.relation, p.override_id, p.role, p.geom, heir.axis_id, heir.line, heir.redrawn, streetgen._turned(p.before, heir.line, p.geom) AS turned
-    FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL (
-        SELECT * FROM (
-            SELECT 1 AS turn, p.axis_id, p.line, false AS redrawn WHERE ST_DWithin(streetgen._met(p.relation, p.line), p.geom, p.reach)
-            UNION ALL SELECT 2, c.axis_id, c.after, false FROM changed c
-            WHERE c.axis_id <> p.axis_id AND c.after && ST_Expand(p.geom, p.reach) AND ST_DWithin(streetgen._met(p.relation, c.after), p.geom, p.reach)
-                AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE
-            UNION ALL SELECT 3, a.axis_id, ST_Force2D(a.geom), false FROM %1$I.axis a
-            WHERE p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, p.geom, p.reach) AND ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
-                AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value)
-            UNION ALL SELECT 4, p.axis_id, p.after, true
-            WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
-                AND (p.relation = 'transition_override' OR ST_LineLocatePoint(p.after, p.geom) > 0 AND ST_LineLocatePoint(p.after, p.geom) < 1)) h
-        WHERE NOT (p.at_node AND turn > 1 AND EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id, o.axis_id) = (p.relation, p.override_id, h.axis_id) AND o.role <> p.role))
-        ORDER BY turn, ST_Distance(line, p.geom), axis_id LIMIT 1) heir
-    WHERE (p.named OR ST_DWithin(streetgen._met(p.relation, p.line), p.geom, p.reach) IS NOT TRUE)
-        AND NOT EXISTS (SELECT FROM moved m WHERE (m.relation, m.override_id) = (p.relation, p.override_id)))
+    SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn, streetgen._turned(before, heir_line, geom) AS turned FROM (
+        SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
+        WHERE turn = 1 OR turn IS NOT NULL AND NOT (at_node AND EXISTS (SELECT FROM place o WHERE (o.relation, o.override_id, o.axis_id) = (h.relation, h.override_id, h.heir) AND o.role <> h.role))
+        ORDER BY relation, override_id, role, turn, ST_Distance(heir_line, geom), heir) h
+    WHERE (named OR turn > 1) AND NOT EXISTS (SELECT FROM moved m WHERE (m.relation, m.override_id) = (h.relation, h.override_id)))
 $sql$, model) $$;
 COMMENT ON FUNCTION streetgen._remap_places(name) IS 'The beginning of the statements of _remap: the CTEs moved (overrides whose node is elsewhere) and found (which axis each override near changed axes is on).';
 
@@ -116,21 +113,22 @@ WHERE o.transition_override_id = n.id AND (o.axis_id, o.which, o.geom) IS DISTIN
 new AS (
     SELECT o.lane_override_id AS id, f.axis_id, at.abscissa, at.geom, o.along_axis <> f.turned AS along_axis, CASE WHEN f.turned THEN ST_Reverse(o.line) ELSE o.line END AS line,
            CASE WHEN f.turned THEN streetgen._mirrored_ordinality(o.ordinality, streetgen._lanes_at(%1$L, o.axis_id, o.abscissa)) ELSE o.ordinality END AS ordinality
-    FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn) at
+    FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
     WHERE f.relation = 'lane_override')
 UPDATE %1$I.lane_override o SET axis_id = n.axis_id, abscissa = n.abscissa, ordinality = n.ordinality, along_axis = n.along_axis, line = n.line, geom = n.geom FROM new n
 WHERE o.lane_override_id = n.id AND (o.axis_id, o.abscissa, o.ordinality, o.along_axis, o.line, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.ordinality, n.along_axis, n.line, n.geom)$sql$
             WHEN 'section_limit_override' THEN $sql$,
 new AS (
     SELECT o.section_limit_override_id AS id, f.axis_id, at.abscissa, at.geom, CASE WHEN NOT f.turned THEN o.which WHEN o.which = 'start' THEN 'end' ELSE 'start' END AS which
-    FROM found f JOIN %1$I.section_limit_override o ON o.section_limit_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn) at
+    FROM found f JOIN %1$I.section_limit_override o ON o.section_limit_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
     WHERE f.relation = 'section_limit_override')
 UPDATE %1$I.section_limit_override o SET axis_id = n.axis_id, abscissa = n.abscissa, which = n.which, geom = n.geom FROM new n
 WHERE o.section_limit_override_id = n.id AND (o.axis_id, o.abscissa, o.which, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.which, n.geom)$sql$
             WHEN 'kerb_point_override' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, 2 * ST_Distance(f.line, f.geom) AS width
-    FROM found f CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true) at WHERE f.relation = 'kerb_point_override')
+    FROM found f JOIN %1$I.kerb_point_override o ON o.kerb_point_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true, o.abscissa) at
+    WHERE f.relation = 'kerb_point_override')
 UPDATE %1$I.kerb_point_override o SET axis_id = n.axis_id, abscissa = n.abscissa, width = n.width FROM new n
 WHERE o.kerb_point_override_id = n.id AND (o.axis_id, o.abscissa, o.width) IS DISTINCT FROM (n.axis_id, n.abscissa, n.width)$sql$
             WHEN 'interconnection_override' THEN $sql$,
@@ -161,10 +159,13 @@ WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.
 END $$;
 COMMENT ON FUNCTION streetgen._remap(name, bigint[], geometry[], geometry[]) IS 'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and after, NULL where there was or is none. What fits nowhere stays as it is, until an axis comes by.';
 
-CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, OUT abscissa float8, OUT geom geometry)
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line), CASE WHEN onto THEN ST_ClosestPoint(line, place) ELSE place END $$;
-COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean) IS 'Abscissa (metres) of a line nearest to a place, and the place, put onto the line where asked.';
+CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8, OUT abscissa float8, OUT geom geometry)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN abs(at - former) < 1e-6 THEN former ELSE at END, CASE WHEN onto THEN ST_ClosestPoint(line, place) ELSE place END
+    FROM (SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line) AS at) p
+    $$;
+COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS 'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre; and the place, put onto the line where asked.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
