@@ -3,7 +3,7 @@
 set(script "\\echo Use \"CREATE EXTENSION streetgen CASCADE\" to load this file. \\quit\n")
 foreach(part IN LISTS ONCE AGAIN)
   file(READ ${part} text)
-  string(REPLACE "CREATE OR REPLACE FUNCTION" "CREATE FUNCTION" text "${text}")
+  string(REPLACE "CREATE OR REPLACE FUNCTION streetgen." "CREATE FUNCTION streetgen." text "${text}")
   string(APPEND script "\n${text}")
 endforeach()
 file(WRITE ${OUT} "${script}")

@@ -29,8 +29,8 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
-  bool changed = true;  // false: as it was when the streets about it were computed
-  bool beside = false;  // unchanged, but its roadway meets ground that changed axes left
+  bool changed = true;   // false: as it was when the streets about it were computed
+  bool beside = false;   // unchanged, but its roadway meets ground that changed axes left
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -166,7 +166,7 @@ struct Streets {
   Network network;
   std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
-  std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
+  std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
   // What changed axes can change, and only for that sections and intersections come out: their
   // edges and those that they cut otherwise, what meets these at a node, corners that follow an
   // axis to there, and claims on the same ground.  Where all axes changed, everything.

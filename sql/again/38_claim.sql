@@ -44,7 +44,7 @@ DECLARE
 BEGIN
     SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
-           greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(c.width) FROM %1$I.axis_class c))
+           greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
         INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'tolerance', 'width_default');
     -- What the asked axes can change: along the network, and by their roadway.
     SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (

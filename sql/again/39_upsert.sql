@@ -44,9 +44,15 @@ result AS MATERIALIZED (
         SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
                coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
         FROM %1$I.transition_override, setting WHERE axis_id = ANY ($2)) t, (
-        SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(abscissa), '{}') AS abscissa, coalesce(array_agg(ordinality), '{}') AS ordinality,
-               coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END), '{}') AS direction, coalesce(array_agg(coalesce(width, 0)), '{}') AS width
+        SELECT coalesce(array_agg(axis_id ORDER BY lane_override_id), '{}') AS axis_id, coalesce(array_agg(abscissa ORDER BY lane_override_id), '{}') AS abscissa, coalesce(array_agg(ordinality ORDER BY lane_override_id), '{}') AS ordinality,
+               coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END ORDER BY lane_override_id), '{}') AS direction, coalesce(array_agg(coalesce(width, 0) ORDER BY lane_override_id), '{}') AS width,
+               coalesce(array_agg(coalesce(line::bytea, '') ORDER BY lane_override_id), '{}') AS line
         FROM %1$I.lane_override WHERE axis_id = ANY ($2)) o, (
+        SELECT coalesce(array_agg(axis_id ORDER BY section_limit_override_id), '{}') AS axis_id, coalesce(array_agg(abscissa ORDER BY section_limit_override_id), '{}') AS abscissa, coalesce(array_agg(which ORDER BY section_limit_override_id), '{}') AS which
+        FROM %1$I.section_limit_override WHERE axis_id = ANY ($2)) l, (
+        SELECT coalesce(array_agg(axis_a ORDER BY corner_override_id), '{}') AS axis_a, coalesce(array_agg(axis_b ORDER BY corner_override_id), '{}') AS axis_b, coalesce(array_agg(radius ORDER BY corner_override_id), '{}') AS radius,
+               coalesce(array_agg(ST_X(geom) ORDER BY corner_override_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY corner_override_id), '{}') AS y
+        FROM %1$I.corner_override WHERE axis_a = ANY ($2)) c, (
         SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
                coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
@@ -61,7 +67,8 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.crossed, p.x, p.y, p.met) s),
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.crossed, p.x, p.y, p.met,
+        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius) s),
 -- The axes whose rows come out, and those that are gone.
 asked_axis AS MATERIALIZED (
     SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),

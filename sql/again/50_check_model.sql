@@ -42,9 +42,6 @@ decided AS MATERIALIZED (
 astray AS MATERIALIZED (
     SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN %1$I.section s USING (edge_id)
     WHERE s.contested_area = 0 AND s.method <> 'crossed_limits' AND ST_IsValid(s.surface)),
-overridden AS MATERIALIZED (
-    SELECT o.lane_override_id, o.abscissa, o.along_axis, o.geom AS place, l.lane_id, l.geom, l.along_axis AS runs_along, l.method FROM %1$I.lane_override o
-    LEFT JOIN (%1$I.edge e JOIN %1$I.lane l USING (edge_id)) ON e.axis_id = o.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality),
 listed AS MATERIALIZED (
     SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u JOIN %1$I.axis a USING (axis_id),
     LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward, a.direction = 'reverse'),
@@ -95,9 +92,16 @@ UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'tra
 UNION ALL SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)
 UNION ALL SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray WHERE ST_Length(outside) > 0.1
-UNION ALL SELECT 'warning', 'lane override without its lane', 'lane_override', lane_override_id, abscissa, place FROM overridden WHERE lane_id IS NULL
-UNION ALL SELECT 'warning', 'stale: lane override since', 'lane_override', lane_override_id, abscissa, geom FROM overridden WHERE method <> 'by_hand' OR along_axis <> runs_along
-UNION ALL SELECT 'warning', 'stale: lane override is gone', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l WHERE l.method = 'by_hand' AND NOT EXISTS (SELECT FROM overridden o WHERE o.lane_id = l.lane_id)
+UNION ALL SELECT 'warning', 'lane override without its lane', 'lane_override', o.lane_override_id, o.abscissa, o.geom FROM %1$I.lane_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN %1$I.lane l USING (edge_id) WHERE e.axis_id = o.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality)
+UNION ALL SELECT 'warning', 'section limit override without its limit', 'section_limit_override', o.section_limit_override_id, o.abscissa, o.geom FROM %1$I.section_limit_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN degree d ON d.node_id = CASE o.which WHEN 'start' THEN e.from_node ELSE e.to_node END WHERE e.axis_id = o.axis_id AND d.degree > 1
+        AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END)
+UNION ALL SELECT 'warning', 'corner override without its corner', 'corner_override', o.corner_override_id, o.radius, o.geom FROM %1$I.corner_override o
+    WHERE NOT EXISTS (SELECT FROM tolerance t, %1$I.node n JOIN %1$I.corner c USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
+        WHERE (a.axis_id, b.axis_id) = (o.axis_a, o.axis_b) AND c.method <> 'transition' AND ST_DWithin(n.geom, o.geom, 3 * t.value))
+UNION ALL SELECT 'warning', 'kerb point override without its axis', 'kerb_point_override', o.kerb_point_override_id, o.width, o.geom FROM %1$I.kerb_point_override o
+    WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id)
 UNION ALL SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
     WHERE l.kind IN ('general', 'bus') AND l.width < s.least - 1e-6
 UNION ALL SELECT 'notice', 'one lane for both directions, taken as two', 'axis', axis_id, lane_count, geom FROM %1$I.axis WHERE direction = 'both' AND lane_count = 1

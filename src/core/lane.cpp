@@ -28,7 +28,7 @@ LaneStrip strip_of(const Streets& streets, int e) {
                   end.abscissa,
                   start.border_line,
                   end.border_line};
-  if (start.method != Method::crossed_limits) return strip;
+  if (!limits_crossed(streets, e)) return strip;
   const double total = length(strip.axis);
   std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
   if (strip.to - strip.from < least_length) {

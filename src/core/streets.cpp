@@ -22,12 +22,11 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
-
 struct Around {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
   std::optional<Transition> transition;
-  int along = 0;  // index in ends: the axis that the transition is seen along
+  int along = 0;              // index in ends: the axis that the transition is seen along
   std::vector<int> followed;  // further nodes that a corner looked at
 };
 
@@ -337,9 +336,7 @@ class Pipeline {
   }
 
   bool asked(const Section& section) const { return out_.asked_edges[section.edge]; }
-  bool asked(const Intersection& intersection) const {
-    return out_.asked_nodes[intersection.node];
-  }
+  bool asked(const Intersection& intersection) const { return out_.asked_nodes[intersection.node]; }
 
   // Border lines of neighbours that end on one kerb point end on the same.
   void join_borders() {
@@ -350,7 +347,8 @@ class Pipeline {
         Point& end = arms_[slot(next)].border[1];
         if (distance(kerb, end) > same_place) continue;
         end = kerb;
-        if (limits_crossed(out_, next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
+        if (limits_crossed(out_, next.edge))
+          arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
       }
     for (SectionLimit& limit : out_.limits) {
       const Line& border = arms_[slot({limit.edge, limit.at_start})].border;

@@ -41,6 +41,14 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
   return datums;
 }
 
+// One of geometries.
+Datum* bytes_column(Columns* list, int argument, const char* name) {
+  Datum* datums = column(list, argument, name, BYTEAOID);
+  for (int i = 0; i < list->count; ++i)
+    datums[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(datums[i]));
+  return datums;
+}
+
 }  // namespace
 
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
@@ -48,16 +56,15 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   Columns overrides{fcinfo, "lane overrides"};
   Columns restrictions{fcinfo, "turn restrictions"};
   Columns former_edges{fcinfo, "former edges"}, former_places{fcinfo, "former places"};
+  Columns limits{fcinfo, "section limit overrides"}, corners{fcinfo, "corner overrides"};
   call->axis_id = column(&axes, 0, "axis_id", INT8OID);
-  call->geom = column(&axes, 1, "geom", BYTEAOID);
+  call->geom = bytes_column(&axes, 1, "geom");
   call->width = column(&axes, 2, "width", FLOAT8OID);
   call->width_end = column(&axes, 3, "width_end", FLOAT8OID);
   call->radius = column(&axes, 4, "radius", FLOAT8OID);
   call->importance = column(&axes, 5, "importance", INT4OID);
   call->level = column(&axes, 6, "level", INT4OID);
   call->count = axes.count;
-  for (int i = 0; i < call->count; ++i)
-    call->geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(call->geom[i]));
   call->srid = PG_GETARG_INT32(7);
   call->tolerance = PG_GETARG_FLOAT8(8);
   call->crossing = text_to_cstring(PG_GETARG_TEXT_PP(9));
@@ -110,15 +117,24 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->changed = column(&axes, 53, "changed", BOOLOID);
   call->beside = column(&axes, 54, "beside", BOOLOID);
   call->former_axis = column(&former_edges, 55, "former_axis", INT8OID);
-  call->former_geom = column(&former_edges, 56, "former_geom", BYTEAOID);
+  call->former_geom = bytes_column(&former_edges, 56, "former_geom");
   call->former_crossed = column(&former_edges, 57, "former_crossed", BOOLOID);
   call->former_edge_count = former_edges.count;
-  for (int i = 0; i < call->former_edge_count; ++i)
-    call->former_geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(call->former_geom[i]));
   call->former_x = column(&former_places, 58, "former_x", FLOAT8OID);
   call->former_y = column(&former_places, 59, "former_y", FLOAT8OID);
   call->former_met = column(&former_places, 60, "former_met", BOOLOID);
   call->former_place_count = former_places.count;
+  call->override_line = bytes_column(&overrides, 61, "override_line");
+  call->limit_axis = column(&limits, 62, "limit_axis", INT8OID);
+  call->limit_abscissa = column(&limits, 63, "limit_abscissa", FLOAT8OID);
+  call->limit_which = column(&limits, 64, "limit_which", TEXTOID);
+  call->limit_count = limits.count;
+  call->corner_a = column(&corners, 65, "corner_a", INT8OID);
+  call->corner_b = column(&corners, 66, "corner_b", INT8OID);
+  call->corner_x = column(&corners, 67, "corner_x", FLOAT8OID);
+  call->corner_y = column(&corners, 68, "corner_y", FLOAT8OID);
+  call->corner_radius = column(&corners, 69, "corner_radius", FLOAT8OID);
+  call->corner_count = corners.count;
 }
 
 }  // namespace streetgen::pg

@@ -19,7 +19,7 @@ struct StreetsCall {
   Datum *lane_width_forward, *lane_width_backward;
   int override_count;
   Datum *override_axis, *override_abscissa, *override_ordinality, *override_direction;
-  Datum *override_width;
+  Datum *override_width, *override_line;
   const char *lane_order, *driving_side;
   double lane_width_minimal, cycle_lane_width, parking_lane_width;
   bool edge_lines;
@@ -34,6 +34,10 @@ struct StreetsCall {
   int former_edge_count, former_place_count;
   Datum *former_axis, *former_geom, *former_crossed;
   Datum *former_x, *former_y, *former_met;
+  int limit_count;
+  Datum *limit_axis, *limit_abscissa, *limit_which;
+  int corner_count;
+  Datum *corner_a, *corner_b, *corner_x, *corner_y, *corner_radius;
 };
 
 // Raises where a list has a NULL or lists that belong together differ in length.

@@ -13,6 +13,14 @@ namespace streetgen::pg {
 
 namespace {
 
+ReadLine line_of(std::string_view wkb, const std::string& what, int srid) {
+  const ReadLine read = read_line(wkb, what);
+  if (read.srid != srid)
+    throw Error(ErrorKind::invalid_input, what + " has SRID " + std::to_string(read.srid) +
+                                              ", expected " + std::to_string(srid));
+  return read;
+}
+
 TransitionKind transition_kind_of(const char* word) {
   return word_of<TransitionKind>(word, "transition_kind",
                                  {{"symmetric", TransitionKind::symmetric},
@@ -20,16 +28,19 @@ TransitionKind transition_kind_of(const char* word) {
                                   {"right", TransitionKind::right}});
 }
 
+bool is_start(Datum which, const char* of) {
+  return word_of<bool>(text_of(which), of, {{"start", true}, {"end", false}});
+}
+
 // Its own transitions, by axis and whether at the axis' start.
 std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const StreetsCall& call) {
   std::map<std::pair<std::int64_t, bool>, Transition> transitions;
   for (int i = 0; i < call.transition_count; ++i) {
     const std::int64_t axis_id = DatumGetInt64(call.transition_axis[i]);
-    const bool at_start = word_of<bool>(text_of(call.transition_which[i]), "transition end",
-                                        {{"start", true}, {"end", false}});
+    const bool start = is_start(call.transition_which[i], "transition end");
     const double length = in_range(DatumGetFloat8(call.transition_length_of[i]), 0, 1000,
                                    "transition length of axis " + std::to_string(axis_id));
-    transitions[{axis_id, at_start}] = {
+    transitions[{axis_id, start}] = {
         transition_kind_of(text_of(call.transition_kind_of[i]).c_str()), length};
   }
   return transitions;
@@ -50,11 +61,7 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     if (!seen.insert(axis.axis_id).second)
       throw Error(ErrorKind::invalid_input,
                   "axis " + std::to_string(axis.axis_id) + " stands more than once in the list");
-    const ReadLine read = read_line(bytes_of(call.geom[i]), "the geometry" + of_axis);
-    if (read.srid != call.srid)
-      throw Error(ErrorKind::invalid_input, "the geometry" + of_axis + " has SRID " +
-                                                std::to_string(read.srid) + ", expected " +
-                                                std::to_string(call.srid));
+    const ReadLine read = line_of(bytes_of(call.geom[i]), "the geometry" + of_axis, call.srid);
     *has_z = *has_z || read.has_z;
     axis.line = read.line;
     axis.width = in_range(DatumGetFloat8(call.width[i]), 1e-3, 200, "width" + of_axis);
@@ -120,18 +127,42 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call) {
   return axes;
 }
 
-std::vector<LaneOverride> overrides_of(const StreetsCall& call) {
+StreetOverrides street_overrides_of(const StreetsCall& call) {
+  StreetOverrides overrides;
+  for (int i = 0; i < call.limit_count; ++i)
+    overrides.limits.push_back(
+        {DatumGetInt64(call.limit_axis[i]),
+         finite(DatumGetFloat8(call.limit_abscissa[i]), "abscissa of a section limit override"),
+         is_start(call.limit_which[i], "end of a section limit override")});
+  for (int i = 0; i < call.corner_count; ++i)
+    overrides.corners.push_back(
+        {{finite(DatumGetFloat8(call.corner_x[i]), "x of a corner override"),
+          finite(DatumGetFloat8(call.corner_y[i]), "y of a corner override"), 0},
+         DatumGetInt64(call.corner_a[i]),
+         DatumGetInt64(call.corner_b[i]),
+         in_range(DatumGetFloat8(call.corner_radius[i]), 0, 1000, "radius of a corner override")});
+  return overrides;
+}
+
+std::vector<LaneOverride> lane_overrides_of(const StreetsCall& call) {
   using Direction = LaneOverride::Direction;
   std::vector<LaneOverride> overrides;
-  for (int i = 0; i < call.override_count; ++i)
-    overrides.push_back(
-        {DatumGetInt64(call.override_axis[i]), DatumGetFloat8(call.override_abscissa[i]),
-         DatumGetInt32(call.override_ordinality[i]),
-         word_of<Direction>(text_of(call.override_direction[i]), "direction of a lane override",
-                            {{"as_is", Direction::as_is},
-                             {"along", Direction::along},
-                             {"against", Direction::against}}),
-         in_range(DatumGetFloat8(call.override_width[i]), 0, 200, "width of a lane override")});
+  for (int i = 0; i < call.override_count; ++i) {
+    LaneOverride put{
+        DatumGetInt64(call.override_axis[i]), DatumGetFloat8(call.override_abscissa[i]),
+        DatumGetInt32(call.override_ordinality[i]),
+        word_of<Direction>(text_of(call.override_direction[i]), "direction of a lane override",
+                           {{"as_is", Direction::as_is},
+                            {"along", Direction::along},
+                            {"against", Direction::against}}),
+        in_range(DatumGetFloat8(call.override_width[i]), 0, 200, "width of a lane override")};
+    const std::string_view line = bytes_of(call.override_line[i]);
+    if (!line.empty())
+      put.line = line_of(line, "the line of a lane override of axis " + std::to_string(put.axis_id),
+                         call.srid)
+                     .line;
+    overrides.push_back(std::move(put));
+  }
   return overrides;
 }
 
@@ -200,7 +231,8 @@ StreetsInput read_input(const StreetsCall& call) {
   input.settings = settings_of(call);
   input.former = former_of(call);
   input.lanes = lanes_of(call);
-  input.overrides = overrides_of(call);
+  input.overrides = street_overrides_of(call);
+  input.lane_overrides = lane_overrides_of(call);
   input.lane_settings = lane_settings_of(call);
   input.restrictions = restrictions_of(call);
   input.interconnection_settings = interconnection_settings_of(call);

@@ -15,9 +15,10 @@ struct StreetsInput {
   bool has_z = false;
   std::vector<StreetAxis> axes;
   StreetSettings settings;
+  StreetOverrides overrides;
   Former former;
   std::vector<LanesOfAxis> lanes;
-  std::vector<LaneOverride> overrides;
+  std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;
   std::vector<TurnRestriction> restrictions;
   InterconnectionSettings interconnection_settings;
