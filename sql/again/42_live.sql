@@ -123,6 +123,10 @@ DECLARE
 BEGIN
     IF NOT streetgen._live(%2$L) THEN
         RETURN NULL;
+    ELSIF TG_OP = 'TRUNCATE' THEN
+        -- What goes is known only before: as if deleted.
+        EXECUTE format('DELETE FROM %%I.%%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
+        RETURN NULL;
     ELSIF TG_OP = 'INSERT' THEN
         changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
     ELSIF TG_OP = 'DELETE' THEN
@@ -137,7 +141,7 @@ END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
-    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = model::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION %1$I._enter_edit()', model, relation);
         FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
             EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I()', model, relation, event,
@@ -145,8 +149,9 @@ END $body$ $sql$, model, model);
                                CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis' THEN 'axis' ELSE 'override' END END),
                 CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
         END LOOP;
+        EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate %3$s TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%4$I()', model, relation,
+            CASE relation WHEN 'axis' THEN 'AFTER' ELSE 'BEFORE' END, CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
     END LOOP;
-    EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate AFTER TRUNCATE ON %1$I.axis FOR EACH STATEMENT EXECUTE FUNCTION %1$I._follow_axis()', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS 'Makes the triggers by which the streets of a model follow its axes and overrides.';
 
@@ -181,7 +186,7 @@ DECLARE
     stale bigint;
 BEGIN
     EXECUTE format($sql$
-WITH generated AS (SELECT axis_id, bool_or(input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
+WITH generated AS (SELECT axis_id, bool_or(e.input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
 SELECT count(*) FROM %1$I.axis a LEFT JOIN generated g USING (axis_id)
 WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id AND r.issue = 'collapsed_axis')
 $sql$, model) INTO stale;
@@ -199,7 +204,7 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid
         -- What deletes the results of an axis with it stays on.
-        WHERE relnamespace = model::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete') AND (tgenabled <> 'D') <> live
+        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete') AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE' ELSE 'DISABLE' END, trigger.name);
     END LOOP;
