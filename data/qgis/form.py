@@ -1,5 +1,5 @@
 """What one types in: word lists where a column has few words, and nothing where it is not written."""
-from qgis.core import QgsEditorWidgetSetup
+from qgis.core import QgsEditorWidgetSetup, QgsFieldConstraints
 
 
 def set_form(vector, layer, words, class_layer):
@@ -19,3 +19,6 @@ def set_form(vector, layer, words, class_layer):
             continue
         vector.setEditorWidgetSetup(index, widget)
     vector.setEditFormConfig(config)
+    if table == 'axis' and vector.fields().indexFromName('source_ref') >= 0:
+        # QGIS copies what is unique to neither piece of a split where it knows of it, and of two columns together it does not.
+        vector.setFieldConstraint(vector.fields().indexFromName('source_ref'), QgsFieldConstraints.ConstraintUnique, QgsFieldConstraints.ConstraintStrengthSoft)
