@@ -62,7 +62,7 @@ struct Interconnection {
   Line line;
 };
 
-// At the nodes of asked edges, by (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the same streets;
+// At asked nodes, by (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the same streets;
 // `axes` as the streets were made from.
 std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,

@@ -115,7 +115,7 @@ struct LanesOfAxis {
 
 // Deterministic and independent of the order of axes and overrides (of two overrides of one
 // lane the last in (axis_id, abscissa) counts).  An override of a lane that is not there does
-// nothing.  Lanes come out for the edges that meet at the nodes of asked ones.
+// nothing.  Lanes come out for the edges that meet at asked nodes.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings);
 

@@ -29,9 +29,8 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
-  // Sections and intersections come out for the edges of asked axes and for their nodes; the others
-  // are what these are computed with.
-  bool asked = true;
+  bool changed = true;  // false: as it was when the streets about it were computed
+  bool beside = false;  // unchanged, but its roadway meets ground that changed axes left
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -116,7 +115,12 @@ struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
-  bool asked = true;
+};
+
+// Where a changed axis met or left others before the change.
+struct FormerNode {
+  Point place;
+  bool met = true;  // false: the limits of an edge from a former node crossed, and moved this end too
 };
 
 struct Streets {
@@ -124,14 +128,16 @@ struct Streets {
   std::vector<Roadway> roadways;  // one per edge
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
+  // What changed axes can change, and only for that sections and intersections come out: their
+  // edges and nodes, what meets them there, corners that follow an axis to them, and claims on
+  // the same ground.  Where all axes changed, everything.
+  std::vector<bool> asked_edges, asked_nodes;
   std::vector<Section> sections;            // one per asked edge
-  std::vector<Intersection> intersections;  // one per node of degree two and more of an asked edge
+  std::vector<Intersection> intersections;  // one per asked node of degree two and more
 };
 
-// By node: whether an edge that is asked starts or ends there.
-std::vector<bool> asked_nodes(const Streets& streets);
-
 // Deterministic and independent of the order of `axes`.
-Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+                const std::vector<FormerNode>& former = {});
 
 }  // namespace streetgen

@@ -153,7 +153,7 @@ EXCEPTION WHEN lock_not_available THEN
 END $$;
 COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT written bigint[], OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -209,7 +209,8 @@ BEGIN
         reach := streetgen._reach_of(model, axes);
     END IF;
     asked := axes;
+    changed := reach.asked;
     written := reach.written;
     gathered := reach.gathered;
 END $$;
-COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order; without wait those of the axes whose places are free. Gives these axes, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';
+COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order; without wait those of the axes whose places are free. Gives these axes, the same with stale ones near them, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';

@@ -22,12 +22,24 @@ BEGIN
     RETURN format($sql$
 WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
 used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE axis_id = ANY ($2)),
+-- What the changed axes met and what lay beside their ground before the change.
+former_node AS MATERIALIZED (SELECT DISTINCT node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) WHERE e.axis_id IN (SELECT unnest($3))),
+ground AS MATERIALIZED (
+    SELECT surface FROM %1$I.edge e JOIN %1$I.section USING (edge_id) WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT surface FROM former_node JOIN %1$I.intersection USING (node_id)),
+beside AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) JOIN %1$I.edge e USING (edge_id)),
+former AS (
+    SELECT n.geom, true AS met FROM former_node JOIN %1$I.node n USING (node_id)
+    UNION ALL SELECT n.geom, true FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_a = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
+    UNION ALL SELECT n.geom, true FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_b = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
+    UNION ALL SELECT n.geom, false FROM former_node f JOIN %1$I.edge e ON e.from_node = f.node_id JOIN %1$I.section s ON s.edge_id = e.edge_id AND s.method = 'crossed_limits' JOIN %1$I.node n ON n.node_id = e.to_node
+    UNION ALL SELECT n.geom, false FROM former_node f JOIN %1$I.edge e ON e.to_node = f.node_id JOIN %1$I.section s ON s.edge_id = e.edge_id AND s.method = 'crossed_limits' JOIN %1$I.node n ON n.node_id = e.from_node
+    UNION ALL SELECT n.geom, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) JOIN %1$I.node n USING (node_id)),
 result AS MATERIALIZED (
     SELECT s.* FROM setting, (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($1) ORDER BY axis_id) AS asked,
+               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($3) ORDER BY axis_id) AS changed, array_agg(axis_id IN (SELECT b.axis_id FROM beside b) ORDER BY axis_id) AS beside,
                array_agg(lanes_forward ORDER BY axis_id) AS lanes_forward, array_agg(lanes_backward ORDER BY axis_id) AS lanes_backward,
                array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
                array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
@@ -41,7 +53,8 @@ result AS MATERIALIZED (
         SELECT coalesce(array_agg(from_axis ORDER BY turn_restriction_id), '{}') AS from_axis, coalesce(array_agg(to_axis ORDER BY turn_restriction_id), '{}') AS to_axis,
                coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
-        FROM %1$I.turn_restriction WHERE from_axis = ANY ($2)) b,
+        FROM %1$I.turn_restriction WHERE from_axis = ANY ($2)) b, (
+        SELECT coalesce(array_agg(ST_X(geom)), '{}') AS x, coalesce(array_agg(ST_Y(geom)), '{}') AS y, coalesce(array_agg(met), '{}') AS met FROM former) f,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
@@ -49,12 +62,15 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.asked) s),
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.x, f.y, f.met) s),
+-- The axes whose rows come out, and those that are gone.
+asked_axis AS MATERIALIZED (
+    SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),
 new_edge AS MATERIALIZED (
-    SELECT row_index, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %3$s AS geom
-    FROM result WHERE relation = 'edge' AND of_axis = ANY ($1)),
+    SELECT row_index, start_b AS asked, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %3$s AS geom
+    FROM result WHERE relation = 'edge' AND of_axis IN (SELECT axis_id FROM asked_axis)),
 new_node AS MATERIALIZED (
-    SELECT row_index, %4$s AS geom, anchor_axis, anchor_abscissa FROM result
+    SELECT row_index, start_a AS asked, %4$s AS geom, anchor_axis, anchor_abscissa FROM result
     WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
 -- Identity: an axis end is known by its side, a shared vertex by its abscissa.
 old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE axis_id = ANY ($1) OR axis_id = ANY ($2)),
@@ -70,17 +86,17 @@ claim_of AS (SELECT row_index, node_id, min(axis_id) AS axis_id FROM new_anchor 
 heir AS (SELECT DISTINCT ON (node_id) node_id, row_index FROM claim_of ORDER BY node_id, axis_id, row_index),
 kept_node AS (SELECT row_index, min(node_id) AS node_id FROM heir GROUP BY row_index),
 node_id_of AS MATERIALIZED (
-    SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom
-    FROM (SELECT n.row_index, k.node_id, n.geom FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
+    SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom, asked
+    FROM (SELECT n.row_index, k.node_id, n.geom, n.asked FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
 old_key AS (SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn FROM old_edge),
 edge_id_of AS MATERIALIZED (
-    SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom
+    SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom, t.asked
     FROM (SELECT e.*, o.edge_id FROM (
             SELECT e.*, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id ORDER BY e.start_abscissa) AS turn
             FROM new_edge e JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
           LEFT JOIN old_key o USING (axis_id, from_node, turn) ORDER BY e.row_index OFFSET 0) t),
 gone_edge AS (
-    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND o.axis_id = ANY ($1)
+    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND o.axis_id IN (SELECT axis_id FROM asked_axis)
         AND NOT EXISTS (SELECT FROM edge_id_of n WHERE n.edge_id = o.edge_id) RETURNING d.edge_id, d.from_node, d.to_node),
 set_node AS (
     INSERT INTO %1$I.node AS t (node_id, geom) SELECT node_id, geom::geometry FROM node_id_of
@@ -88,10 +104,10 @@ set_node AS (
 -- LIMIT: asked of each node, and not joined.
 left_node AS MATERIALIZED (
     SELECT node_id FROM (
-        SELECT from_node AS node_id FROM old_edge WHERE axis_id = ANY ($1) UNION SELECT to_node FROM old_edge WHERE axis_id = ANY ($1) UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL
+        SELECT from_node AS node_id FROM old_edge WHERE axis_id IN (SELECT axis_id FROM asked_axis) UNION SELECT to_node FROM old_edge WHERE axis_id IN (SELECT axis_id FROM asked_axis) UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL
         EXCEPT SELECT node_id FROM node_id_of) o
-    WHERE (SELECT true FROM %1$I.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id = ANY ($1) LIMIT 1) IS NULL
-        AND (SELECT true FROM %1$I.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id = ANY ($1) LIMIT 1) IS NULL),
+    WHERE (SELECT true FROM %1$I.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
+        AND (SELECT true FROM %1$I.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL),
 gone_node AS (DELETE FROM %1$I.node d USING left_node o WHERE d.node_id = o.node_id RETURNING d.node_id),
 set_edge AS (
     INSERT INTO %1$I.edge AS t (edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash)
@@ -146,7 +162,7 @@ set_intersection AS (
     ON CONFLICT (node_id) DO UPDATE SET level = excluded.level, surface = excluded.surface, method = excluded.method, contested_area = excluded.contested_area
     WHERE (t.level, t.surface::bytea, t.method, t.contested_area) IS DISTINCT FROM (excluded.level, excluded.surface::bytea, excluded.method, excluded.contested_area) RETURNING xmax = 0 AS fresh),
 gone_intersection AS (
-    DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id
+    DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id AND n.asked
         AND NOT EXISTS (SELECT FROM new_intersection c WHERE c.node_id = i.node_id) RETURNING i.node_id),
 new_lane AS MATERIALIZED (
     SELECT row_index, coalesce(lane_id, nextval('%1$I.lane_lane_id_seq')) AS lane_id, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method FROM (
@@ -161,7 +177,7 @@ set_lane AS (
         IS DISTINCT FROM (excluded.lane_position, excluded.side, excluded.along_axis, excluded.kind, excluded.width, excluded.axis_offset, excluded.turn, excluded.geom::bytea, excluded.surface::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
 gone_lane AS (
-    DELETE FROM %1$I.lane l USING edge_id_of e WHERE l.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_lane n WHERE n.lane_id = l.lane_id) RETURNING 1),
+    DELETE FROM %1$I.lane l USING edge_id_of e WHERE l.edge_id = e.edge_id AND e.asked AND NOT EXISTS (SELECT FROM new_lane n WHERE n.lane_id = l.lane_id) RETURNING 1),
 new_separator AS MATERIALIZED (
     SELECT s.lane_separator_id, e.edge_id, r.lane_position, r.kind, r.start_a AS dashed, r.measure_2 AS axis_offset, r.geom_1 AS geom, r.geom_2 AS surface
     FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane_separator s ON (s.edge_id, s.lane_position) = (e.edge_id, r.lane_position) WHERE r.relation = 'lane_separator'),
@@ -172,7 +188,7 @@ set_separator AS (
     WHERE (t.kind, t.dashed, t.axis_offset, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.kind, excluded.dashed, excluded.axis_offset, excluded.geom::bytea, excluded.surface::bytea)
     RETURNING xmax = 0 AS fresh),
 gone_separator AS (
-    DELETE FROM %1$I.lane_separator s USING edge_id_of e WHERE s.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_separator n WHERE n.lane_separator_id = s.lane_separator_id) RETURNING 1),
+    DELETE FROM %1$I.lane_separator s USING edge_id_of e WHERE s.edge_id = e.edge_id AND e.asked AND NOT EXISTS (SELECT FROM new_separator n WHERE n.lane_separator_id = s.lane_separator_id) RETURNING 1),
 new_marking AS MATERIALIZED (
     SELECT m.marking_id, e.edge_id, r.lane_position, n.node_id, r.kind, r.geom_1 AS geom, r.geom_2 AS surface
     FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a JOIN node_id_of n ON n.row_index = r.node_a
@@ -183,7 +199,7 @@ set_marking AS (
     ON CONFLICT (marking_id) DO UPDATE SET node_id = excluded.node_id, geom = excluded.geom, surface = excluded.surface
     WHERE (t.node_id, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.node_id, excluded.geom::bytea, excluded.surface::bytea) RETURNING xmax = 0 AS fresh),
 gone_marking AS (
-    DELETE FROM %1$I.marking m USING edge_id_of e WHERE m.edge_id = e.edge_id AND NOT EXISTS (SELECT FROM new_marking n WHERE n.marking_id = m.marking_id) RETURNING 1),
+    DELETE FROM %1$I.marking m USING edge_id_of e WHERE m.edge_id = e.edge_id AND e.asked AND NOT EXISTS (SELECT FROM new_marking n WHERE n.marking_id = m.marking_id) RETURNING 1),
 interconnection_decided AS MATERIALIZED (
     SELECT DISTINCT ON (r.row_index) r.row_index, d.connecting, d.control
     FROM %1$I.interconnection_override d JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out)
@@ -209,14 +225,14 @@ set_interconnection AS (
     RETURNING xmax = 0 AS fresh),
 -- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch.
 gone_interconnection AS (
-    DELETE FROM %1$I.interconnection k USING node_id_of n WHERE k.node_id = n.node_id
-        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id = ANY ($1))
+    DELETE FROM %1$I.interconnection k USING node_id_of n WHERE k.node_id = n.node_id AND n.asked
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
         AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
-    FROM result WHERE relation = 'report' AND of_axis = ANY ($1)),
+    FROM result WHERE relation = 'report' AND of_axis IN (SELECT axis_id FROM asked_axis)),
 gone_report AS (
-    DELETE FROM %1$I.report o WHERE o.axis_a = ANY ($1)
+    DELETE FROM %1$I.report o WHERE o.axis_a IN (SELECT axis_id FROM asked_axis)
         AND NOT EXISTS (SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom::bytea) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom::bytea)) RETURNING 1),
 set_report AS (
     INSERT INTO %1$I.report SELECT n.* FROM new_report n
@@ -236,9 +252,9 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'));
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of two arrays: $1 the axes whose rows are written, $2 those that they are computed with. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
@@ -249,19 +265,20 @@ DECLARE
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     -- Of the whole model every axis is asked.
-    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model), '[a-z_.]+ = ANY \(\$[12]\)', 'true', 'g') ELSE streetgen._upsert_statement(model) END
-        USING written, gathered;
+    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model) END
+        USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or the axes written, with those gathered around them.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what those changed can change.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys.
+    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: the condition on
+    -- relation, which always holds, lets the planner expect few rows.
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[])
+CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
@@ -269,7 +286,7 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[])
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, streetgen._upsert_statement(model));
-    PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[])', 'Computes and upserts the streets of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
+END $body$ $sql$, model, replace(streetgen._upsert_statement(model), 'f.met) s),', 'f.met) s WHERE relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')),'));
+    PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';

@@ -21,7 +21,7 @@ BEGIN
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
     IF axes IS NULL AND streetgen._enter(model, wait, alone => true) THEN
-        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL) u;
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL, NULL) u;
     ELSE
         IF asked IS NULL THEN
             -- Another session edits: go on axis by axis with the places that are free.
@@ -42,14 +42,14 @@ BEGIN
             skipped_axes := skipped_axes + cardinality(asked) - cardinality(claimed.asked);
         ELSE
             skipped_axes := skipped_axes + cardinality(asked);
-            SELECT '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO claimed;
+            SELECT '{}'::bigint[] AS changed, '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO claimed;
         END IF;
         IF cardinality(claimed.written) > most_planned THEN
             RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, u.hard
-                FROM streetgen._upsert_set(model, claimed.written, claimed.gathered) u;
+                FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed) u;
         ELSE
-            RETURN QUERY EXECUTE format($sql$SELECT relation, inserted, updated, deleted, unchanged, CASE WHEN relation = 'edge' THEN $3 ELSE 0 END, hard FROM %I._upsert($1, $2)$sql$, model)
-                USING claimed.written, claimed.gathered, skipped_axes;
+            RETURN QUERY EXECUTE format($sql$SELECT relation, inserted, updated, deleted, unchanged, CASE WHEN relation = 'edge' THEN $4 ELSE 0 END, hard FROM %I._upsert($1, $2, $3)$sql$, model)
+                USING claimed.written, claimed.gathered, claimed.changed, skipped_axes;
         END IF;
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);

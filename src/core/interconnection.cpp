@@ -63,9 +63,8 @@ class Builder {
 
   std::vector<Interconnection> run(const std::vector<TurnRestriction>& restrictions) {
     restrict(restrictions);
-    const std::vector<bool> asked = asked_nodes(streets_);
     for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
-      if (!asked[n]) continue;
+      if (!streets_.asked_nodes[n]) continue;
       poll_cancel();
       join(n);
     }

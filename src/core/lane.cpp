@@ -120,7 +120,6 @@ class Builder {
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
           std::vector<LaneOverride> overrides, const LaneSettings& settings)
       : streets_(streets),
-        asked_node_(asked_nodes(streets)),
         axes_(std::move(axes)),
         overrides_(std::move(overrides)),
         settings_(settings) {
@@ -162,7 +161,7 @@ class Builder {
  private:
   bool meets_asked(int e) const {
     const Edge& edge = streets_.network.edges[e];
-    return asked_node_[edge.from_node] || asked_node_[edge.to_node];
+    return streets_.asked_nodes[edge.from_node] || streets_.asked_nodes[edge.to_node];
   }
 
   std::vector<LaneWish> wishes_of(int e) const {
@@ -199,7 +198,6 @@ class Builder {
   }
 
   const Streets& streets_;
-  const std::vector<bool> asked_node_;
   std::vector<LanesOfAxis> axes_;
   std::vector<LaneOverride> overrides_;
   const LaneSettings& settings_;

@@ -36,13 +36,15 @@ struct Around {
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]
   std::optional<Transition> transition;
   int along = 0;  // index in ends: the axis that the transition is seen along
+  std::vector<int> followed;  // further nodes that a corner looked at
 };
 
 // The named steps; each reads what the ones before it wrote.
 class Pipeline {
  public:
-  Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings)
-      : settings_(settings) {
+  Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+           const std::vector<FormerNode>& former)
+      : settings_(settings), former_(former) {
     for (const StreetAxis& axis : axes) {
       axes_.emplace(axis.axis_id, &axis);
       lengths_.emplace(axis.axis_id, length(axis.line));
@@ -56,6 +58,7 @@ class Pipeline {
     orient_arms();
     solve_corners();
     settle_limits();
+    ask_around_changes();
     build_surfaces();
     settle_owners();
     return std::move(out_);
@@ -78,7 +81,7 @@ class Pipeline {
                2;
       };
       const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
-      out_.roadways.push_back({2 * start, 2 * end, axis.importance, axis.asked});
+      out_.roadways.push_back({2 * start, 2 * end, axis.importance});
       const Line line = distinct(planar(edge.line));
       arms_[2 * e] = {line, start, end, 0, {}};
       arms_[2 * e + 1] = {reversed(line), end, start, 0, {}};
@@ -110,7 +113,7 @@ class Pipeline {
 
   // The arm with the axes that go on in its direction, up to `reach` from the node: at each
   // further node the one that turns least, of the same level and width.
-  Arm longer(const EdgeEnd& end) const {
+  Arm longer(const EdgeEnd& end, std::vector<int>& followed) const {
     constexpr double least_cosine = 0.866;  // 30 degrees
     Arm arm = arms_[slot(end)];
     if (arm.half_start != arm.half_end) return arm;
@@ -120,7 +123,8 @@ class Pipeline {
       const Point direction = unit(arm.line.back() - arm.line[arm.line.size() - 2]);
       double best = least_cosine;
       const EdgeEnd* next = nullptr;
-      for (const EdgeEnd& other : around_[last.at_start ? edge.to_node : edge.from_node].ends) {
+      followed.push_back(last.at_start ? edge.to_node : edge.from_node);
+      for (const EdgeEnd& other : around_[followed.back()].ends) {
         const Arm& on = arms_[slot(other)];
         const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
         if (other.edge == last.edge || out_.network.edges[other.edge].level != edge.level ||
@@ -139,7 +143,7 @@ class Pipeline {
   }
 
   // Between ends[i] and the next.
-  SolvedCorner solve(const Around& around, std::size_t i, double radius) const {
+  SolvedCorner solve(Around& around, std::size_t i, double radius) const {
     std::vector<const Arm*> arms;
     for (const EdgeEnd& end : around.ends) arms.push_back(&arms_[slot(end)]);
     const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
@@ -148,7 +152,8 @@ class Pipeline {
     if (solved.method != Method::no_arc && !(reduced && settings_.short_axis == ShortAxis::follow))
       return solved;
     const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % around.ends.size()];
-    const auto followed = follow_corner(arms_[slot(a)], arms_[slot(b)], longer(a), longer(b), wish);
+    const auto followed = follow_corner(arms_[slot(a)], arms_[slot(b)], longer(a, around.followed),
+                                        longer(b, around.followed), wish);
     return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
   }
 
@@ -251,8 +256,38 @@ class Pipeline {
     }
   }
 
-  bool asked(const Section& section) const { return out_.roadways[section.edge].asked; }
-  bool asked(const Intersection& intersection) const { return asked_node_[intersection.node]; }
+  // The edges that changed axes can change, and the nodes.
+  void ask_around_changes() {
+    const auto& edges = out_.network.edges;
+    const double near = 3 * settings_.tolerance;
+    std::vector<bool> met(around_.size());
+    out_.asked_edges.resize(edges.size());
+    out_.asked_nodes.resize(around_.size());
+    for (std::size_t n = 0; n < around_.size(); ++n)
+      for (const FormerNode& former : former_)
+        if (distance(out_.network.nodes[n].point, former.place) <= near)
+          (former.met ? met : out_.asked_nodes)[n] = true;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+      if (axis_of(e).changed) met[edges[e].from_node] = met[edges[e].to_node] = true;
+    std::vector<bool> concerned = met;
+    for (std::size_t n = 0; n < around_.size(); ++n)
+      for (const int node : around_[n].followed)
+        if (met[node]) concerned[n] = true;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const int from = edges[e].from_node, to = edges[e].to_node;
+      if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
+      out_.asked_edges[e] = true;
+      // The limits of an edge move together where they cross.
+      const bool both = !axis_of(e).beside && out_.limits[2 * e].method == Method::crossed_limits;
+      for (const int node : {from, to})
+        if (both || concerned[node]) out_.asked_nodes[node] = true;
+    }
+  }
+
+  bool asked(const Section& section) const { return out_.asked_edges[section.edge]; }
+  bool asked(const Intersection& intersection) const {
+    return out_.asked_nodes[intersection.node];
+  }
 
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
 
@@ -321,8 +356,28 @@ class Pipeline {
     claim.axis_id = std::min(claim.axis_id, axis.axis_id);
   }
 
+  void ask(std::vector<Claim>& claims, int claim) {
+    const int sections = static_cast<int>(out_.sections.size());
+    claims[claim].wanted = true;
+    if (claim < sections)
+      out_.asked_edges[out_.sections[claim].edge] = true;
+    else
+      out_.asked_nodes[out_.intersections[claim - sections].node] = true;
+  }
+
+  // What claims the ground of asked nodes and changed axes too.
+  void ask_rivals(std::vector<Claim>& claims, const std::vector<std::pair<int, int>>& pairs) {
+    const int sections = static_cast<int>(out_.sections.size());
+    std::vector<bool> changes;
+    for (int i = 0; i < static_cast<int>(claims.size()); ++i)
+      changes.push_back(i < sections ? axis_of(out_.sections[i].edge).changed : claims[i].wanted);
+    for (const auto& [i, j] : pairs) {
+      if (changes[i]) ask(claims, j);
+      if (changes[j]) ask(claims, i);
+    }
+  }
+
   void settle_owners() {
-    asked_node_ = asked_nodes(out_);
     std::vector<Claim> claims;
     for (Section& section : out_.sections) {
       const SectionLimit &start = out_.limits[2 * section.edge],
@@ -361,9 +416,10 @@ class Pipeline {
       claims.push_back(std::move(claim));
     }
     const auto pairs = disputes(claims);
+    ask_rivals(claims, pairs);
     const auto holes = holes_between(geos_, claims, pairs, settings_.max_hole_area);
     for (const Hole& hole : holes)
-      for (const int i : hole.around) claims[i].wanted = true;
+      for (const int i : hole.around) ask(claims, i);
     settle_ownership(geos_, claims, pairs);
     give_holes(geos_, claims, holes);
     std::size_t i = 0;
@@ -380,12 +436,12 @@ class Pipeline {
   }
 
   const StreetSettings& settings_;
+  const std::vector<FormerNode>& former_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
-  std::vector<bool> asked_node_;
   Geos geos_;
 };
 
@@ -417,18 +473,9 @@ const char* method_name(Method method) noexcept {
   return "";
 }
 
-std::vector<bool> asked_nodes(const Streets& streets) {
-  std::vector<bool> asked(streets.network.nodes.size());
-  for (std::size_t e = 0; e < streets.network.edges.size(); ++e) {
-    if (!streets.roadways[e].asked) continue;
-    asked[streets.network.edges[e].from_node] = true;
-    asked[streets.network.edges[e].to_node] = true;
-  }
-  return asked;
-}
-
-Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings) {
-  return Pipeline(axes, settings).run();
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+                const std::vector<FormerNode>& former) {
+  return Pipeline(axes, settings, former).run();
 }
 
 }  // namespace streetgen

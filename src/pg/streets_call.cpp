@@ -46,7 +46,7 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
   Columns overrides{fcinfo, "lane overrides"};
-  Columns restrictions{fcinfo, "turn restrictions"};
+  Columns restrictions{fcinfo, "turn restrictions"}, former{fcinfo, "former nodes"};
   call->axis_id = column(&axes, 0, "axis_id", INT8OID);
   call->geom = column(&axes, 1, "geom", BYTEAOID);
   call->width = column(&axes, 2, "width", FLOAT8OID);
@@ -106,7 +106,12 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
   call->trajectory_tolerance = PG_GETARG_FLOAT8(51);
   call->trajectory_radius = PG_GETARG_FLOAT8(52);
-  call->asked = column(&axes, 53, "asked", BOOLOID);
+  call->changed = column(&axes, 53, "changed", BOOLOID);
+  call->beside = column(&axes, 54, "beside", BOOLOID);
+  call->former_x = column(&former, 55, "former_x", FLOAT8OID);
+  call->former_y = column(&former, 56, "former_y", FLOAT8OID);
+  call->former_met = column(&former, 57, "former_met", BOOLOID);
+  call->former_count = former.count;
 }
 
 }  // namespace streetgen::pg

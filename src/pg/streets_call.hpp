@@ -30,7 +30,9 @@ struct StreetsCall {
   bool u_turn;
   const char *trajectory;
   double trajectory_tolerance, trajectory_radius;
-  Datum *asked;
+  Datum *changed, *beside;
+  int former_count;
+  Datum *former_x, *former_y, *former_met;
 };
 
 // Raises where a list has a NULL or lists that belong together differ in length.

@@ -63,7 +63,8 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.importance = DatumGetInt32(call.importance[i]);
     axis.level = DatumGetInt32(call.level[i]);
     axis.speed = in_range(DatumGetFloat8(call.speed[i]), 0, 1000, "speed" + of_axis);
-    axis.asked = DatumGetBool(call.asked[i]);
+    axis.changed = DatumGetBool(call.changed[i]);
+    axis.beside = DatumGetBool(call.beside[i]);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));
@@ -177,6 +178,15 @@ InterconnectionSettings interconnection_settings_of(const StreetsCall& call) {
   return settings;
 }
 
+std::vector<FormerNode> former_of(const StreetsCall& call) {
+  std::vector<FormerNode> former;
+  for (int i = 0; i < call.former_count; ++i)
+    former.push_back({{finite(DatumGetFloat8(call.former_x[i]), "x of a former node"),
+                       finite(DatumGetFloat8(call.former_y[i]), "y of a former node"), 0},
+                      DatumGetBool(call.former_met[i])});
+  return former;
+}
+
 }  // namespace
 
 StreetsInput read_input(const StreetsCall& call) {
@@ -184,6 +194,7 @@ StreetsInput read_input(const StreetsCall& call) {
   input.srid = call.srid;
   input.axes = axes_of(call, &input.has_z);
   input.settings = settings_of(call);
+  input.former = former_of(call);
   input.lanes = lanes_of(call);
   input.overrides = overrides_of(call);
   input.lane_settings = lane_settings_of(call);

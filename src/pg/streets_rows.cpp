@@ -25,10 +25,12 @@ Row& add(Rows& rows, const char* relation) {
   return rows.back();
 }
 
-void append_network(const Network& network, Form with_z, Form flat, Rows& rows) {
+void append_network(const Streets& streets, Form with_z, Form flat, Rows& rows) {
+  const Network& network = streets.network;
   for (std::size_t i = 0; i < network.nodes.size(); ++i) {
     Row& row = add(rows, "node");
     row.row_index = static_cast<int>(i);
+    row.start_a = streets.asked_nodes[i];
     row.geom_1 = write_point(network.nodes[i].point, with_z);
     for (const NodeAnchor& anchor : network.nodes[i].anchors) {
       row.anchor_axis.push_back(anchor.axis_id);
@@ -42,6 +44,8 @@ void append_network(const Network& network, Form with_z, Form flat, Rows& rows) 
     row.axis_id = edge.axis_id;
     row.node_a = edge.from_node;
     row.node_b = edge.to_node;
+    row.start_a = streets.asked_edges[i];
+    row.start_b = streets.asked_nodes[edge.from_node] || streets.asked_nodes[edge.to_node];
     row.level = edge.level;
     row.measure_1 = edge.start_abscissa;
     row.measure_2 = edge.end_abscissa;
@@ -187,7 +191,7 @@ Rows rows_of(const Streets& streets, const Lanes& lanes,
              const std::vector<Interconnection>& interconnections, int srid, bool has_z) {
   const Form with_z{srid, has_z}, flat{srid, false};
   Rows rows;
-  append_network(streets.network, with_z, flat, rows);
+  append_network(streets, with_z, flat, rows);
   append_streets(streets, with_z, flat, rows);
   append_lanes(lanes, flat, rows);
   append_interconnections(interconnections, flat, rows);
