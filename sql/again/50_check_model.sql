@@ -43,7 +43,7 @@ astray AS MATERIALIZED (
     SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN %1$I.section s USING (edge_id)
     WHERE s.contested_area = 0 AND s.method <> 'crossed_limits' AND ST_IsValid(s.surface)),
 overridden AS MATERIALIZED (
-    SELECT o.*, l.lane_id, l.geom, l.along_axis AS runs_along, l.method FROM %1$I.lane_override o
+    SELECT o.lane_override_id, o.abscissa, o.along_axis, o.geom AS place, l.lane_id, l.geom, l.along_axis AS runs_along, l.method FROM %1$I.lane_override o
     LEFT JOIN (%1$I.edge e JOIN %1$I.lane l USING (edge_id)) ON e.axis_id = o.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality),
 listed AS MATERIALIZED (
     SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u JOIN %1$I.axis a USING (axis_id),
@@ -95,7 +95,7 @@ UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'tra
 UNION ALL SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)
 UNION ALL SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray WHERE ST_Length(outside) > 0.1
-UNION ALL SELECT 'warning', 'lane override without its lane', 'lane_override', lane_override_id, abscissa, NULL FROM overridden WHERE lane_id IS NULL
+UNION ALL SELECT 'warning', 'lane override without its lane', 'lane_override', lane_override_id, abscissa, place FROM overridden WHERE lane_id IS NULL
 UNION ALL SELECT 'warning', 'stale: lane override since', 'lane_override', lane_override_id, abscissa, geom FROM overridden WHERE method <> 'by_hand' OR along_axis <> runs_along
 UNION ALL SELECT 'warning', 'stale: lane override is gone', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l WHERE l.method = 'by_hand' AND NOT EXISTS (SELECT FROM overridden o WHERE o.lane_id = l.lane_id)
 UNION ALL SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
