@@ -72,12 +72,23 @@ def handle_line(colour):
     return lambda: rules(('computed', 'NOT by_hand', line(colour, 0.4, dash='2;1')), ('by hand', 'by_hand', line(HAND, 0.5)))
 
 
+def by_hand(relation, *columns):
+    """What users decided; here also that which fits nowhere can be seen and deleted."""
+    return Layer('overrides', relation, f'{relation}_id', 'geom', 'Point', lambda: single(point('star', HAND, 3)), columns)
+
+
 LAYERS = (
     Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', 'Point', lambda: single(point('octagon', REPORT, 3)),
           ('from_axis', 'to_axis', 'kind', 'turn', 'source', 'source_ref'), scale=2500),
     Layer('input', 'axis', 'axis_id', 'geom', 'LineString', axis,
           ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'kind_forward',
            'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source', 'source_ref'), shown=True),
+    by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
+    by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
+    by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
+    by_hand('kerb_point_override', 'axis_id', 'abscissa', 'width'),
+    by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'width'),
+    by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'connecting'),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
     Layer('input', 'setting', 'name'),
     Layer('traffic', 'interconnection', 'interconnection_id', 'geom', 'LineString', interconnection, scale=1500, shown=True),
