@@ -35,6 +35,7 @@ CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT w
 DECLARE
     reach float8;
     size float8;
+    tolerance float8;
     -- No roadway is wider.
     widest float8;
     -- Of the written axes those that are not deleted, and their widths.
@@ -42,14 +43,19 @@ DECLARE
     width_of float8[];
 BEGIN
     SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
+           max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(c.width) FROM %1$I.axis_class c))
-        INTO reach, size, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'width_default');
+        INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'tolerance', 'width_default');
     -- What the asked axes can change: along the network, and by their roadway.
     SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (
         WITH line AS MATERIALIZED (
             SELECT geom, greatest(width, width_end) AS width FROM %1$I.axis_used WHERE axis_id = ANY (asked)
-            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked))
-        SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
+        -- Where limits cross, the far end of an edge moves too, however far.
+        far_end AS MATERIALIZED (
+            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id))
+        SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.from_node = f.node_id UNION SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.to_node = f.node_id
+        UNION SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
         UNION SELECT unnest(asked)) w;
     SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
