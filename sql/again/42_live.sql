@@ -130,8 +130,8 @@ BEGIN
     ELSE
         changed := ARRAY(SELECT to_jsonb(o) FROM (SELECT * FROM old_override EXCEPT SELECT * FROM new_override) o UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
     END IF;
-    PERFORM streetgen._follow(%2$L, ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c, jsonb_each_text(c) named(name, value) JOIN %1$I.axis a ON a.axis_id = value::bigint
-        WHERE name IN ('axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis')));
+    PERFORM streetgen._follow(%2$L, ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) named
+        JOIN %1$I.axis a ON a.axis_id = (c ->> named)::bigint));
     RETURN NULL;
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
