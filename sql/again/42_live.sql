@@ -181,7 +181,7 @@ DECLARE
     stale bigint;
 BEGIN
     EXECUTE format($sql$
-WITH generated AS (SELECT axis_id, bool_or(input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
+WITH generated AS (SELECT axis_id, bool_or(e.input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
 SELECT count(*) FROM %1$I.axis a LEFT JOIN generated g USING (axis_id)
 WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id AND r.issue = 'collapsed_axis')
 $sql$, model) INTO stale;
