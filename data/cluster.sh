@@ -19,8 +19,8 @@ as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@
 
 install_packages() {
   install_missing g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
-    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libcgal-dev libeigen3-dev \
-    libgtest-dev osm2pgsql gdal-bin librsvg2-bin
+    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libgtest-dev \
+    osm2pgsql gdal-bin librsvg2-bin
 }
 
 install_missing() {
@@ -138,9 +138,13 @@ stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -
 # Of the SQL as built now: a database made by other SQL does not fit the module.
 built_sql() { cat "$stage$(pg_config --sharedir)"/extension/streetgen--*.sql | cksum | cut -d' ' -f1; }
 
+empty_database() {
+  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1"
+}
+
 # A database with the extension as built now.
 fresh_database() {
-  psql -qX -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1" 2>/dev/null
+  empty_database "$1"
   PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION streetgen CASCADE' \
     -c "COMMENT ON DATABASE $1 IS 'streetgen $(built_sql)'"
 }

@@ -4,9 +4,11 @@
 // transitively, whatever the order of the axes; a cluster wider than three
 // tolerances is reported and not joined.  A node lies at the vertex of its
 // smallest (axis_id, vertex).  An axis end within tolerance of the inside of
-// another axis' segment makes a node there.  Levels that differ meet only where
-// the point is an end of at least one axis; where it is interior to all, they
-// pass over each other and make no node.  No vertex that another axis shares is removed.
+// another axis' segment makes a node there.  Nodes within tolerance of each
+// other along an axis are one, in the same way and within the same bound.
+// Levels that differ meet only where the point is an end of at least one axis;
+// where it is interior to all, they pass over each other and make no node.  No
+// vertex that another axis shares is removed.
 #pragma once
 
 #include <cstdint>
@@ -51,9 +53,9 @@ struct Edge {
 };
 
 enum class NetworkIssue {
-  wide_cluster,    // points within tolerance chain wider than three tolerances: not joined
+  wide_cluster,    // points or nodes chain wider than three tolerances: not joined
   crossing,        // two axes of one level cross without a vertex (split or passed over)
-  collapsed_axis,  // an axis shorter than the tolerance: it has no edge
+  collapsed_axis,  // an axis shorter than the tolerance, or whose ends join: it has no edge
 };
 
 struct NetworkReport {

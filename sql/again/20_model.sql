@@ -15,7 +15,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
     ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL, ARRAY['min', 'max', 'mean']),
     ('short_axis', 'reduce', NULL, 'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow (the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
-    ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance, the last entry for all beyond it; null: no arc; empty: turning_radius', NULL, NULL, NULL),
+    ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance; an entry holds up to the next one, the first also before itself; null: no arc; empty: turning_radius', NULL, NULL, NULL),
     ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
     ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
     ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
@@ -35,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10, NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
-    ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h', 'speed by importance, the last entry for all beyond it', NULL, NULL, NULL),
+    ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h', 'speed by importance; an entry holds up to the next one, the first also before itself', NULL, NULL, NULL),
     ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL),
     ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL),
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
@@ -343,7 +343,7 @@ DECLARE
     srid integer;
     dimension integer;
     missing text[];
-    reader regrole;
+    reader oid;
 BEGIN
     missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
         WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
@@ -361,11 +361,11 @@ BEGIN
     PERFORM streetgen._make_functions(schema);
     PERFORM streetgen._comment_model(schema);
     -- Who may read or write the axes may do so with what was lost or is new.
-    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee NOT IN (0, relowner) LOOP
-        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, reader);
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
+        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
-    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee NOT IN (0, relowner) LOOP
-        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, reader);
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee <> relowner LOOP
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';

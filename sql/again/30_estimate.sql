@@ -12,13 +12,13 @@ COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) I
 
 CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN (table_of ->> (SELECT max(key::integer) FROM jsonb_object_keys(table_of) key WHERE key::integer <= importance)::text)::float8;
-COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance.';
+    RETURN (table_of ->> (SELECT coalesce(max(key::integer) FILTER (WHERE key::integer <= importance), min(key::integer)) FROM jsonb_object_keys(table_of) key WHERE importance IS NOT NULL)::text)::float8;
+COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance, before the first entry the first; NULL for none.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width)));
-COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance, else from the width (metres), 20 to 110.';
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -71,9 +71,9 @@ COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list some
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN coalesce(radius,
-        CASE WHEN importance IS NOT NULL AND radius_by_importance <> '' THEN coalesce(streetgen._by_importance(importance, radius_by_importance::jsonb), 0) END,
+        CASE WHEN importance IS NOT NULL AND nullif(radius_by_importance, '')::jsonb <> '{}' THEN coalesce(streetgen._by_importance(importance, radius_by_importance::jsonb), 0) END,
         streetgen.turning_radius(least(speed, 400), width, mode));
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (a null entry: 0, no arc), else turning_radius.';
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)

@@ -110,7 +110,7 @@ UNION ALL SELECT 'notice', what || ' are not those of all lanes, not taken', 'ax
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
 $sql$, model);
 EXCEPTION WHEN internal_error THEN
-    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call ends as 57014.
     RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';

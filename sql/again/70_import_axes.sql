@@ -95,7 +95,7 @@ SELECT CASE WHEN metres > 0.99 * ST_Length(a.geom) THEN 'lies on another axis' E
 FROM shared JOIN %1$I.axis a USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(a.geom)) GROUP BY 1 ORDER BY 1 $sql$, model);
     DROP TABLE _import_segment;
 EXCEPTION WHEN internal_error THEN
-    -- PostGIS' name for an overlay that was interrupted; the interrupt itself waits for the next statement.
+    -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call ends as 57014.
     RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen._suspects(name) IS 'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis within clean_epsilon of another axis of its level.';

@@ -31,6 +31,11 @@ CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS tex
     AS $$ SELECT text FROM (SELECT CASE kind WHEN 'turn' THEN replace(lower(list), ' ', '') ELSE regexp_replace(list, '\s*m?\s*(\||$)', '\1', 'g') END AS text) t WHERE streetgen.is_lane_list(text, kind) $$;
 COMMENT ON FUNCTION streetgen._osm_list(text, text) IS 'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn or width.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_with_centre(list text, centre integer, driving_side text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE driving_side WHEN 'right' THEN repeat('|', coalesce(centre, 0)) || list ELSE list || repeat('|', coalesce(centre, 0)) END $$;
+COMMENT ON FUNCTION streetgen._osm_with_centre(text, integer, text) IS 'An OSM :lanes:forward tag with so many lanes more at the middle of the street, of which it says nothing.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_kerb(of_side text, of_both text, of_way text, against text, direction text, side text, driving_side text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE
@@ -64,7 +69,7 @@ DECLARE
     source regclass := streetgen._osm_table('_line', prefix, schemas);
     -- Tables written by an older flex file lack some.
     tags text := (
-        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ') FROM unnest(ARRAY['turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
+        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ') FROM unnest(ARRAY['lanes_both_ways', 'turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
             'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward', 'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward',
             'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right', 'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
             'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both', 'parking_lane_left', 'parking_lane_right', 'parking_lane_both']) tag
@@ -92,7 +97,8 @@ SELECT geom, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS w
        lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        way_id::text AS source_ref, NULL::text AS left_out,
        array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
-                          CASE WHEN lanes IS NOT NULL AND lanes_both IS NULL OR coalesce(lanes_forward, lanes_backward) IS NOT NULL AND coalesce(lanes_both, lanes_sum) IS NULL THEN 'lane_count' END,
+                          CASE WHEN lanes IS NOT NULL AND lanes_both IS NULL OR coalesce(lanes_forward, lanes_backward) IS NOT NULL AND coalesce(lanes_both, lanes_sum) IS NULL
+                               OR lanes_both_ways IS NOT NULL AND (centre IS NULL OR centre > 0 AND coalesce(lanes_both, stated_forward, stated_backward) IS NULL) THEN 'lane_count' END,
                           CASE WHEN maxspeed NOT IN ('none', 'signals', 'variable') AND (kmh <= 400) IS NOT TRUE THEN 'speed' END,
                           CASE WHEN oneway NOT IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0', 'reversible', 'alternating') THEN 'direction' END,
                           CASE WHEN layer !~ '^[-+]?\d{1,2}$' THEN 'level' END,
@@ -100,16 +106,18 @@ SELECT geom, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS w
                           CASE WHEN said_width_forward IS NOT NULL AND lane_width_forward IS NULL OR said_width_backward IS NOT NULL AND lane_width_backward IS NULL THEN 'lane_width' END], NULL) AS unread
 FROM (SELECT geom, way_id, class, name, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) line,
      streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
-     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_both FROM streetgen._osm_count(lanes) n) b,
-     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_forward FROM streetgen._osm_count(lanes_forward) n) f,
-     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_backward FROM streetgen._osm_count(lanes_backward) n) w,
-     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_sum FROM (SELECT streetgen._osm_count(lanes_forward) + streetgen._osm_count(lanes_backward) AS n) m) s,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse') THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
                           WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link') THEN 'direct' ELSE 'both' END AS direction) d,
+     -- Lanes for both directions, in the middle: taken as the innermost forward ones.
+     LATERAL (SELECT CASE WHEN direction = 'both' AND n BETWEEN 0 AND 3 THEN n END AS centre FROM (SELECT streetgen._osm_count(lanes_both_ways) AS n) m) c,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_both FROM streetgen._osm_count(lanes) n) b,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_forward FROM (SELECT streetgen._osm_count(lanes_forward) + coalesce(centre, 0) AS n) m) f,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_backward FROM streetgen._osm_count(lanes_backward) n) w,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_sum FROM (SELECT streetgen._osm_count(lanes_forward) + streetgen._osm_count(lanes_backward) + coalesce(centre, 0) AS n) m) s,
      -- A tag without a direction speaks of that of a one-way street.
-     LATERAL (SELECT coalesce(turn_lanes_forward, CASE direction WHEN 'direct' THEN turn_lanes END) AS said_turn_forward, coalesce(turn_lanes_backward, CASE direction WHEN 'reverse' THEN turn_lanes END) AS said_turn_backward,
-                     coalesce(width_lanes_forward, CASE direction WHEN 'direct' THEN width_lanes END) AS said_width_forward, coalesce(width_lanes_backward, CASE direction WHEN 'reverse' THEN width_lanes END) AS said_width_backward,
-                     coalesce(bus_lanes_forward, psv_lanes_forward, CASE direction WHEN 'direct' THEN coalesce(bus_lanes, psv_lanes) END) AS buses_forward,
+     LATERAL (SELECT coalesce(streetgen._osm_with_centre(turn_lanes_forward, centre, '%3$s'), CASE direction WHEN 'direct' THEN turn_lanes END) AS said_turn_forward, coalesce(turn_lanes_backward, CASE direction WHEN 'reverse' THEN turn_lanes END) AS said_turn_backward,
+                     coalesce(streetgen._osm_with_centre(width_lanes_forward, centre, '%3$s'), CASE direction WHEN 'direct' THEN width_lanes END) AS said_width_forward, coalesce(width_lanes_backward, CASE direction WHEN 'reverse' THEN width_lanes END) AS said_width_backward,
+                     coalesce(streetgen._osm_with_centre(coalesce(bus_lanes_forward, psv_lanes_forward), centre, '%3$s'), CASE direction WHEN 'direct' THEN coalesce(bus_lanes, psv_lanes) END) AS buses_forward,
                      coalesce(bus_lanes_backward, psv_lanes_backward, CASE direction WHEN 'reverse' THEN coalesce(bus_lanes, psv_lanes) END) AS buses_backward,
                      coalesce(lanes_bus_forward, CASE direction WHEN 'direct' THEN coalesce(lanes_bus, lanes_psv) END, '0') ~ '^[1-9]' AS bus_forward,
                      coalesce(lanes_bus_backward, CASE direction WHEN 'reverse' THEN coalesce(lanes_bus, lanes_psv) END, '0') ~ '^[1-9]' AS bus_backward) said,
@@ -126,4 +134,4 @@ FROM (SELECT geom, way_id, class, name, lanes, lanes_forward, lanes_backward, wi
         source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END));
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source, streetgen._osm_table('_restriction', prefix, schemas));
 END $$;
-COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS 'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of search_path or named with its schema (gis.osm): lanes, width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported by way.';
+COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS 'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of search_path or named with its schema (gis.osm): lanes (lanes:both_ways, a centre turn lane, counts as the innermost forward lane), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported by way.';

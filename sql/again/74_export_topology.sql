@@ -24,7 +24,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_planar(name, integer) IS 'Raises 55000, naming the first, where edges about to be exported meet elsewhere than at their nodes.';
 
-CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology name)
+CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology text)
     RETURNS TABLE(name name, level integer, nodes bigint, edges bigint, faces bigint, doubled bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- Nothing is known of rows just computed: joins are on equal keys, or by an index.
@@ -32,12 +32,17 @@ CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology name)
     AS $$
 DECLARE
     target record;
+    wanted text;
 BEGIN
     PERFORM streetgen._check_topology();
     PERFORM streetgen._check_model(model);
     SELECT srid, dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
     FOR level IN EXECUTE format('SELECT DISTINCT level FROM %I.edge ORDER BY level', model) LOOP
-        name := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;
+        wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;
+        IF octet_length(wanted) > 63 THEN
+            RAISE EXCEPTION 'the name "%" of the topology of level % is longer than 63 bytes', wanted, level USING ERRCODE = '42622', HINT = 'Choose a shorter name.';
+        END IF;
+        name := wanted;
         EXECUTE format($sql$
 CREATE TEMPORARY TABLE _topology_edge ON COMMIT DROP AS
 SELECT DISTINCT ON (line) edge_id, axis_id, from_node, to_node, geom
@@ -96,4 +101,4 @@ SELECT (SELECT count(*) FROM made_node), (SELECT count(*) FROM made_edge), (SELE
         RAISE EXCEPTION 'model "%" has no edges', model USING ERRCODE = '55000', HINT = format('SELECT * FROM streetgen.generate(%L) makes them.', model);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen.export_topology(name, name) IS 'Writes the network into new PostGIS topologies, one a level, with the ids of edge and node: level 0 into topology, level 1 into topology_1, level -1 into topology_m1. Returns a row for each; doubled lists the edges left out because another lies on them. Edges that meet without a node: 55000, naming the first; an existing schema: 42P06; no postgis_topology: 0A000.';
+COMMENT ON FUNCTION streetgen.export_topology(name, text) IS 'Writes the network into new PostGIS topologies, one a level, with the ids of edge and node: level 0 into topology, level 1 into topology_1, level -1 into topology_m1. Returns a row for each; doubled lists the edges left out because another lies on them. Edges that meet without a node: 55000, naming the first; an existing schema: 42P06; a name longer than 63 bytes: 42622; no postgis_topology: 0A000.';

@@ -9,6 +9,14 @@
 namespace streetgen {
 
 namespace {
+// GEOS takes what it makes a whole of, even where it fails: from here on nothing may throw.
+std::vector<GEOSGeometry*> released(std::vector<Geos::Geometry>& parts) {
+  std::vector<GEOSGeometry*> raw(parts.size());
+  std::transform(parts.begin(), parts.end(), raw.begin(),
+                 [](Geos::Geometry& part) { return part.release(); });
+  return raw;
+}
+
 // Metres, where an overlay of doubles fails: a micrometre, but no finer than doubles can take so
 // far from the origin.
 double coarse_grid(GEOSContextHandle_t handle, const GEOSGeometry* geometry) {
@@ -50,16 +58,22 @@ Geos::Geometry Geos::ring(const Ring& ring) {
 
 Geos::Geometry Geos::polygon(const Polygon& polygon) {
   Geometry shell = ring(polygon.front());
-  std::vector<GEOSGeometry*> holes;
-  for (std::size_t i = 1; i < polygon.size(); ++i) holes.push_back(ring(polygon[i]).release());
-  return own(GEOSGeom_createPolygon_r(handle_, shell.release(), holes.data(), holes.size()));
+  std::vector<Geometry> holes;
+  for (std::size_t i = 1; i < polygon.size(); ++i) holes.push_back(ring(polygon[i]));
+  std::vector<GEOSGeometry*> raw = released(holes);
+  return own(GEOSGeom_createPolygon_r(handle_, shell.release(), raw.data(), raw.size()));
 }
 
 Geos::Geometry Geos::surface(const MultiPolygon& surface) {
   if (surface.size() == 1) return polygon(surface.front());
-  std::vector<GEOSGeometry*> parts;
-  for (const Polygon& part : surface) parts.push_back(polygon(part).release());
-  return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, parts.data(), parts.size()));
+  std::vector<Geometry> parts;
+  for (const Polygon& part : surface) parts.push_back(polygon(part));
+  return collection(GEOS_MULTIPOLYGON, std::move(parts));
+}
+
+Geos::Geometry Geos::collection(int type, std::vector<Geometry> parts) {
+  std::vector<GEOSGeometry*> raw = released(parts);
+  return own(GEOSGeom_createCollection_r(handle_, type, raw.data(), raw.size()));
 }
 
 void Geos::append(const GEOSGeometry* geometry, MultiPolygon& out) {
@@ -112,7 +126,15 @@ Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, cons
     return surface(polygons(own(GEOSMakeValid_r(handle_, g)).get()));
   };
   const Geometry of_a = areal(a), of_b = areal(b);
-  return own(snapped(handle_, of_a.get(), of_b.get(), coarse_grid(handle_, a)));
+  const double grid = coarse_grid(handle_, a);
+  if (GEOSGeometry* result = snapped(handle_, of_a.get(), of_b.get(), grid)) return own(result);
+  poll_cancel();
+  // Where both fail together, each may be put on the grid by itself.
+  const auto rounded = [&](const Geometry& g) {
+    return own(GEOSGeom_setPrecision_r(handle_, g.get(), grid, 0));
+  };
+  const Geometry rounded_a = rounded(of_a), rounded_b = rounded(of_b);
+  return own(snapped(handle_, rounded_a.get(), rounded_b.get(), grid));
 }
 
 Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
@@ -146,14 +168,10 @@ Geos::Geometry Geos::unite_valid(const std::vector<const MultiPolygon*>& surface
 }
 
 Geos::Geometry Geos::united(std::vector<Geometry> parts) {
-  std::vector<GEOSGeometry*> all;
-  for (Geometry& part : parts) all.push_back(part.release());
-  const Geometry collection =
-      own(GEOSGeom_createCollection_r(handle_, GEOS_GEOMETRYCOLLECTION, all.data(), all.size()));
-  if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, collection.get())) return own(result);
+  const Geometry all = collection(GEOS_GEOMETRYCOLLECTION, std::move(parts));
+  if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, all.get())) return own(result);
   poll_cancel();
-  return own(
-      GEOSUnaryUnionPrec_r(handle_, collection.get(), coarse_grid(handle_, collection.get())));
+  return own(GEOSUnaryUnionPrec_r(handle_, all.get(), coarse_grid(handle_, all.get())));
 }
 
 }  // namespace streetgen

@@ -43,6 +43,7 @@ class Geos {
   using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
   Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
                    const GEOSGeometry* b);
+  Geometry collection(int type, std::vector<Geometry> parts);
   Geometry united(std::vector<Geometry> parts);
   Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <unordered_map>
 
 #include "box_index.hpp"
+#include "groups.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -19,7 +19,6 @@ namespace {
 
 constexpr double least_hole = 1e-6;  // square metres: below it is the noise of coordinates
 constexpr double touching = 1e-6;    // metres
-constexpr double hole_extent = 20;   // metres
 
 std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
   std::vector<Ring> holes;
@@ -46,31 +45,21 @@ double shared_border(const Ring& hole, const MultiPolygon& surface) {
   return shared;
 }
 
-Box shared_box(const Box& a, const Box& b) {
-  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
-          std::min(a.max_y, b.max_y)};
-}
-
 // Claims of one level joined by disputes, with those near a dispute that share an edge with its
 // claims: the ring of a small hole turns where two surfaces overlap.
 std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
                                   const std::vector<std::pair<int, int>>& disputes) {
-  std::vector<int> parent(claims.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  Groups joined(static_cast<int>(claims.size()));
   for (const auto& [i, j] : disputes)
-    if (claims[i].level == claims[j].level) parent[root(i)] = root(j);
+    if (claims[i].level == claims[j].level) joined.join(i, j);
   std::unordered_map<int, std::vector<int>> on_edge;
   for (int i = 0; i < static_cast<int>(claims.size()); ++i)
     for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
-  std::map<int, std::set<int>> by_root;
+  std::map<int, std::set<int>> by_name;
   for (const auto& [i, j] : disputes) {
-    const Box place = shared_box(boxes[i], boxes[j]).grown(hole_extent);
+    const Box place = boxes[i].shared_with(boxes[j]).grown(hole_extent);
     for (const int claim : {i, j}) {
-      std::set<int>& group = by_root[root(claim)];
+      std::set<int>& group = by_name[joined.of(claim)];
       group.insert(claim);
       for (const int edge : claims[claim].edges)
         for (const int neighbour : on_edge[edge])
@@ -79,7 +68,7 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::v
     }
   }
   std::vector<std::set<int>> all;
-  for (auto& [of, group] : by_root) all.push_back(std::move(group));
+  for (auto& [of, group] : by_name) all.push_back(std::move(group));
   return all;
 }
 

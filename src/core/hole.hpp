@@ -18,9 +18,12 @@ struct Hole {
   std::vector<int> around;  // the claims near it
 };
 
+// Metres from the ground that two disputing surfaces share: a hole farther away is not looked for.
+constexpr double hole_extent = 20;
+
 // Holes under `max_area` square metres in the union of a level's surfaces. Only surfaces in a
-// dispute and those that share an edge with them are looked at: without a dispute there is no such
-// hole. Only holes beside a wanted claim are found.
+// dispute and those within `hole_extent` of it that share an edge with them are looked at: without
+// a dispute there is no such hole. Only holes beside a wanted claim are found.
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area);
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 #include "box_index.hpp"
+#include "groups.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -25,6 +25,12 @@ struct Vertex {
   double abscissa;
   Point point;
   bool end;
+};
+
+// Where a group of vertices or a crossing lies.
+struct Place {
+  int axis;
+  Point point;
 };
 
 // Where an axis is cut: at a group of joined vertices, or at a crossing.
@@ -57,27 +63,6 @@ class Cuts {
   std::multiset<Cut> cuts_;
 };
 
-class Groups {
- public:
-  explicit Groups(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int add() {
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
-  }
-  int of(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    i = of(i), j = of(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-  int size() const { return static_cast<int>(parent_.size()); }
-
- private:
-  std::vector<int> parent_;
-};
-
 class Builder {
  public:
   Builder(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing)
@@ -90,11 +75,10 @@ class Builder {
   Network build() {
     read_vertices();
     join_vertices();
-    part_wide_groups();
     cut_at_joined_vertices();
     cut_at_ends_on_segments();
     cut_at_crossings();
-    join_cuts_at_one_place();
+    join_near_cuts();
     make_nodes();
     make_edges();
     number_nodes();
@@ -153,31 +137,33 @@ class Builder {
   }
 
   void join_vertices() {
-    near_pairs(vertex_index(), tolerance_, [&](int i, int j) { groups_.join(i, j); });
+    const BoxIndex index = vertex_index();
+    join_bounded([&](double reach, auto use) { near_pairs(index, reach, use); });
   }
 
-  // A chain of joined vertices may grow too wide: then only what coincides stays joined.
-  void part_wide_groups() {
+  // Joins the groups of all pairs within the tolerance. A chain of them may grow too wide: then
+  // only what coincides is joined.
+  template <class Pairs>
+  void join_bounded(Pairs pairs) {
+    Groups joined = groups_;
+    pairs(tolerance_, [&](int i, int j) { joined.join(i, j); });
     std::map<int, Box> extent;
-    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
-      extent[groups_.of(i)].add(vertices_[i].point);
+    for (int i = 0; i < groups_.size(); ++i) extent[joined.of(i)].add(place_of(i).point);
     std::set<int> wide;
     for (const auto& [group, box] : extent) {
       const double width = std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
       if (width <= 3 * tolerance_) continue;
       wide.insert(group);
-      const Vertex& v = vertices_[group];
-      const std::int64_t axis_id = axes_[v.axis]->axis_id;
-      out_.reports.push_back({NetworkIssue::wide_cluster, axis_id, axis_id, v.point, width});
+      const Place place = place_of(group);
+      const std::int64_t axis_id = axes_[place.axis]->axis_id;
+      out_.reports.push_back({NetworkIssue::wide_cluster, axis_id, axis_id, place.point, width});
     }
+    for (int i = 0; i < groups_.size(); ++i)
+      if (wide.count(joined.of(i)) == 0) groups_.join(i, joined.of(i));
     if (wide.empty()) return;
-    Groups parted(static_cast<int>(vertices_.size()));
-    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
-      if (wide.count(groups_.of(i)) == 0) parted.join(i, groups_.of(i));
-    near_pairs(vertex_index(), same_place, [&](int i, int j) {
-      if (wide.count(groups_.of(i)) != 0) parted.join(i, j);
+    pairs(same_place, [&](int i, int j) {
+      if (wide.count(joined.of(i)) != 0) groups_.join(i, j);
     });
-    groups_ = parted;
   }
 
   void cut_at_joined_vertices() {
@@ -215,6 +201,13 @@ class Builder {
                             [&](const Cut& cut) { return cut.group == group; }) != nullptr;
   }
 
+  // Vertices that would have joined, but for the width of their cluster.
+  bool parted(int i, int j) {
+    const Vertex &u = vertices_[i], &v = vertices_[j];
+    const double apart = distance(u.point, v.point);
+    return apart <= tolerance_ && may_join(u, v, apart) && groups_.of(i) != groups_.of(j);
+  }
+
   void cut_at_ends_on_segments() {
     index_segments();
     const BoxIndex index(segment_boxes_);
@@ -226,10 +219,14 @@ class Builder {
       Box box;
       box.add(vertex.point);
       std::map<int, std::pair<double, double>> best;  // axis -> distance, abscissa
+      std::set<int> left;                             // axes with a vertex of the same wide cluster
       for (const int s : index.near(box, tolerance_)) {
         const Segment& segment = segments_[s];
         const Point &a = line(segment.axis)[segment.index],
                     &b = line(segment.axis)[segment.index + 1];
+        for (const int i :
+             {first_[segment.axis] + segment.index, first_[segment.axis] + segment.index + 1})
+          if (parted(v, i)) left.insert(segment.axis);
         const double size = distance(a, b);
         const double along = std::clamp(dot(vertex.point - a, b - a) / size, 0.0, size);
         const double abscissa = segment.abscissa + along;
@@ -241,7 +238,7 @@ class Builder {
         if (apart < slot->second.first) slot->second = {apart, abscissa};
       }
       for (const auto& [axis, place] : best)
-        if (!cut_near(axis, place.second, groups_.of(v)))
+        if (left.count(axis) == 0 && !cut_near(axis, place.second, groups_.of(v)))
           found.push_back({axis, {place.second, groups_.of(v)}});
     }
     for (const auto& [axis, cut] : found) cuts_[axis].add(cut);
@@ -293,28 +290,32 @@ class Builder {
             group = cut->group;
       if (group < 0) {
         group = groups_.add();
-        crossing_points_[group] = f.point;
+        crossings_[group] = {f.a, f.point};
       }
       if (!cut_near(f.a, f.at_a, group)) cuts_[f.a].add({f.at_a, group});
       if (!cut_near(f.b, f.at_b, group)) cuts_[f.b].add({f.at_b, group});
     }
   }
 
-  // Ends on either side of an axis may meet it at one abscissa: apart, they would sever it there.
-  void join_cuts_at_one_place() {
-    for (const Cuts& cuts : cuts_) {
-      const Cut* before = nullptr;
-      for (const Cut& cut : cuts) {
-        if (before != nullptr && before->abscissa == cut.abscissa)
-          groups_.join(before->group, cut.group);
-        before = &cut;
+  // Nodes within the tolerance of each other along an axis are one: those of ends on either side of
+  // it, say.
+  void join_near_cuts() {
+    join_bounded([&](double reach, auto use) {
+      for (const Cuts& cuts : cuts_) {
+        const Cut* before = nullptr;
+        for (const Cut& cut : cuts) {
+          if (before != nullptr && cut.abscissa - before->abscissa <= reach)
+            use(before->group, cut.group);
+          before = &cut;
+        }
       }
-    }
+    });
   }
 
-  Point place_of(int group) const {
-    const auto crossing = crossing_points_.find(group);
-    return crossing != crossing_points_.end() ? crossing->second : vertices_[group].point;
+  Place place_of(int group) const {
+    if (const auto crossing = crossings_.find(group); crossing != crossings_.end())
+      return crossing->second;
+    return {vertices_[group].axis, vertices_[group].point};
   }
 
   void make_nodes() {
@@ -322,7 +323,7 @@ class Builder {
       for (const Cut& cut : cuts_[a]) {
         const int group = groups_.of(cut.group);
         const auto [slot, fresh] = node_of_.try_emplace(group, out_.nodes.size());
-        if (fresh) out_.nodes.push_back({place_of(group), {}});
+        if (fresh) out_.nodes.push_back({place_of(group).point, {}});
         out_.nodes[slot->second].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
       }
   }
@@ -402,7 +403,7 @@ class Builder {
   std::vector<Cuts> cuts_;
   std::vector<Segment> segments_;
   std::vector<Box> segment_boxes_;
-  std::map<int, Point> crossing_points_;
+  std::map<int, Place> crossings_;
   std::map<int, int> node_of_;
   Network out_;
 };

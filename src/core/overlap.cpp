@@ -134,13 +134,8 @@ bool inside(const Point& p, const Polygon& polygon) {
 }
 
 bool overlap(const Ground& a, const Ground& b) {
-  const Box &box_a = a.box(), &box_b = b.box();
-  if (!box_a.meets(box_b, 0)) return false;
-  Box shared;
-  shared.min_x = std::max(box_a.min_x, box_b.min_x);
-  shared.min_y = std::max(box_a.min_y, box_b.min_y);
-  shared.max_x = std::min(box_a.max_x, box_b.max_x);
-  shared.max_y = std::min(box_a.max_y, box_b.max_y);
+  if (!a.box().meets(b.box(), 0)) return false;
+  const Box shared = a.box().shared_with(b.box());
   return a.crosses(b, shared) || a.reaches_into(b, shared) || b.reaches_into(a, shared);
 }
 

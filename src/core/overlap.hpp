@@ -29,6 +29,11 @@ struct Box {
     return p.x >= min_x - margin && p.x <= max_x + margin && p.y >= min_y - margin &&
            p.y <= max_y + margin;
   }
+  // What both hold; of boxes that do not meet, a box that holds nothing.
+  Box shared_with(const Box& o) const {
+    return {std::max(min_x, o.min_x), std::max(min_y, o.min_y), std::min(max_x, o.max_x),
+            std::min(max_y, o.max_y)};
+  }
 };
 Box box_of(const Point& a, const Point& b);
 Box box_of(const MultiPolygon& surface);

@@ -26,6 +26,12 @@ struct Outline {
     for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
       ring.push_back(kerb.line[i]);
   }
+
+  // An end of a border line, in the place of what the kerb before it gave there.
+  void reach(const Point& border) {
+    while (!ring.empty() && distance(ring.back(), border) <= same_place) ring.pop_back();
+    ring.push_back(border);
+  }
 };
 
 Point kerb_at_node(const Arm& arm, int side) {
@@ -52,11 +58,18 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
   ring.push_back(to);
 }
 
+// Whether the outside of a bend is round. Two streets of different width that leave within a right
+// angle of each other are no bend but a fork: behind the node both end flat.
+bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
+  return gap.angle > M_PI &&
+         (gap.angle < 3 * M_PI / 2 || std::abs(a.half_start - b.half_start) <= same_width);
+}
+
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
   if (!gap.meets) {
     outline.follow(a, a.limit, 0, +1, false, true);
-    if (gap.angle > M_PI)
+    if (rounds(a, b, gap))
       append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
     outline.follow(b, 0, b.limit, -1, true, false);
     return;
@@ -91,26 +104,35 @@ Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
   return {closed(std::move(ring))};
 }
 
+// Left and right of a segment's end, each as far as its half width.
+Line across(const Point& foot, const Point& normal, double left, double right) {
+  return {foot + normal * left, foot - normal * right};
+}
+
+// Quads about the segments and fans about the bends; the first and the last quad end on `from` and
+// `to`, where these are given.
 MultiPolygon pieces(const Line& line, const std::vector<double>& left,
-                    const std::vector<double>& right) {
+                    const std::vector<double>& right, const Line& from, const Line& to) {
   MultiPolygon out;
   const auto add = [&](Polygon polygon) {
     if (!polygon.front().empty()) out.push_back(std::move(polygon));
   };
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point direction = unit(line[i] - line[i - 1]), across = left_normal(direction);
+    const Point normal = left_normal(unit(line[i] - line[i - 1]));
+    const bool last = i + 1 == line.size();
+    const Line start =
+        i == 1 && !from.empty() ? from : across(line[i - 1], normal, left[i - 1], right[i - 1]);
+    const Line end = last && !to.empty() ? to : across(line[i], normal, left[i], right[i]);
     // The axis points are part of the ring, so that fans and quads share whole edges.
-    add({closed({line[i - 1] + across * left[i - 1], line[i - 1],
-                 line[i - 1] - across * right[i - 1], line[i] - across * right[i], line[i],
-                 line[i] + across * left[i]})});
-    if (i + 1 == line.size()) break;
+    add({closed({start[0], line[i - 1], start[1], end[1], line[i], end[0]})});
+    if (last) break;
     const Point next = left_normal(unit(line[i + 1] - line[i]));
-    const double turn = cross(across, next);
-    if (std::abs(turn) < 1e-12 && dot(across, next) > 0) continue;
+    const double turn = cross(normal, next);
+    if (std::abs(turn) < 1e-12 && dot(normal, next) > 0) continue;
     if (turn > 0)
-      add(fan(line[i], line[i] - across * right[i], line[i] - next * right[i]));
+      add(fan(line[i], end[1], line[i] - next * right[i]));
     else
-      add(fan(line[i], line[i] + next * left[i], line[i] + across * left[i]));
+      add(fan(line[i], line[i] + next * left[i], end[0]));
   }
   return out;
 }
@@ -124,7 +146,8 @@ Polygon disc(const Point& centre, double radius) {
   return {ring};
 }
 
-MultiPolygon arm_pieces(const Arm& arm, double start, double end) {
+MultiPolygon arm_pieces(const Arm& arm, double start, double end, const Line& from,
+                        const Line& to) {
   const Line part = distinct(planar(substring(arm.line, start, end)));
   std::vector<double> half(part.size());
   double abscissa = start;
@@ -132,7 +155,40 @@ MultiPolygon arm_pieces(const Arm& arm, double start, double end) {
     if (i > 0) abscissa += distance(part[i - 1], part[i]);
     half[i] = half_at(arm, abscissa);
   }
-  return pieces(part, half, half);
+  return pieces(part, half, half, from, to);
+}
+
+// The ring's vertex nearest to p moves there, or p becomes one on the nearest segment; false where
+// the ring comes nowhere near.
+bool pass_through(Ring& ring, const Point& p) {
+  std::size_t vertex = 0, segment = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (distance(ring[i], p) < distance(ring[vertex], p)) vertex = i;
+    if (segment == 0 || distance_to_segment(p, ring[i - 1], ring[i]) <
+                            distance_to_segment(p, ring[segment - 1], ring[segment]))
+      segment = i;
+  }
+  if (distance(ring[vertex], p) <= same_place) {
+    ring[vertex] = p;
+    if (vertex == 0 || vertex + 1 == ring.size()) ring.front() = ring.back() = p;
+    return true;
+  }
+  if (distance_to_segment(p, ring[segment - 1], ring[segment]) > same_place) return false;
+  ring.insert(ring.begin() + segment, p);
+  return true;
+}
+
+// A union of pieces with the ends of its border lines, where they lie on its boundary: pieces that
+// meet there may differ by the noise of coordinates.
+MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>& borders) {
+  MultiPolygon moved = surface;
+  std::vector<Ring*> rings;
+  for (Polygon& polygon : moved)
+    for (Ring& ring : polygon) rings.push_back(&ring);
+  for (const Line& border : borders)
+    for (const Point& end : border)
+      std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
+  return geos.valid(geos.surface(moved).get()) ? moved : surface;
 }
 
 double angle_about(const Point& node, const Point& p) {
@@ -223,56 +279,69 @@ Polygon cusp(const Arm& a, const Arm& b, const CornerArc& crossing, const Corner
 Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
                     const Line& end_border) {
   Outline outline;
-  outline.ring.push_back(start_border[1]);
+  outline.reach(start_border[1]);
   outline.follow(arm, start, end, -1, false, false);
-  outline.ring.push_back(end_border[1]);
-  outline.ring.push_back(end_border[0]);
+  outline.reach(end_border[1]);
+  outline.reach(end_border[0]);
   outline.follow(arm, end, start, +1, false, false);
-  outline.ring.push_back(start_border[0]);
+  outline.reach(start_border[0]);
   outline.ring = closed(std::move(outline.ring));
   if (simple(geos, outline)) return {{{outline.ring}}, false};
-  return {geos.polygons(geos.unite({arm_pieces(arm, start, end)}).get()), true};
+  const MultiPolygon parts = arm_pieces(arm, start, end, start_border, end_border);
+  return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
+          true};
 }
 
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   Outline outline;
   for (std::size_t i = 0; i < arms.size(); ++i) {
-    outline.ring.push_back(arms[i].border[1]);
-    outline.ring.push_back(arms[i].border[0]);
+    outline.reach(arms[i].border[1]);
+    outline.reach(arms[i].border[0]);
     append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
   }
   outline.ring = closed(std::move(outline.ring));
+  std::vector<Line> borders;
+  for (const Arm& arm : arms) borders.push_back(arm.border);
+  const auto united = [&](const std::vector<MultiPolygon>& parts) {
+    return ending_on(geos, geos.polygons(geos.unite(parts).get()), borders);
+  };
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
   if (simple(geos, outline) && covers(outline.ring, arms)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
-    return {geos.polygons(geos.unite(parts).get()), false};
+    return {united(parts), false};
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
-    if (a.limit > 0) parts.push_back(arm_pieces(a, 0, a.limit));
+    if (a.limit > 0) parts.push_back(arm_pieces(a, 0, a.limit, {}, a.border));
     if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
-    } else if (gaps[i].angle > M_PI) {
+    } else if (rounds(a, b, gaps[i])) {
       const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
       if (!join.front().empty()) parts.push_back({join});
     }
   }
   if (parts.empty()) return {};
-  return {geos.polygons(geos.unite(parts).get()), true};
+  return {united(parts), true};
 }
 
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
                           const std::vector<double>& right, bool round_ends) {
-  MultiPolygon all = pieces(line, left, right);
+  MultiPolygon all = pieces(line, left, right, {}, {});
   if (round_ends) {
     all.push_back(disc(line.front(), std::max(left.front(), right.front())));
     all.push_back(disc(line.back(), std::max(left.back(), right.back())));
   }
   return geos.polygons(geos.unite({all}).get());
+}
+
+MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
+                           const std::vector<double>& right, const Line& from, const Line& to) {
+  const MultiPolygon parts = pieces(line, left, right, from, to);
+  return ending_on(geos, geos.polygons(geos.unite({parts}).get()), {from, to});
 }
 
 }  // namespace streetgen

@@ -9,6 +9,11 @@
 
 namespace streetgen {
 
+constexpr double same_place = 1e-6;  // metres: nearer, a point was only made in two ways
+
+// Metres; half widths that differ by less go on as one street.
+constexpr double same_width = 0.005;
+
 // One end of an edge at a node, seen from the node.
 struct Arm {
   Line line;              // starts at the node
@@ -51,5 +56,9 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
 // The union of quads, bends and discs: holds for any line.
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
                           const std::vector<double>& right, bool round_ends);
+
+// The same with flat ends: the given borders (left, right along the line).
+MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
+                           const std::vector<double>& right, const Line& from, const Line& to);
 
 }  // namespace streetgen

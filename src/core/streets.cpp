@@ -21,9 +21,6 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
-// Metres; half widths that differ by less go on as one street.
-constexpr double same_width = 0.005;
-
 struct EdgeEnd {
   int edge = 0;
   bool at_start = true;
@@ -58,6 +55,7 @@ class Pipeline {
     orient_arms();
     solve_corners();
     settle_limits();
+    join_borders();
     ask_around_changes();
     build_surfaces();
     settle_owners();
@@ -242,14 +240,12 @@ class Pipeline {
       start.border = border_across(start, start.limit);
       end.border = crossed ? Line{start.border[1], start.border[0]} : border_across(end, end.limit);
       for (const bool at_start : {true, false}) {
-        const Arm& arm = at_start ? start : end;
         SectionLimit limit;
         limit.edge = e;
         limit.at_start = at_start;
         limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
         limit.abscissa = at_start ? start.limit : total - end.limit;
         limit.point = place_at(edges[e].line, limit.abscissa).point;
-        limit.border_line = at_start ? arm.border : Line{arm.border[1], arm.border[0]};
         limit.method = crossed ? Method::crossed_limits : Method::hypothesis;
         out_.limits[2 * e + (at_start ? 0 : 1)] = limit;
       }
@@ -278,7 +274,7 @@ class Pipeline {
       if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
       out_.asked_edges[e] = true;
       // The limits of an edge move together where they cross.
-      const bool both = !axis_of(e).beside && out_.limits[2 * e].method == Method::crossed_limits;
+      const bool both = !axis_of(e).beside && crossed(e);
       for (const int node : {from, to})
         if (both || concerned[node]) out_.asked_nodes[node] = true;
     }
@@ -287,6 +283,25 @@ class Pipeline {
   bool asked(const Section& section) const { return out_.asked_edges[section.edge]; }
   bool asked(const Intersection& intersection) const {
     return out_.asked_nodes[intersection.node];
+  }
+
+  bool crossed(int edge) const { return out_.limits[2 * edge].method == Method::crossed_limits; }
+
+  // Border lines of neighbours that end on one kerb point end on the same.
+  void join_borders() {
+    for (const Around& around : around_)
+      for (std::size_t i = 0; i < around.ends.size(); ++i) {
+        const EdgeEnd& next = around.ends[(i + 1) % around.ends.size()];
+        const Point& kerb = arms_[slot(around.ends[i])].border[0];
+        Point& end = arms_[slot(next)].border[1];
+        if (distance(kerb, end) > same_place) continue;
+        end = kerb;
+        if (crossed(next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
+      }
+    for (SectionLimit& limit : out_.limits) {
+      const Line& border = arms_[slot({limit.edge, limit.at_start})].border;
+      limit.border_line = limit.at_start ? border : Line{border[1], border[0]};
+    }
   }
 
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
@@ -298,7 +313,7 @@ class Pipeline {
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
-      if (start.method == Method::crossed_limits) {
+      if (crossed(e)) {
         section.method = Method::crossed_limits;
       } else {
         Built built = build_section(geos_, arms_[2 * e], start.abscissa, end.abscissa,

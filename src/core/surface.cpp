@@ -85,15 +85,15 @@ CurvedRing intersection_ring(const std::vector<Line>& axes, const std::vector<do
   CurvedRing curved;
   const auto arc_from = [&](const Point& p) -> const CornerArc* {
     for (const Gap& gap : around.gaps)
-      if (gap.meets && gap.corner.radius > 0 && distance(gap.corner.arc.start, p) <= 1e-9)
+      if (gap.meets && gap.corner.radius > 0 && distance(gap.corner.arc.start, p) <= same_place)
         return &gap.corner;
     return nullptr;
   };
   for (std::size_t i = 0; i + 1 < ring.size();) {
     std::size_t next = i + 1;
     if (const CornerArc* corner = arc_from(ring[i])) {
-      while (next + 1 < ring.size() && distance(ring[next], corner->arc.end) > 1e-9) ++next;
-      if (distance(ring[next], corner->arc.end) <= 1e-9 && next > i + 1) {
+      while (next + 1 < ring.size() && distance(ring[next], corner->arc.end) > same_place) ++next;
+      if (distance(ring[next], corner->arc.end) <= same_place && next > i + 1) {
         curved.push_back({{ring[i], corner->arc.middle, ring[next]}, true});
         i = next;
         continue;

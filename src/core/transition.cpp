@@ -9,7 +9,6 @@
 namespace streetgen {
 
 namespace {
-constexpr double same_width = 0.005;      // half widths, metres
 constexpr double widest_bend = M_PI / 3;  // beyond it two axes meet in a corner
 constexpr double step_length = 0.5;       // metres on which the other kerb steps
 }  // namespace
@@ -44,8 +43,9 @@ MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, Transition
     const double s = steps ? std::clamp((abscissa - a.limit) / step + 0.5, 0.0, 1.0) : t;
     stepped.push_back(half_a + (half_b - half_a) * s);
   }
-  return build_buffer(geos, line, kind == TransitionKind::right ? stepped : linear,
-                      kind == TransitionKind::left ? stepped : linear, false);
+  return build_between(geos, line, kind == TransitionKind::right ? stepped : linear,
+                       kind == TransitionKind::left ? stepped : linear, {a.border[1], a.border[0]},
+                       b.border);
 }
 
 MultiPolygon with_round_end(Geos& geos, const MultiPolygon& surface, const Arm& arm) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "../../src/core/geos.hpp"
@@ -134,6 +135,120 @@ TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
 }
 
+// Bent to either side: the corner inside the bend, or both where it is slight, would take an arc.
+TEST(Streets, AChangeOfWidthHasNoCornerArc) {
+  for (const double y : {-30.0, -5.0, 0.0, 5.0, 30.0}) {
+    const Streets town = streets({{1, {{-80, 0, 0}, {0, 0, 0}}, 0, 10, 10, 5, 3},
+                                  {2, {{0, 0, 0}, {80, y, 0}}, 0, 6, 6, 5, 3}},
+                                 {});
+    ASSERT_EQ(town.corners.size(), 2u) << y;
+    for (const Corner& corner : town.corners) {
+      EXPECT_EQ(corner.method, Method::transition) << y;
+      EXPECT_EQ(corner.radius_wanted, 5) << y;
+      EXPECT_EQ(corner.radius, 0) << y;
+      EXPECT_FALSE(corner.centre.has_value()) << y;
+      EXPECT_FALSE(corner.arc.has_value()) << y;
+    }
+    ASSERT_EQ(town.intersections.size(), 1u) << y;
+    EXPECT_EQ(town.intersections.front().method, Method::transition) << y;
+  }
+}
+
+// Bent streets of many widths that meet at any angle, each with another that goes on from it.
+std::vector<StreetAxis> random_junction(std::mt19937_64& random) {
+  const auto between = [&](double from, double to) {
+    return from + (to - from) * (random() % 1000001) / 1e6;
+  };
+  const Point node{between(650000, 651000), between(6860000, 6861000), 0};
+  std::vector<StreetAxis> axes;
+  const int arms = 2 + random() % 4;
+  const double width = between(4, 12), radius = random() % 3 ? between(1, 8) : 0;
+  const bool uniform = random() % 2;
+  double angle = between(0, 7);
+  for (int i = 0; i < arms; ++i) {
+    angle += between(0.7, 2) * 6.3 / (1.4 * arms);
+    StreetAxis axis;
+    axis.line.assign(1, node);
+    double direction = angle;
+    for (int k = 0; k < 6; ++k) {
+      const Point along{std::cos(direction), std::sin(direction), 0};
+      axis.line.push_back(axis.line.back() + along * between(2, k < 3 ? 12 : 40));
+      if (random() % 2) direction += between(-0.5, 0.5);
+      if (k != 2 && k != 5) continue;
+      axis.axis_id = axes.size() + 1;
+      axis.width = uniform ? width : between(4, 12);
+      axis.width_end = uniform || random() % 3 ? axis.width : between(4, 12);
+      axis.radius = radius;
+      axes.push_back(axis);
+      if (random() % 2) std::reverse(axes.back().line.begin(), axes.back().line.end());
+      axis.line.erase(axis.line.begin(), axis.line.end() - 1);
+    }
+  }
+  return axes;
+}
+
+// A vertex, to the last bit, wherever the boundary comes near. An end may lie deep inside, and in a
+// bend that is all but straight a border line sticks out by what its sections overlap.
+bool ends_at(const MultiPolygon& surface, const Point& p) {
+  const auto within = [&](double reach) {
+    for (const Polygon& polygon : surface)
+      for (const Ring& ring : polygon)
+        if (comes_within(p, ring, reach)) return true;
+    return false;
+  };
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon)
+      for (const Point& q : ring)
+        if (q.x == p.x && q.y == p.y) return true;
+  return !within(1e-6) && (holds(surface, p) || within(1e-4));
+}
+
+TEST(Streets, NeighboursShareTheirBorderLineVertexForVertex) {
+  std::mt19937_64 random(17);
+  std::map<Method, int> seen;
+  for (int round = 0; round < 300; ++round) {
+    StreetSettings settings;
+    settings.transition.kind = static_cast<TransitionKind>(random() % 3);
+    const Streets town = streets(random_junction(random), settings);
+    std::map<int, const Intersection*> at_node;
+    for (const Intersection& intersection : town.intersections)
+      at_node[intersection.node] = &intersection;
+    const auto check = [&](const auto& row, const Line& border) {
+      if (row.surface.empty() || row.contested_area > 0) return;
+      for (const Point& p : border)
+        EXPECT_TRUE(ends_at(row.surface, p)) << round << " " << method_name(row.method);
+      ++seen[row.method];
+    };
+    for (const SectionLimit& limit : town.limits) {
+      const Edge& edge = town.network.edges[limit.edge];
+      check(town.sections[limit.edge], limit.border_line);
+      const auto neighbour = at_node.find(limit.at_start ? edge.from_node : edge.to_node);
+      if (neighbour != at_node.end()) check(*neighbour->second, limit.border_line);
+    }
+  }
+  for (const Method method : {Method::hypothesis, Method::transition, Method::robust_fallback})
+    EXPECT_GT(seen[method], 50) << method_name(method);
+}
+
+// Two axes that leave a node nearly side by side: one street in a hairpin, or two streets that
+// fork.
+TEST(Streets, OnlyOneStreetIsRoundBehindAHairpin) {
+  for (const double width : {10.5, 3.5}) {
+    const Streets town = streets({{1, {{0, 0, 0}, {80, 0, 0}}, 0, 10.5, 10.5, 6, 3},
+                                  {2, {{0, 0, 0}, {80, 20, 0}}, 0, width, width, 6, 3}},
+                                 {});
+    ASSERT_EQ(town.intersections.size(), 1u);
+    const Point second = unit({80, 20, 0});
+    double behind = 0;  // both flat ends
+    for (const Point& p : town.intersections.front().surface.front().front())
+      behind = std::max(behind, std::min(-p.x, -dot(p, second)));
+    if (width == 10.5)
+      EXPECT_GT(behind, 5);
+    else
+      EXPECT_NEAR(behind, 0, 1e-6);
+  }
+}
+
 TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
   const Streets town = streets(random_town(21, 60), {});
   ASSERT_EQ(town.limits.size(), 2 * town.network.edges.size());
@@ -142,7 +257,10 @@ TEST(Streets, LimitsAreInOrderAndTwoPerEdge) {
 }
 
 TEST(Streets, AnAxisShorterThanAMillimetreHasFiniteLimits) {
-  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, {});
+  StreetSettings settings;
+  settings.tolerance = 1e-10;
+  const Streets town = streets({{1, {{0, 0, 0}, {1e-9, 0, 0}}, 0, 7, 7, 5, 3}}, settings);
+  ASSERT_EQ(town.limits.size(), 2u);
   for (const SectionLimit& limit : town.limits) EXPECT_TRUE(std::isfinite(limit.abscissa));
 }
 

@@ -1,13 +1,6 @@
 -- Bad input gets a result or one clear error that names the argument or row; the model is as it was.
 -- Each test is a row (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.refusal(statement text, OUT state text, OUT said text) LANGUAGE plpgsql AS $$
-BEGIN
-    EXECUTE statement;
-    state := 'none';
-EXCEPTION WHEN OTHERS THEN
-    GET STACKED DIAGNOSTICS state = RETURNED_SQLSTATE, said = MESSAGE_TEXT;
-END $$;
 
 -- Primitives: every bad geometry and number at every place of every call.
 CREATE TABLE primitive AS SELECT * FROM (VALUES
@@ -48,12 +41,12 @@ BEGIN
     RETURN call;
 END $$;
 CREATE TABLE tried AS SELECT p.call, a.name, b.value, b.state AS wanted, r.*
-    FROM primitive p JOIN argument a ON strpos(p.call, '{' || a.name || '}') > 0 JOIN bad b USING (kind), LATERAL pg_temp.refusal(pg_temp.filled(p.call, a.name, b.value)) r;
-SELECT 'good arguments give a result: ' || call, state = 'none' FROM primitive, LATERAL pg_temp.refusal(pg_temp.filled(call, 'none', '')) r;
+    FROM primitive p JOIN argument a ON strpos(p.call, '{' || a.name || '}') > 0 JOIN bad b USING (kind), LATERAL test.refusal(pg_temp.filled(p.call, a.name, b.value)) r;
+SELECT 'good arguments give a result: ' || call, state = 'none' FROM primitive, LATERAL test.refusal(pg_temp.filled(call, 'none', '')) r;
 SELECT format('%s refuses every bad %s, naming it: %s', substring(call FROM 'streetgen\.\w+'), name, coalesce(string_agg(concat_ws(' ', value, state, said), '; ') FILTER (WHERE NOT holds), 'all')), bool_and(holds)
     FROM (SELECT *, state = wanted AND said LIKE '%' || name || '%' AS holds FROM tried) t GROUP BY call, name;
 SELECT 'a NULL argument gives NULL: ' || substring(call FROM 'streetgen\.\w+') || ' ' || name, (r).state = 'none' OR kind <> 'word' AND call ~ 'ARRAY' AND (r).state = '22004'
-    FROM (SELECT call, name, kind, pg_temp.refusal(pg_temp.filled(call, name, 'NULL')) AS r FROM primitive JOIN argument ON strpos(call, '{' || name || '}') > 0) t;
+    FROM (SELECT call, name, kind, test.refusal(pg_temp.filled(call, name, 'NULL')) AS r FROM primitive JOIN argument ON strpos(call, '{' || name || '}') > 0) t;
 SELECT 'numbers at the rim give a result: ' || call, state = 'none' FROM (VALUES
     ('SELECT streetgen.border_line(''LINESTRING(0 0,50 0)'', -1e308, 0.001)'), ('SELECT streetgen.border_line(''LINESTRING(0 0,50 0)'', 1e308, 200)'),
     ('SELECT streetgen.section_surface(''LINESTRING(0 0,50 0)'', 200, -1e308, 1e308)'), ('SELECT streetgen.section_surface(''LINESTRING(0 0,50 0)'', 7, 40, 10)'),
@@ -62,8 +55,8 @@ SELECT 'numbers at the rim give a result: ' || call, state = 'none' FROM (VALUES
     ('SELECT streetgen.max_corner_radius(''LINESTRING(0 0,1e9 0)'', ''LINESTRING(0 0,-1e9 0)'', 200, 200)'), ('SELECT streetgen.variable_buffer(''LINESTRING(0 0,50 0)'', ''{0,0}'')'),
     ('SELECT streetgen.variable_buffer(''LINESTRING(0 0,50 0)'', ''{1000,0}'', ''left'', ''round'')'), ('SELECT streetgen.clean(''LINESTRING(0 0,9 9,0 0)'', ''{}'', 1000, 1000)'),
     ('SELECT streetgen.intersection_surface(ARRAY[''LINESTRING(0 0,5 0)'', ''LINESTRING(0 0,5 0)'', ''LINESTRING(0 0,5 0)'']::geometry[], ''{7,7,7}'', ''{5,5,5}'')'),
-    ('SELECT streetgen.section_surface(''MULTILINESTRING((0 0,50 0))'', 7, 0, 10)')) v(call), LATERAL pg_temp.refusal(call) r;
-SELECT 'a list of radii without elements is 22023', (pg_temp.refusal('SELECT streetgen.variable_buffer(''LINESTRING(0 0,50 0)'', ''{}'')')).state = '22023';
+    ('SELECT streetgen.section_surface(''MULTILINESTRING((0 0,50 0))'', 7, 0, 10)')) v(call), LATERAL test.refusal(call) r;
+SELECT 'a list of radii without elements is 22023', (test.refusal('SELECT streetgen.variable_buffer(''LINESTRING(0 0,50 0)'', ''{}'')')).state = '22023';
 SELECT 'no axes make an empty intersection', ST_IsEmpty(streetgen.intersection_surface('{}'::geometry[], '{}', '{}'));
 
 -- Axes, written directly.
@@ -91,13 +84,13 @@ SELECT 'an axis refuses ' || statement, state = wanted FROM (VALUES
     ('UPDATE town.axis SET geom = ''LINESTRING garbage''', 'XX000'),
     ('UPDATE hill.axis SET geom = ''SRID=2154;LINESTRING(0 0,1 1)''', '22023'), ('UPDATE hill.axis SET geom = ''SRID=2154;LINESTRING Z(0 0 0,1 1 1e13)''', '23514'),
     ('UPDATE hill.axis SET geom = ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(0, 0, 0), ST_MakePoint(3, 3, ''NaN''), ST_MakePoint(5, 5, 0)]), 2154)', '23514'),
-    ('UPDATE hill.axis SET geom = ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 0, ''Infinity''), ST_MakePoint(5, 5, 0)), 2154)', '23514')) v(statement, wanted), LATERAL pg_temp.refusal(statement) r;
+    ('UPDATE hill.axis SET geom = ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 0, ''Infinity''), ST_MakePoint(5, 5, 0)), 2154)', '23514')) v(statement, wanted), LATERAL test.refusal(statement) r;
 
 -- generate: what it is asked, and what it finds.
 SELECT 'generate: ' || call, state = wanted FROM (VALUES
     ('SELECT streetgen.generate(NULL)', '22004'), ('SELECT streetgen.generate(''no such'')', '3F000'), ('SELECT streetgen.generate(''town"; DROP TABLE before; --'')', '3F000'), ('SELECT streetgen.generate(''public'')', '3F000'),
     ('SELECT streetgen.generate(''town'', ''{}'')', 'none'), ('SELECT streetgen.generate(''town'', ''{NULL,-1,9223372036854775807}'')', 'none'), ('SELECT streetgen.generate(''town'', ''{1,1,1}'')', 'none')) v(call, wanted),
-    LATERAL pg_temp.refusal(call) r;
+    LATERAL test.refusal(call) r;
 SELECT 'what was refused changed no row', content = pg_temp.content() FROM before;
 -- A column that lost its constraints: the border names the row.
 ALTER TABLE town.axis DROP CONSTRAINT geom_is_a_finite_line;
@@ -110,7 +103,7 @@ BEGIN
         ('vertex is NaN', ST_MakeLine(ARRAY[ST_MakePoint(0, 0), ST_MakePoint('NaN', 0), ST_MakePoint(5, 5)]))) v(what, line)
     LOOP
         INSERT INTO town.axis (axis_id, geom, width) VALUES (3, ST_SetSRID(w.line, 2154), 7);
-        INSERT INTO found SELECT w.what, r.* FROM pg_temp.refusal('SELECT streetgen.generate(''town'')') r;
+        INSERT INTO found SELECT w.what, r.state, r.said FROM test.refusal('SELECT streetgen.generate(''town'')') r;
         DELETE FROM town.axis WHERE axis_id = 3;
     END LOOP;
 END $$;
@@ -132,14 +125,14 @@ BEGIN
     DELETE FROM town.axis;
     FOR a IN SELECT * FROM awkward LOOP
         INSERT INTO town.axis (axis_id, geom, width) VALUES (a.axis_id, ST_Translate(ST_GeomFromText(a.line, 2154), 650000, 6860000), 7);
-        r := pg_temp.refusal('SELECT streetgen.generate(''town'')');
+        r := test.refusal('SELECT streetgen.generate(''town'')');
         INSERT INTO alone SELECT a.axis_id, r.state, r.said, (SELECT count(*) FROM town.edge), (SELECT count(*) FROM town.report), (SELECT count(*) FROM streetgen.check_model('town') WHERE severity = 'error');
         DELETE FROM town.axis;
     END LOOP;
     INSERT INTO town.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM awkward;
 END $$;
 SELECT format('%s alone: %s %s', line, state, said), state = 'none' AND edges + reports > 0 AND errors = 0 FROM alone JOIN awkward USING (axis_id);
-SELECT 'all together are generated', (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
+SELECT 'all together are generated', (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 SELECT 'every axis has edges or a report', NOT EXISTS (SELECT FROM town.axis a WHERE NOT EXISTS (SELECT FROM town.edge e WHERE e.axis_id = a.axis_id) AND NOT EXISTS (SELECT FROM town.report r WHERE r.axis_a = a.axis_id));
 SELECT 'all together are sound', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
 
@@ -157,8 +150,8 @@ END $$;
 CREATE TABLE imported AS SELECT axis_id, xmin AS written FROM town.axis;
 SELECT format('import_axes names the row with %s = %s', number, value), state = '22023' AND said LIKE '%77%' AND said LIKE '%' || number || '%' FROM (VALUES
     ('width', 'NaN'), ('width', 'Infinity'), ('width', '-1'), ('width', '200.1'), ('speed', 'NaN'), ('speed', '-30'), ('speed', '401'), ('radius', '-Infinity'), ('radius', '1e308'), ('level', '51')) v(number, value),
-    LATERAL pg_temp.refusal(pg_temp.import_of('SRID=2154;LINESTRING(0 0,5 5)', number, value)) r;
+    LATERAL test.refusal(pg_temp.import_of('SRID=2154;LINESTRING(0 0,5 5)', number, value)) r;
 SELECT 'import_axes names the row with ' || line, state = '22023' AND said LIKE '%77%' FROM (VALUES
     ('SRID=4326;LINESTRING(200 100,300 400)'), ('SRID=2154;MULTIPOINT(0 0,1 1)'), ('SRID=2154;GEOMETRYCOLLECTION(LINESTRING(0 0,1 1))'), ('SRID=54321;LINESTRING(0 0,1 1)')) v(line),
-    LATERAL pg_temp.refusal(pg_temp.import_of(line, 'id', '77')) r;
+    LATERAL test.refusal(pg_temp.import_of(line, 'id', '77')) r;
 SELECT 'what import_axes refused changed no axis', count(*) = (SELECT count(*) FROM imported) AND bool_and(a.xmin = i.written) FROM town.axis a LEFT JOIN imported i USING (axis_id);

@@ -26,6 +26,13 @@ SELECT 'every edge has a section and two limits',
 SELECT 'nodes of degree three and more have an intersection',
        NOT EXISTS (SELECT FROM (SELECT from_node AS n FROM once.edge UNION ALL SELECT to_node FROM once.edge) e
                    GROUP BY n HAVING count(*) > 2 AND NOT EXISTS (SELECT FROM once.intersection i WHERE i.node_id = n AND NOT ST_IsEmpty(i.surface)));
+SELECT 'the ends of a border line are vertices, to the last bit, of the surfaces on either side',
+       count(*) > 40 AND bool_and(ST_AsEWKB(border.geom) = ANY (vertices))
+FROM once.section_limit JOIN once.edge USING (edge_id), ST_DumpPoints(border_line) border, LATERAL (
+    SELECT surface FROM once.section s WHERE s.edge_id = edge.edge_id AND contested_area = 0
+    UNION ALL SELECT surface FROM once.intersection WHERE node_id = CASE which WHEN 'start' THEN from_node ELSE to_node END AND contested_area = 0) beside,
+    LATERAL (SELECT array_agg(ST_AsEWKB(v.geom)) AS vertices FROM ST_DumpPoints(surface) v) of_surface
+WHERE NOT ST_IsEmpty(surface);
 SELECT 'edges are numbered by axis and abscissa',
        (SELECT array_agg(edge_id ORDER BY axis_id, start_abscissa) = array_agg(edge_id ORDER BY edge_id) FROM once.edge);
 SELECT 'nodes are numbered by their first axis',

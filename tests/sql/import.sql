@@ -1,7 +1,5 @@
 -- Importers: what they take, follow and refuse. Rows (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.sqlstate_of(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN EXECUTE statement; RETURN '00000'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
 SELECT streetgen.create_model('town', 32631) \g /dev/null
 CREATE TABLE source (id integer, the_geom geometry, largeur float8, nature text);
 INSERT INTO source VALUES (1, 'SRID=32631;LINESTRING(0 0,50 0,100 0)', 7, 'residential'), (2, 'SRID=32631;LINESTRING(50 0,50 80)', 0, 'residential'),
@@ -20,12 +18,12 @@ CREATE TEMPORARY TABLE again AS SELECT * FROM streetgen.import_axes('town', 'sou
 SELECT 'importing again follows: changed under the same id', width = 9 AND axis_id = (SELECT axis_id FROM kept) FROM town.axis WHERE source_ref = '1';
 SELECT 'importing again follows: vanished', NOT EXISTS (SELECT FROM town.axis WHERE source_ref = '2');
 SELECT 'importing again touches only what changed', count = 1 FROM again WHERE what = 'new or changed';
-SELECT 'a missing column is 42703', pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "breite"}')$$) = '42703';
-SELECT 'SQL in a mapping is only a name', pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "name": "(SELECT 1); DROP TABLE source; --"}')$$) = '42703';
-SELECT 'an unknown target is 22023', pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "colour": "nature"}')$$) = '22023';
-SELECT 'bad rows are 22023 and change nothing: ' || what, pg_temp.sqlstate_of(format($$WITH bad AS (INSERT INTO source VALUES (9, %s, %s, 'service') RETURNING 1) SELECT * FROM bad$$, geom, width)) = '00000'
-    AND pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "largeur", "kind": "nature", "source_ref": "id"}')$$) = '22023'
-    AND pg_temp.sqlstate_of('DELETE FROM source WHERE id = 9') = '00000' AND (SELECT count(*) = 4 FROM town.axis)
+SELECT 'a missing column is 42703', test.state($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "breite"}')$$) = '42703';
+SELECT 'SQL in a mapping is only a name', test.state($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "name": "(SELECT 1); DROP TABLE source; --"}')$$) = '42703';
+SELECT 'an unknown target is 22023', test.state($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "colour": "nature"}')$$) = '22023';
+SELECT 'bad rows are 22023 and change nothing: ' || what, test.state(format($$WITH bad AS (INSERT INTO source VALUES (9, %s, %s, 'service') RETURNING 1) SELECT * FROM bad$$, geom, width)) = 'none'
+    AND test.state($$SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "largeur", "kind": "nature", "source_ref": "id"}')$$) = '22023'
+    AND test.state('DELETE FROM source WHERE id = 9') = 'none' AND (SELECT count(*) = 4 FROM town.axis)
     FROM (VALUES ('a NULL geometry', 'NULL', '5'), ('a point', $$'SRID=32631;POINT(1 1)'$$, '5'), ('an empty line', $$'SRID=32631;LINESTRING EMPTY'$$, '5'), ('no SRID', $$'LINESTRING(0 0,9 9)'$$, '5'),
         ('a NaN width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, $$'NaN'$$), ('a negative width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, '-4'), ('an absurd width', $$'SRID=32631;LINESTRING(0 0,9 9)'$$, '900'),
         ('a NaN vertex', $$ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(0, 0), ST_MakePoint('NaN', 0), ST_MakePoint(5, 5)]), 32631)$$, '5')) s(what, geom, width);
@@ -49,4 +47,4 @@ INSERT INTO troncon VALUES ('T1', 'SRID=32631;LINESTRING Z(0 0 10,100 0 11)', 'R
 SELECT streetgen.create_model('ign', 32631, 3) \g /dev/null
 SELECT 'import_bdtopo imports', count(*) > 0 FROM streetgen.import_bdtopo('ign', 'troncon');
 SELECT 'BD TOPO V3: width, lanes, direction, importance, level, heights', width = 5 AND lane_count = 2 AND direction = 'reverse' AND importance = 4 AND level = -1 AND ST_Z(ST_EndPoint(geom)) = 11 FROM ign.axis;
-SELECT 'a table that is no BD TOPO is 22023', pg_temp.sqlstate_of($$SELECT * FROM streetgen.import_bdtopo('ign', 'osm_line')$$) = '22023';
+SELECT 'a table that is no BD TOPO is 22023', test.state($$SELECT * FROM streetgen.import_bdtopo('ign', 'osm_line')$$) = '22023';

@@ -1,19 +1,5 @@
 -- Any line table to axes: mapping, refusals, cleaning, following the source.  Each SELECT is one truth: (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.state(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN
-  EXECUTE statement;
-  RETURN 'none';
-EXCEPTION WHEN OTHERS THEN
-  RETURN SQLSTATE;
-END $$;
-CREATE FUNCTION pg_temp.said(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN
-  EXECUTE statement;
-  RETURN '';
-EXCEPTION WHEN OTHERS THEN
-  RETURN SQLERRM;
-END $$;
 CREATE FUNCTION pg_temp.with_mapping(mapping text) RETURNS text LANGUAGE sql AS $$
   SELECT format('SELECT count(*) FROM streetgen.import_axes(''import_a'', ''import_source'', %L)', mapping)
 $$;
@@ -73,19 +59,19 @@ SELECT 'a vanished row is none', NOT EXISTS (SELECT FROM import_a.axis WHERE sou
 SELECT 'a changed row keeps its id',
        (SELECT a.name = 'Rue C' AND a.axis_id = b.axis_id FROM import_a.axis a JOIN import_before b USING (source_ref) WHERE a.source_ref = '2');
 
-SELECT 'a missing column is 42703', pg_temp.state(pg_temp.with_mapping('{"width": "breadth"}')) = '42703';
-SELECT 'SQL is no column', pg_temp.state(pg_temp.with_mapping('{"width": "1); DROP TABLE import_source; --"}')) = '42703';
-SELECT 'a key that is no column of axis is 22023', pg_temp.state(pg_temp.with_mapping('{"axis_id": "id"}')) = '22023';
-SELECT 'a mapping that is no object is 22023', pg_temp.state(pg_temp.with_mapping('["width"]')) = '22023';
+SELECT 'a missing column is 42703', test.state(pg_temp.with_mapping('{"width": "breadth"}')) = '42703';
+SELECT 'SQL is no column', test.state(pg_temp.with_mapping('{"width": "1); DROP TABLE import_source; --"}')) = '42703';
+SELECT 'a key that is no column of axis is 22023', test.state(pg_temp.with_mapping('{"axis_id": "id"}')) = '22023';
+SELECT 'a mapping that is no object is 22023', test.state(pg_temp.with_mapping('["width"]')) = '22023';
 SELECT 'a text that is no number is 22023 and names the row',
-       pg_temp.state(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) = '22023'
-   AND pg_temp.said(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) ~ '\m1\M';
-SELECT 'a constant of the wrong type is 22023', pg_temp.state(pg_temp.with_mapping('{"width": {"value": "wide"}}')) = '22023';
-SELECT 'a geometry column that is none is 22023', pg_temp.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
-SELECT 'an unknown direction is 22023', pg_temp.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
+       test.state(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) = '22023'
+   AND test.said(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) ~ '\m1\M';
+SELECT 'a constant of the wrong type is 22023', test.state(pg_temp.with_mapping('{"width": {"value": "wide"}}')) = '22023';
+SELECT 'a geometry column that is none is 22023', test.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
+SELECT 'an unknown direction is 22023', test.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
 SELECT 'a model that does not exist is 3F000',
-       pg_temp.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
-SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), pg_temp.state(pg_temp.with_line(line)) = '22023' AND pg_temp.said(pg_temp.with_line(line)) LIKE '%77%'
+       test.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
+SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), test.state(pg_temp.with_line(line)) = '22023' AND test.said(pg_temp.with_line(line)) LIKE '%77%'
   FROM unnest(ARRAY[NULL, 'SRID=32631;LINESTRING EMPTY', 'SRID=32631;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
                     'SRID=32631;LINESTRING(0 0, NaN 1)',
                     'SRID=32631;LINESTRING(0 0, 1e13 1)', 'SRID=32631;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;

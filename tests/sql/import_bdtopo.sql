@@ -1,12 +1,5 @@
 -- BD TOPO roads of version 2 and 3 to axes.  Each SELECT is one truth: (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.state(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN
-  EXECUTE statement;
-  RETURN 'none';
-EXCEPTION WHEN OTHERS THEN
-  RETURN SQLSTATE;
-END $$;
 DO $$ BEGIN
   PERFORM streetgen.create_model('import_v2', 32631);
   PERFORM streetgen.create_model('import_v3', 32631, 3);
@@ -49,7 +42,7 @@ UPDATE import_bdtopo3 SET reserve_aux_bus = CASE cleabs WHEN 'B' THEN 'Sens inve
 DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;
 SELECT 'version 3: bus and cycle lanes', (SELECT array_agg(concat_ws(' ', kind_forward, '/', kind_backward) ORDER BY source_ref) = '{general|general|cycle / general|cycle,/ bus,/ general|general|general|cycle}' FROM import_v3.axis);
 SELECT 'version 3: a bus lane against the traffic is one of the lanes', (SELECT (u.lanes_forward, u.lanes_backward) = (2, 1) FROM import_v3.axis_used u JOIN import_v3.axis a USING (axis_id) WHERE source_ref = 'B');
-SELECT 'a table that is no BD TOPO is 22023', pg_temp.state($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) = '22023';
+SELECT 'a table that is no BD TOPO is 22023', test.state($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) = '22023';
 DROP TABLE import_bdtopo2, import_bdtopo3, import_report;
 DO $$ BEGIN
   PERFORM streetgen.drop_model('import_v2');

@@ -1,6 +1,4 @@
 -- Every construction from SQL. Each test is a row (name, holds).
-CREATE FUNCTION pg_temp.sqlstate_of(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN EXECUTE statement; RETURN '00000'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
 
 SELECT 'arc_centre: a square corner', ST_DWithin(streetgen.arc_centre('LINESTRING(0 0,50 0)', 'LINESTRING(0 0,0 50)', 6, 6, 4), 'POINT(7 7)', 1e-9);
 SELECT 'corner_arc: a true arc of the wanted radius', abs(ST_Length(streetgen.corner_arc('LINESTRING(0 0,50 0)', 'LINESTRING(0 0,0 50)', 6, 6, 4)) - 2 * pi()) < 1e-9;
@@ -23,7 +21,7 @@ SELECT 'interconnection: the middle of the curve with a given control point', ST
 SELECT 'interconnection: arcs of the radius that fits', ST_DWithin(streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'arcs', 0.001), ST_MakePoint(10 - 8 * sqrt(0.5), -10 + 8 * sqrt(0.5)), 0.001);
 SELECT 'the SRID stays', ST_SRID(streetgen.section_surface('SRID=2154;LINESTRING(0 0,50 0)', 7, 10, 40)) = 2154;
 
-SELECT 'bad input is 22023: ' || statement, pg_temp.sqlstate_of(statement) = '22023' FROM (VALUES
+SELECT 'bad input is 22023: ' || statement, test.state(statement) = '22023' FROM (VALUES
     ($$SELECT streetgen.section_surface('LINESTRING(0 0,50 0)', 'NaN', 0, 10)$$),
     ($$SELECT streetgen.section_surface('LINESTRING(0 0,50 0)', 'infinity', 0, 10)$$),
     ($$SELECT streetgen.section_surface('LINESTRING(0 0,50 0)', -1, 0, 10)$$),
@@ -51,7 +49,7 @@ SELECT 'bad input is 22023: ' || statement, pg_temp.sqlstate_of(statement) = '22
     ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2}')$$), ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2,5}', 'top')$$),
     ($$SELECT streetgen.intersection_surface(ARRAY['LINESTRING(0 0,50 0)']::geometry[], '{6,6}', '{4}')$$)) s(statement);
 SELECT 'coordinates of 1e9 give a result', abs(ST_Area(streetgen.section_surface('LINESTRING(1000000000 1000000000,1000000050 1000000000)', 7, 10, 40)) - 210) < 1e-3;
-SELECT 'a NULL in a list is 22004', pg_temp.sqlstate_of($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', ARRAY[2, NULL]::float8[])$$) = '22004';
+SELECT 'a NULL in a list is 22004', test.state($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', ARRAY[2, NULL]::float8[])$$) = '22004';
 
 -- The catalogue.
 SELECT 'every function has a comment: ' || coalesce(string_agg(p.oid::regprocedure::text, ', '), 'all'), count(*) = 0

@@ -1,12 +1,5 @@
 -- Settings, wherever they come from: proven before they are used.  Each test is a row (name, holds).
 SET client_min_messages = warning;
-CREATE FUNCTION pg_temp.refusal(statement text, OUT state text, OUT said text, OUT hint text) LANGUAGE plpgsql AS $$
-BEGIN
-    EXECUTE statement;
-    state := 'none';
-EXCEPTION WHEN OTHERS THEN
-    GET STACKED DIAGNOSTICS state = RETURNED_SQLSTATE, said = MESSAGE_TEXT, hint = PG_EXCEPTION_HINT;
-END $$;
 SELECT streetgen.create_model('town', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6);
@@ -29,7 +22,7 @@ DECLARE
 BEGIN
     FOR w IN SELECT * FROM wrong LOOP
         UPDATE town.setting SET value = w.value WHERE name = w.name;
-        r := pg_temp.refusal('SELECT streetgen.generate(''town'')');
+        r := test.refusal('SELECT streetgen.generate(''town'')');
         INSERT INTO tried VALUES (w.name, w.value, w.state, r.state, r.said, r.hint, pg_temp.untouched());
         UPDATE town.setting s SET value = d.value FROM streetgen._default_setting() d WHERE d.name = s.name AND s.name = w.name;
     END LOOP;
@@ -38,30 +31,17 @@ SELECT format('generate refuses %s = %s', name, coalesce(value, 'NULL')), state 
 SELECT 'a refused setting changes no row', bool_and(untouched) FROM tried;
 
 DELETE FROM town.setting WHERE name = 'tolerance';
-SELECT 'a setting that was deleted is 22004', (r).state = '22004' AND (r).said LIKE '%"tolerance"%' FROM (SELECT pg_temp.refusal('SELECT streetgen.generate(''town'')') AS r) t;
-SELECT 'nor can axes be cleaned without it', (r).state = '22004' FROM (SELECT pg_temp.refusal($$SELECT streetgen.import_axes('town', 'town.axis', '{}')$$) AS r) t;
+SELECT 'a setting that was deleted is 22004', (r).state = '22004' AND (r).said LIKE '%"tolerance"%' FROM (SELECT test.refusal('SELECT streetgen.generate(''town'')') AS r) t;
+SELECT 'nor can axes be cleaned without it', (r).state = '22004' FROM (SELECT test.refusal($$SELECT streetgen.import_axes('town', 'town.axis', '{}')$$) AS r) t;
 SELECT 'it deletes nothing', pg_temp.untouched();
-SELECT (pg_temp.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
-SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT pg_temp.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
+SELECT (test.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
+SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT test.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
 SELECT 'and generate goes on as before', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town')) AND pg_temp.untouched();
 SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s WHERE name = 'tolerance')::text = (SELECT d FROM streetgen._default_setting() d WHERE name = 'tolerance')::text;
-SELECT 'max_width_per_lane may be NULL', (pg_temp.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (pg_temp.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
+SELECT 'max_width_per_lane may be NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 
 -- The border proves again what the core cannot bear.
-CREATE FUNCTION pg_temp.streets(given text) RETURNS text LANGUAGE sql AS $$
-    SELECT 'SELECT count(*) FROM streetgen._streets(' || string_agg(name || ' => ' || coalesce(given::jsonb ->> name, value), ', ') || ')' FROM (VALUES
-        ('axis_id', '''{7,8}'''), ('geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(0 0,0 50)''::geometry::bytea]'),
-        ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
-        ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
-        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce'''),
-        ('transition_axis', '''{7}'''), ('transition_which', '''{start}'''), ('transition_kind_of', '''{right}'''), ('transition_length_of', '''{9}'''),
-        ('lanes_forward', '''{1,2}'''), ('lanes_backward', '''{1,0}'''), ('kind_forward', '''{"",general|bus}'''), ('kind_backward', '''{"",""}'''),
-        ('lane_width_forward', '''{"",3|}'''), ('lane_width_backward', '''{"",""}'''), ('turn_forward', '''{left;through,""}'''), ('turn_backward', '''{"",""}'''),
-        ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
-        ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
-        ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
-        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3')) v(name, value) $$;
-SELECT 'the border takes what is good', (pg_temp.refusal(pg_temp.streets('{}'))).state = 'none';
+SELECT 'the border takes what is good', (test.refusal(test.streets('{}'))).state = 'none';
 SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said LIKE '%' || part || '%'
     FROM (VALUES ('{"tolerance": "''NaN''"}', '22023', 'tolerance is nan'), ('{"tolerance": "0"}', '22023', 'tolerance is 0'), ('{"tolerance": "''Infinity''"}', '22023', 'tolerance is inf'),
         ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
@@ -87,6 +67,15 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"srid": "2154"}', '22023', 'axis 7 has SRID 0, expected 2154'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING Z (0 0 0,0 50 1e13)''::geometry::bytea]"}', '22023', 'axis 8 has a coordinate beyond 1e12 m at vertex 2'),
         ('{"geom": "ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(3 3,3 3)''::geometry::bytea]"}', '22023', 'axis 8 has no length')) v(given, wanted, part),
-    LATERAL (SELECT pg_temp.refusal(pg_temp.streets(given)) AS r) t;
-SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT pg_temp.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
+    LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
+SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT test.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',
     'SELECT streetgen.set(NULL, ''tolerance'', ''1'')', 'SELECT streetgen.set_transition(NULL, 1)', 'SELECT streetgen.svg(NULL)']) call) t;
+
+-- By importance: an entry holds up to the next one, the first also before itself.
+SELECT format('a corner of importance %s wants %s m', importance, wanted), streetgen.wanted_radius(NULL, importance, 50, 7, '{"3": 8, "5": null, "7": 2}', 'paper') = wanted
+    FROM (VALUES (1, 8), (2, 8), (3, 8), (4, 8), (5, 0), (6, 0), (7, 2), (99, 2)) v(importance, wanted);
+SELECT format('an axis of importance %s has %s km/h', importance, wanted), streetgen.estimated_speed(importance, 7, '{"3": 50, "5": 30}', 6) = wanted
+    FROM (VALUES (1, 50), (3, 50), (4, 50), (5, 30), (99, 30)) v(importance, wanted);
+SELECT 'unknown importance leaves it to the width', streetgen.estimated_speed(NULL, 7, '{"3": 50}', 6) = 42 AND streetgen.wanted_radius(NULL, NULL, 50, 7, '{"3": 8}', 'paper') = streetgen.turning_radius(50, 7, 'paper');
+SELECT format('no entry at all leaves it to turning_radius: %s', quote_literal(entries)), streetgen.wanted_radius(NULL, 1, 50, 7, entries, 'paper') = streetgen.turning_radius(50, 7, 'paper')
+    FROM (VALUES (''), ('{}')) v(entries);

@@ -45,6 +45,8 @@ SELECT 'the network comes back equal: ' || model, test.comes_back(model, array_a
   FROM made GROUP BY model;
 
 SELECT 'an existing topology is 42P06', test.state($$SELECT * FROM streetgen.export_topology('figure', 'figure town')$$) = '42P06';
+SELECT format('a name of %s bytes is too long: 42622', octet_length(name)), (r).state = '42622' AND (r).said LIKE '%"' || name || '%' AND to_regnamespace(quote_ident(name)) IS NULL
+  FROM (VALUES (repeat('t', 62)), (repeat('t', 64))) v(name), LATERAL (SELECT test.refusal(format($$SELECT * FROM streetgen.export_topology('quarter', %L)$$, name)) AS r) s;
 SELECT streetgen.create_model('crossing', 2154) \g /dev/null
 SELECT 'a model without edges is 55000', test.state($$SELECT * FROM streetgen.export_topology('crossing', 'x')$$) = '55000';
 INSERT INTO crossing.axis (axis_id, geom) VALUES (3, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)'), (8, 'SRID=2154;LINESTRING(650050 6859950,650050 6860050)'), (9, 'SRID=2154;LINESTRING(650300 6860000,650400 6860000)');

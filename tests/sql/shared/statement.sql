@@ -2,29 +2,16 @@
 CREATE SCHEMA test;
 GRANT USAGE ON SCHEMA test TO PUBLIC;
 
-CREATE FUNCTION test.state(statement text) RETURNS text LANGUAGE plpgsql AS $$
+CREATE FUNCTION test.refusal(statement text, OUT state text, OUT said text, OUT detail text, OUT hint text) LANGUAGE plpgsql AS $$
 BEGIN
   EXECUTE statement;
-  RETURN 'none';
+  state := 'none';
 EXCEPTION WHEN OTHERS THEN
-  RETURN SQLSTATE;
+  GET STACKED DIAGNOSTICS state = RETURNED_SQLSTATE, said = MESSAGE_TEXT, detail = PG_EXCEPTION_DETAIL, hint = PG_EXCEPTION_HINT;
 END $$;
 
-CREATE FUNCTION test.said(statement text) RETURNS text LANGUAGE plpgsql AS $$
-BEGIN
-  EXECUTE statement;
-  RETURN '';
-EXCEPTION WHEN OTHERS THEN
-  RETURN SQLERRM;
-END $$;
+CREATE FUNCTION test.state(statement text) RETURNS text LANGUAGE sql AS $$ SELECT state FROM test.refusal(statement) $$;
 
-CREATE FUNCTION test.hint(statement text) RETURNS text LANGUAGE plpgsql AS $$
-DECLARE
-  h text;
-BEGIN
-  EXECUTE statement;
-  RETURN '';
-EXCEPTION WHEN OTHERS THEN
-  GET STACKED DIAGNOSTICS h = PG_EXCEPTION_HINT;
-  RETURN h;
-END $$;
+CREATE FUNCTION test.said(statement text) RETURNS text LANGUAGE sql AS $$ SELECT coalesce(said, '') FROM test.refusal(statement) $$;
+
+CREATE FUNCTION test.hint(statement text) RETURNS text LANGUAGE sql AS $$ SELECT coalesce(hint, '') FROM test.refusal(statement) $$;

@@ -1,0 +1,30 @@
+-- The extension as built now in a database of another build, as one transaction: the models keep their rows and get the
+-- views of this build.  Objects of others that depend on the extension or its views stop it.
+CREATE FUNCTION pg_temp.columns_of(model name) RETURNS SETOF text LANGUAGE sql AS $$
+    SELECT format('%s.%s (%s)', c.relname, a.attname, format_type(a.atttypid, a.atttypmod))
+    FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
+    WHERE c.relnamespace = model::text::regnamespace AND c.relkind = 'r' AND a.attnum > 0 AND NOT a.attisdropped $$;
+DO $$
+DECLARE
+    known record;
+    missing text;
+BEGIN
+    CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
+    FOR known IN SELECT * FROM known_model LOOP
+        EXECUTE format('DROP VIEW IF EXISTS %1$I.axis_used, %1$I.intersection_group, %1$I.conflict', known.name);
+    END LOOP;
+    DROP EXTENSION streetgen;
+    CREATE EXTENSION streetgen;
+    FOR known IN SELECT * FROM known_model LOOP
+        PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
+        SELECT string_agg(c, ', ') INTO missing FROM (SELECT pg_temp.columns_of('streetgen_renewed') EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
+        PERFORM streetgen.drop_model('streetgen_renewed');
+        IF missing IS NOT NULL THEN
+            RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',
+                HINT = format('Keep it with pg_dump -n %1$I and DROP SCHEMA %1$I CASCADE, or set STREETGEN_DATABASE to a new name.', known.name);
+        END IF;
+        PERFORM streetgen.adopt_model(known.name);
+        EXECUTE format('INSERT INTO %I.setting AS s SELECT * FROM streetgen._default_setting()
+            ON CONFLICT (name) DO UPDATE SET (unit, description, minimum, maximum, choice) = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)', known.name);
+    END LOOP;
+END $$;
