@@ -60,6 +60,7 @@ def follow(model, vectors):
 def make_project(database, model):
     srid, words = database.srid(model), database.words(model)
     project = QgsProject.instance()
+    project.clear()
     project.setTitle(model)
     project.setBackgroundColor(QColor(GROUND))
     vectors = {layer.relation: vector_layer(database, model, srid, layer) for layer in LAYERS}
