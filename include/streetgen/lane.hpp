@@ -4,6 +4,8 @@
 // offset curves of the axis.  Where the width changes their shares of it stay.
 // Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
 // in the direction of the axis, and have no surface.
+// The line of a lane may be drawn by hand: it is taken as it is, and the lane's surface is the
+// ground within half the lane's width of it, flat at its ends, wherever its neighbours are.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +53,9 @@ struct LaneOverride {
   int ordinality = 0;
   enum class Direction { as_is, along, against } direction = Direction::as_is;
   double width = 0;  // metres; 0: as it is
+  // The centre line, turned where it runs against the axis: its end lies before its start there.
+  // At least two distinct, finite points; empty: as it is.
+  Line line{};
 };
 
 struct LaneSettings {
@@ -70,8 +75,8 @@ struct Lane {
   double width = 0;        // metres, at the start limit of the edge
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
-  // The lanes of an edge tile its section; where a ring would not be simple, the buffer of the
-  // centre line.  Empty where the limits crossed.
+  // The lanes of an edge tile its section; where a ring would not be simple, or a line was drawn
+  // by hand, the buffer of the centre line.  Empty where the limits crossed.
   MultiPolygon surface;
   unsigned turns = 0;
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand
@@ -113,9 +118,9 @@ struct LanesOfAxis {
   AxisLanes lanes;
 };
 
-// Deterministic and independent of the order of axes and overrides (of two overrides of one
-// lane the last in (axis_id, abscissa) counts).  An override of a lane that is not there does
-// nothing.  Lanes come out for the edges that meet at asked nodes.
+// Deterministic and independent of the order of axes.  Of two overrides of one lane the later holds
+// in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
+// meet at asked nodes.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings);
 

@@ -49,11 +49,41 @@ struct StreetSettings {
   double reach = 60;             // metres along the network: how far a corner follows its axes
   ShortAxis short_axis = ShortAxis::reduce;
   // Where two axes of different width meet and neither wants its own; where both do, that of the
-  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller axis_id.
+  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
+  // axis_id.
   Transition transition;
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
+};
+
+// By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.
+// It stays on its edge, 0.1 m and more from a node where other edges meet; on an edge that the snap
+// made longer or shorter it lies in proportion.  A computed limit that it passes meets it there,
+// two by hand that pass each other meet in between (crossed_limits).  One at a dead end, or on no
+// edge, changes nothing.
+struct SectionLimitOverride {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  bool at_start = true;
+};
+
+// By hand: the radius wanted, metres, of the corner counter-clockwise from axis_a to axis_b at the
+// node within three tolerances of `place`, the nearest that has one. Where axes that go on beyond
+// the node make two such corners: the one on whose side of the node `place` lies, both where it
+// lies on the node. 0: no arc. One that does not fit becomes the largest that does, its centre
+// within max_arc_distance, or no arc. One without its corner changes nothing.
+struct CornerOverride {
+  Point place;
+  std::int64_t axis_a = 0;
+  std::int64_t axis_b = 0;
+  double radius = 0;
+};
+
+// Of two overrides of one thing the later holds.
+struct StreetOverrides {
+  std::vector<SectionLimitOverride> limits;
+  std::vector<CornerOverride> corners;
 };
 
 // How a row came about; the words are those of the `method` columns.
@@ -67,7 +97,7 @@ enum class Method {
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface
   robust_fallback,  // the ring was built by union, not piece by piece
-  by_hand,          // an override decided
+  by_hand,          // as an override says
 };
 const char* method_name(Method method) noexcept;
 
@@ -88,7 +118,7 @@ struct Corner {
 struct SectionLimit {
   int edge = 0;
   bool at_start = true;
-  double wanted_abscissa = 0;  // metres along the edge from its start
+  double wanted_abscissa = 0;  // by the corners or by hand, metres along the edge
   double abscissa = 0;
   Point point;
   Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
@@ -136,8 +166,11 @@ struct Streets {
   std::vector<Intersection> intersections;  // one per asked node of degree two and more
 };
 
+// Whether the two limits of the edge meet: it has no section.
+bool limits_crossed(const Streets& streets, int edge);
+
 // Deterministic and independent of the order of `axes`.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const std::vector<FormerNode>& former = {});
+                const StreetOverrides& overrides = {}, const std::vector<FormerNode>& former = {});
 
 }  // namespace streetgen

@@ -78,7 +78,7 @@ BEGIN
         ('section_limit', 'section_limit_id', 'key'),
         ('section_limit', 'edge_id', 'the edge'),
         ('section_limit', 'which', 'start or end of the edge'),
-        ('section_limit', 'wanted_abscissa', 'where the intersection wants the limit, metres along the edge'),
+        ('section_limit', 'wanted_abscissa', 'where the intersection, or a user, wants the limit, metres along the edge'),
         ('section_limit', 'abscissa', 'where it is, metres along the edge'),
         ('section_limit', 'geom', 'its point on the edge'),
         ('section_limit', 'border_line', 'from the left kerb to the right kerb, shared by section and intersection'),

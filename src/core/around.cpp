@@ -104,9 +104,15 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
     solved.method = Method::radius_reduced;
   }
   if (found && !near(*found)) {
-    found =
-        corner_arc(a.line, b.line, width_a, width_b, std::min(wish.radius_minimal, wish.radius));
+    double least = std::min(wish.radius_minimal, wish.radius);
     solved.method = Method::radius_minimal;
+    for (double high = found->radius; wish.by_hand && high - least > 1e-7;) {
+      const double middle = (least + high) / 2;
+      const auto tried = corner_arc(a.line, b.line, width_a, width_b, middle);
+      (tried && near(*tried) ? least : high) = middle;
+      if (least == middle) solved.method = Method::radius_reduced;
+    }
+    found = corner_arc(a.line, b.line, width_a, width_b, least);
     if (found && !near(*found) && angle >= nearly_straight) found.reset();
   }
   // Borders that are one line touch the circle in one point: no arc is needed.

@@ -19,6 +19,7 @@ struct CornerWish {
   double radius = 0;
   double max_arc_distance = 60;
   double radius_minimal = 0.15;
+  bool by_hand = false;  // of a centre too far the largest radius that is near, not the minimal
 };
 
 struct SolvedCorner {

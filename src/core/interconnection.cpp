@@ -93,7 +93,7 @@ class Builder {
   Point direction_at(const Lane& lane, bool at_front) const {
     const Line& axis = streets_.network.edges[lane.edge].line;
     const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
-    const bool crossed = start->method == Method::crossed_limits;
+    const bool crossed = limits_crossed(streets_, lane.edge);
     const double first =
         crossed ? std::min(start->wanted_abscissa, end->wanted_abscissa) : start->abscissa;
     const double last =

@@ -115,6 +115,19 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
   return out;
 }
 
+// The lane along a line by hand.
+void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_surface) {
+  lane.line = distinct(planar(by_hand));
+  if (nearest_abscissa(lane.line.front(), strip.axis) >
+      nearest_abscissa(lane.line.back(), strip.axis))
+    lane.line = reversed(std::move(lane.line));
+  const Point &left = strip.from_border[0], &right = strip.from_border[1];
+  lane.axis_offset = dot(lane.line.front() - (left + right) * 0.5, unit(left - right));
+  if (with_surface)
+    lane.surface =
+        variable_buffer(lane.line, std::vector<double>(lane.line.size(), lane.width / 2));
+}
+
 class Builder {
  public:
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
@@ -125,11 +138,9 @@ class Builder {
         settings_(settings) {
     std::sort(axes_.begin(), axes_.end(),
               [](const LanesOfAxis& a, const LanesOfAxis& b) { return a.axis_id < b.axis_id; });
-    std::sort(overrides_.begin(), overrides_.end(),
-              [](const LaneOverride& a, const LaneOverride& b) {
-                return std::tie(a.axis_id, a.abscissa, a.ordinality, a.direction, a.width) <
-                       std::tie(b.axis_id, b.abscissa, b.ordinality, b.direction, b.width);
-              });
+    std::stable_sort(
+        overrides_.begin(), overrides_.end(),
+        [](const LaneOverride& a, const LaneOverride& b) { return a.axis_id < b.axis_id; });
   }
 
   Lanes run() {
@@ -139,13 +150,17 @@ class Builder {
       if (!meets_asked(e)) continue;
       poll_cancel();
       const LaneStrip strip = strip_of(streets_, e);
-      const bool crossed = streets_.limits[2 * e].method == Method::crossed_limits;
+      const bool crossed = limits_crossed(streets_, e);
       std::vector<LaneWish> wishes = wishes_of(e);
-      const std::vector<bool> by_hand = override_wishes(e, wishes);
+      const std::vector<Decision> decisions = decide(e, wishes);
       EdgeLanes made = lanes_of(geos_, strip, wishes, !crossed, settings_);
       for (Lane& lane : made.lanes) {
+        const Decision& decision = decisions[lane.position - 1];
         lane.edge = e;
-        lane.method = by_hand[lane.position - 1] ? Method::by_hand : streets_.limits[2 * e].method;
+        lane.method = decision.by_hand ? Method::by_hand
+                      : crossed        ? Method::crossed_limits
+                                       : Method::hypothesis;
+        if (decision.line != nullptr) draw(lane, strip, *decision.line, !crossed);
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       if (!crossed) {
@@ -174,11 +189,16 @@ class Builder {
                : across({}, settings_.driving_side);
   }
 
-  // Which lanes an override decided.
-  std::vector<bool> override_wishes(int e, std::vector<LaneWish>& wishes) const {
+  struct Decision {
+    bool by_hand = false;
+    const Line* line = nullptr;
+  };
+
+  // What overrides say of each lane; widths and directions go into its wish.
+  std::vector<Decision> decide(int e, std::vector<LaneWish>& wishes) const {
     const Edge& edge = streets_.network.edges[e];
     const int count = static_cast<int>(wishes.size());
-    std::vector<bool> touched(count);
+    std::vector<Decision> decisions(count);
     auto by_hand = std::lower_bound(
         overrides_.begin(), overrides_.end(), edge.axis_id,
         [](const LaneOverride& o, std::int64_t axis_id) { return o.axis_id < axis_id; });
@@ -191,10 +211,11 @@ class Builder {
         if (by_hand->direction != LaneOverride::Direction::as_is)
           wish.along_axis = by_hand->direction == LaneOverride::Direction::along;
         if (by_hand->width > 0) wish.width = by_hand->width;
-        touched[p - 1] = true;
+        if (!by_hand->line.empty()) decisions[p - 1].line = &by_hand->line;
+        decisions[p - 1].by_hand = true;
       }
     }
-    return touched;
+    return decisions;
   }
 
   const Streets& streets_;

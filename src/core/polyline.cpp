@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "streetgen/cancel.hpp"
 
@@ -86,6 +87,20 @@ double distance_to_line(const Point& p, const Line& line) {
   double best = distance(p, line.front());
   for (std::size_t i = 1; i < line.size(); ++i)
     best = std::min(best, distance_to_segment(p, line[i - 1], line[i]));
+  return best;
+}
+
+double nearest_abscissa(const Point& p, const Line& line) {
+  double before = 0, best = 0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double apart = distance_to_segment(p, line[i - 1], line[i]);
+    const double size = distance(line[i - 1], line[i]);
+    if (apart < least) {
+      least = apart;
+      best = before + std::clamp(dot(p - line[i - 1], unit(line[i] - line[i - 1])), 0.0, size);
+    }
+    before += size;
+  }
   return best;
 }
 

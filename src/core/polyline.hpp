@@ -38,6 +38,8 @@ Line substring(const Line& line, double u, double v);
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b);
 double distance_to_line(const Point& p, const Line& line);
+// Of the place on the line that is nearest to p, the first of equal ones.
+double nearest_abscissa(const Point& p, const Line& line);
 // Whether the line is anywhere nearer to p than `reach`.
 bool comes_within(const Point& p, const Line& line, double reach);
 

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "around.hpp"
+#include "by_hand.hpp"
 #include "geos.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
@@ -21,12 +22,6 @@ namespace {
 // A surface whose neighbours took less than this keeps its method.
 constexpr double contested_at_least = 0.01;
 
-struct EdgeEnd {
-  int edge = 0;
-  bool at_start = true;
-};
-
-int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
 
 struct Around {
   std::vector<EdgeEnd> ends;  // counter-clockwise
@@ -40,8 +35,8 @@ struct Around {
 class Pipeline {
  public:
   Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-           const std::vector<FormerNode>& former)
-      : settings_(settings), former_(former) {
+           const StreetOverrides& overrides, const std::vector<FormerNode>& former)
+      : settings_(settings), overrides_(overrides), former_(former) {
     for (const StreetAxis& axis : axes) {
       axes_.emplace(axis.axis_id, &axis);
       lengths_.emplace(axis.axis_id, length(axis.line));
@@ -53,6 +48,7 @@ class Pipeline {
 
   Streets run() {
     orient_arms();
+    place_overrides();
     solve_corners();
     settle_limits();
     join_borders();
@@ -93,6 +89,15 @@ class Pipeline {
       for (const std::size_t i : counter_clockwise(arms)) sorted.push_back(around.ends[i]);
       around.ends = std::move(sorted);
     }
+  }
+
+  void place_overrides() {
+    const EndsOfNode ends_of = [&](int node) -> const std::vector<EdgeEnd>& {
+      return around_[node].ends;
+    };
+    limits_by_hand_ = limits_by_hand(out_.network, arms_, ends_of, overrides_.limits);
+    radii_by_hand_ =
+        radii_by_hand(out_.network, arms_, ends_of, overrides_.corners, settings_.tolerance);
   }
 
   double wanted_radius(const EdgeEnd& a, const EdgeEnd& b) const {
@@ -141,10 +146,10 @@ class Pipeline {
   }
 
   // Between ends[i] and the next.
-  SolvedCorner solve(Around& around, std::size_t i, double radius) const {
+  SolvedCorner solve(Around& around, std::size_t i, double radius, bool by_hand) const {
     std::vector<const Arm*> arms;
     for (const EdgeEnd& end : around.ends) arms.push_back(&arms_[slot(end)]);
-    const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal};
+    const CornerWish wish{radius, settings_.max_arc_distance, settings_.radius_minimal, by_hand};
     SolvedCorner solved = solve_corner(arms, i, wish);
     const bool reduced = solved.method == Method::radius_reduced;
     if (solved.method != Method::no_arc && !(reduced && settings_.short_axis == ShortAxis::follow))
@@ -189,8 +194,11 @@ class Pipeline {
       poll_cancel();
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
-        const double radius = wanted_radius(a, b);
-        const SolvedCorner solved = solve(around, i, radius);
+        const auto by_hand = radii_by_hand_.find({n, i});
+        const bool decided = by_hand != radii_by_hand_.end();
+        const double radius = decided ? by_hand->second : wanted_radius(a, b);
+        SolvedCorner solved = solve(around, i, radius, decided);
+        if (decided && solved.gap.corner.radius == radius) solved.method = Method::by_hand;
         widen_limits(arms_[slot(a)], arms_[slot(b)], solved);
         around.gaps.push_back(solved.gap);
         Corner corner{n, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};
@@ -212,7 +220,7 @@ class Pipeline {
       if (degree >= 3)
         for (const EdgeEnd& end : around.ends) {
           Arm& arm = arms_[slot(end)];
-          arm.limit = std::max(arm.limit, std::min(0.1, length(arm.line) / 4));
+          arm.limit = std::max(arm.limit, least_limit(arm));
         }
     }
   }
@@ -223,15 +231,24 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       Arm &start = arms_[2 * e], &end = arms_[2 * e + 1];
       const double total = length(start.line);
+      const auto &put_start = limits_by_hand_[2 * e], &put_end = limits_by_hand_[2 * e + 1];
+      if (put_start) start.limit = *put_start;
+      if (put_end) end.limit = *put_end;
       const double wanted_start = start.limit, wanted_end = end.limit;
       const bool crossed = start.limit + end.limit > total - 1e-3;
-      if (crossed) {
+      const bool one_yields = crossed && put_start.has_value() != put_end.has_value();
+      if (one_yields) {
+        (put_start ? end : start).limit = total - (put_start ? start : end).limit;
+      } else if (crossed) {
         const double sum = start.limit + end.limit;
         start.limit = sum > 0 ? total * start.limit / sum : total / 2;
         end.limit = total - start.limit;
       } else {
-        const double clear_start = start.limit > 0 ? kerb_clear_limit(start, start.limit) : 0;
-        const double clear_end = end.limit > 0 ? kerb_clear_limit(end, end.limit) : 0;
+        const auto clear = [](const Arm& arm, bool put) {
+          return put || arm.limit <= 0 ? arm.limit : kerb_clear_limit(arm, arm.limit);
+        };
+        const double clear_start = clear(start, put_start.has_value());
+        const double clear_end = clear(end, put_end.has_value());
         if (clear_start + clear_end < total - 1e-3) {
           start.limit = clear_start;
           end.limit = clear_end;
@@ -246,7 +263,10 @@ class Pipeline {
         limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
         limit.abscissa = at_start ? start.limit : total - end.limit;
         limit.point = place_at(edges[e].line, limit.abscissa).point;
-        limit.method = crossed ? Method::crossed_limits : Method::hypothesis;
+        const bool put = (at_start ? put_start : put_end).has_value();
+        limit.method = crossed && !(one_yields && put) ? Method::crossed_limits
+                       : put                           ? Method::by_hand
+                                                       : Method::hypothesis;
         out_.limits[2 * e + (at_start ? 0 : 1)] = limit;
       }
     }
@@ -274,7 +294,7 @@ class Pipeline {
       if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
       out_.asked_edges[e] = true;
       // The limits of an edge move together where they cross.
-      const bool both = !axis_of(e).beside && crossed(e);
+      const bool both = !axis_of(e).beside && limits_crossed(out_, e);
       for (const int node : {from, to})
         if (both || concerned[node]) out_.asked_nodes[node] = true;
     }
@@ -285,8 +305,6 @@ class Pipeline {
     return out_.asked_nodes[intersection.node];
   }
 
-  bool crossed(int edge) const { return out_.limits[2 * edge].method == Method::crossed_limits; }
-
   // Border lines of neighbours that end on one kerb point end on the same.
   void join_borders() {
     for (const Around& around : around_)
@@ -296,7 +314,7 @@ class Pipeline {
         Point& end = arms_[slot(next)].border[1];
         if (distance(kerb, end) > same_place) continue;
         end = kerb;
-        if (crossed(next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
+        if (limits_crossed(out_, next.edge)) arms_[slot({next.edge, !next.at_start})].border[0] = kerb;
       }
     for (SectionLimit& limit : out_.limits) {
       const Line& border = arms_[slot({limit.edge, limit.at_start})].border;
@@ -313,7 +331,7 @@ class Pipeline {
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
-      if (crossed(e)) {
+      if (limits_crossed(out_, e)) {
         section.method = Method::crossed_limits;
       } else {
         Built built = build_section(geos_, arms_[2 * e], start.abscissa, end.abscissa,
@@ -443,20 +461,24 @@ class Pipeline {
         row.contested_area = claims[i++].contested_area;
         if (row.contested_area > contested_at_least) row.method = Method::contested;
       }
-      rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !asked(row); }),
-                 rows.end());
+      rows.erase(
+          std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !asked(row); }),
+          rows.end());
     };
     read(out_.sections);
     read(out_.intersections);
   }
 
   const StreetSettings& settings_;
+  const StreetOverrides& overrides_;
   const std::vector<FormerNode>& former_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
   std::vector<Arm> arms_;  // 2 * edge at its start, 2 * edge + 1 at its end
   std::vector<Around> around_;
+  std::vector<std::optional<double>> limits_by_hand_;  // by slot, metres from the node
+  RadiiByHand radii_by_hand_;
   Geos geos_;
 };
 
@@ -488,9 +510,14 @@ const char* method_name(Method method) noexcept {
   return "";
 }
 
+bool limits_crossed(const Streets& streets, int edge) {
+  return streets.limits[2 * edge].method == Method::crossed_limits ||
+         streets.limits[2 * edge + 1].method == Method::crossed_limits;
+}
+
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const std::vector<FormerNode>& former) {
-  return Pipeline(axes, settings, former).run();
+                const StreetOverrides& overrides, const std::vector<FormerNode>& former) {
+  return Pipeline(axes, settings, overrides, former).run();
 }
 
 }  // namespace streetgen

@@ -8,7 +8,7 @@ namespace {
 
 Rows computed_rows(const StreetsCall& call) {
   const StreetsInput input = read_input(call);
-  const Streets result = streets(input.axes, input.settings, input.former);
+  const Streets result = streets(input.axes, input.settings, {}, input.former);
   const Lanes traffic = lanes(result, input.lanes, input.overrides, input.lane_settings);
   return rows_of(result, traffic,
                  interconnections(result, input.axes, traffic.lanes, input.restrictions,
