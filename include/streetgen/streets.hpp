@@ -147,10 +147,19 @@ struct Roadway {
   int importance = 99;
 };
 
-// Where a changed axis met or left others before the change.
-struct FormerNode {
-  Point place;
-  bool met = true;  // false: the limits of an edge from a former node crossed, and moved this end too
+// What was there before the change: it tells what else the change moves.
+struct FormerEdge {
+  std::int64_t axis_id = 0;
+  Line line;
+  bool crossed = false;  // its limits
+};
+struct FormerPlace {
+  Point point;
+  bool met = true;  // true: all that meets here may move; false: only the intersection
+};
+struct Former {
+  std::vector<FormerEdge> edges;
+  std::vector<FormerPlace> places;
 };
 
 struct Streets {
@@ -159,8 +168,8 @@ struct Streets {
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;         // two per edge: 2 * edge, 2 * edge + 1
   // What changed axes can change, and only for that sections and intersections come out: their
-  // edges and nodes, what meets them there, corners that follow an axis to them, and claims on
-  // the same ground.  Where all axes changed, everything.
+  // edges and those that they cut otherwise, what meets these at a node, corners that follow an
+  // axis to there, and claims on the same ground.  Where all axes changed, everything.
   std::vector<bool> asked_edges, asked_nodes;
   std::vector<Section> sections;            // one per asked edge
   std::vector<Intersection> intersections;  // one per asked node of degree two and more
@@ -171,6 +180,6 @@ bool limits_crossed(const Streets& streets, int edge);
 
 // Deterministic and independent of the order of `axes`.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const StreetOverrides& overrides = {}, const std::vector<FormerNode>& former = {});
+                const StreetOverrides& overrides = {}, const Former& former = {});
 
 }  // namespace streetgen

@@ -27,12 +27,9 @@ former_node AS MATERIALIZED (SELECT DISTINCT node_id FROM %1$I.edge e, LATERAL (
 ground AS MATERIALIZED (
     SELECT surface FROM %1$I.edge e JOIN %1$I.section USING (edge_id) WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT surface FROM former_node JOIN %1$I.intersection USING (node_id)),
 beside AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) JOIN %1$I.edge e USING (edge_id)),
-former AS (
-    SELECT n.geom, true AS met FROM former_node JOIN %1$I.node n USING (node_id)
-    UNION ALL SELECT n.geom, true FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_a = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
+former_place AS (
+    SELECT n.geom, true AS met FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_a = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
     UNION ALL SELECT n.geom, true FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_b = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
-    UNION ALL SELECT n.geom, false FROM former_node f JOIN %1$I.edge e ON e.from_node = f.node_id JOIN %1$I.section s ON s.edge_id = e.edge_id AND s.method = 'crossed_limits' JOIN %1$I.node n ON n.node_id = e.to_node
-    UNION ALL SELECT n.geom, false FROM former_node f JOIN %1$I.edge e ON e.to_node = f.node_id JOIN %1$I.section s ON s.edge_id = e.edge_id AND s.method = 'crossed_limits' JOIN %1$I.node n ON n.node_id = e.from_node
     UNION ALL SELECT n.geom, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) JOIN %1$I.node n USING (node_id)),
 result AS MATERIALIZED (
     SELECT s.* FROM setting, (
@@ -54,7 +51,9 @@ result AS MATERIALIZED (
                coalesce(array_agg(ST_X(geom) ORDER BY turn_restriction_id), '{}') AS x, coalesce(array_agg(ST_Y(geom) ORDER BY turn_restriction_id), '{}') AS y,
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
         FROM %1$I.turn_restriction WHERE from_axis = ANY ($2)) b, (
-        SELECT coalesce(array_agg(ST_X(geom)), '{}') AS x, coalesce(array_agg(ST_Y(geom)), '{}') AS y, coalesce(array_agg(met), '{}') AS met FROM former) f,
+        SELECT coalesce(array_agg(ST_X(geom)), '{}') AS x, coalesce(array_agg(ST_Y(geom)), '{}') AS y, coalesce(array_agg(met), '{}') AS met FROM former_place) p, (
+        SELECT coalesce(array_agg(e.axis_id), '{}') AS axis_id, coalesce(array_agg(ST_Force2D(e.geom)::bytea), '{}') AS geom, coalesce(array_agg(s.method = 'crossed_limits'), '{}') AS crossed
+        FROM %1$I.edge e JOIN %1$I.section s USING (edge_id) WHERE e.axis_id IN (SELECT unnest($2) UNION SELECT unnest($3))) f,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
@@ -62,7 +61,7 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.x, f.y, f.met) s),
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.crossed, p.x, p.y, p.met) s),
 -- The axes whose rows come out, and those that are gone.
 asked_axis AS MATERIALIZED (
     SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),
@@ -286,7 +285,7 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, replace(streetgen._upsert_statement(model), 'f.met) s),', 'f.met) s WHERE relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')),'));
+END $body$ $sql$, model, replace(streetgen._upsert_statement(model), 'p.met) s),', 'p.met) s WHERE relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')),'));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';

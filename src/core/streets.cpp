@@ -35,7 +35,7 @@ struct Around {
 class Pipeline {
  public:
   Pipeline(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-           const StreetOverrides& overrides, const std::vector<FormerNode>& former)
+           const StreetOverrides& overrides, const Former& former)
       : settings_(settings), overrides_(overrides), former_(former) {
     for (const StreetAxis& axis : axes) {
       axes_.emplace(axis.axis_id, &axis);
@@ -272,19 +272,55 @@ class Pipeline {
     }
   }
 
+  // The nodes at which something moved, or may have.
+  std::vector<bool> met_nodes() {
+    const auto& edges = out_.network.edges;
+    const auto same = [](const Line& a, const Line& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                        [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; });
+    };
+    std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
+    for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
+    std::vector<bool> met(around_.size());
+    for (const Edge& edge : edges) {
+      auto& lines = former[edge.axis_id];
+      const auto kept = std::find_if(lines.begin(), lines.end(), [&](const FormerEdge* old) {
+        return same(old->line, edge.line);
+      });
+      if (kept != lines.end() && !axes_.at(edge.axis_id)->changed)
+        lines.erase(kept);
+      else
+        met[edge.from_node] = met[edge.to_node] = true;
+    }
+    const auto near = [&](const Point& place, std::vector<bool>& nodes) {
+      for (std::size_t n = 0; n < around_.size(); ++n)
+        if (distance(out_.network.nodes[n].point, place) <= 3 * settings_.tolerance)
+          nodes[n] = true;
+    };
+    for (const auto& [axis_id, gone] : former)
+      for (const FormerEdge* edge : gone)
+        for (const Point& end : {edge->line.front(), edge->line.back()}) near(end, met);
+    for (const FormerPlace& place : former_.places)
+      near(place.point, place.met ? met : out_.asked_nodes);
+    for (const FormerEdge& edge : former_.edges) {
+      if (!edge.crossed) continue;
+      std::vector<bool> ends(around_.size());
+      near(edge.line.front(), ends);
+      near(edge.line.back(), ends);
+      bool moved = false;
+      for (std::size_t n = 0; n < ends.size(); ++n) moved = moved || (ends[n] && met[n]);
+      for (std::size_t n = 0; n < ends.size(); ++n)
+        if (moved && ends[n]) out_.asked_nodes[n] = true;
+    }
+    return met;
+  }
+
   // The edges that changed axes can change, and the nodes.
   void ask_around_changes() {
     const auto& edges = out_.network.edges;
-    const double near = 3 * settings_.tolerance;
-    std::vector<bool> met(around_.size());
     out_.asked_edges.resize(edges.size());
     out_.asked_nodes.resize(around_.size());
-    for (std::size_t n = 0; n < around_.size(); ++n)
-      for (const FormerNode& former : former_)
-        if (distance(out_.network.nodes[n].point, former.place) <= near)
-          (former.met ? met : out_.asked_nodes)[n] = true;
-    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
-      if (axis_of(e).changed) met[edges[e].from_node] = met[edges[e].to_node] = true;
+    const std::vector<bool> met = met_nodes();
     std::vector<bool> concerned = met;
     for (std::size_t n = 0; n < around_.size(); ++n)
       for (const int node : around_[n].followed)
@@ -471,7 +507,7 @@ class Pipeline {
 
   const StreetSettings& settings_;
   const StreetOverrides& overrides_;
-  const std::vector<FormerNode>& former_;
+  const Former& former_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<std::int64_t, double> lengths_;
   Streets out_;
@@ -516,7 +552,7 @@ bool limits_crossed(const Streets& streets, int edge) {
 }
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const StreetOverrides& overrides, const std::vector<FormerNode>& former) {
+                const StreetOverrides& overrides, const Former& former) {
   return Pipeline(axes, settings, overrides, former).run();
 }
 

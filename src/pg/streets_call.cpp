@@ -46,7 +46,8 @@ Datum* column(Columns* list, int argument, const char* name, Oid type) {
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
   Columns overrides{fcinfo, "lane overrides"};
-  Columns restrictions{fcinfo, "turn restrictions"}, former{fcinfo, "former nodes"};
+  Columns restrictions{fcinfo, "turn restrictions"};
+  Columns former_edges{fcinfo, "former edges"}, former_places{fcinfo, "former places"};
   call->axis_id = column(&axes, 0, "axis_id", INT8OID);
   call->geom = column(&axes, 1, "geom", BYTEAOID);
   call->width = column(&axes, 2, "width", FLOAT8OID);
@@ -108,10 +109,16 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->trajectory_radius = PG_GETARG_FLOAT8(52);
   call->changed = column(&axes, 53, "changed", BOOLOID);
   call->beside = column(&axes, 54, "beside", BOOLOID);
-  call->former_x = column(&former, 55, "former_x", FLOAT8OID);
-  call->former_y = column(&former, 56, "former_y", FLOAT8OID);
-  call->former_met = column(&former, 57, "former_met", BOOLOID);
-  call->former_count = former.count;
+  call->former_axis = column(&former_edges, 55, "former_axis", INT8OID);
+  call->former_geom = column(&former_edges, 56, "former_geom", BYTEAOID);
+  call->former_crossed = column(&former_edges, 57, "former_crossed", BOOLOID);
+  call->former_edge_count = former_edges.count;
+  for (int i = 0; i < call->former_edge_count; ++i)
+    call->former_geom[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(call->former_geom[i]));
+  call->former_x = column(&former_places, 58, "former_x", FLOAT8OID);
+  call->former_y = column(&former_places, 59, "former_y", FLOAT8OID);
+  call->former_met = column(&former_places, 60, "former_met", BOOLOID);
+  call->former_place_count = former_places.count;
 }
 
 }  // namespace streetgen::pg

@@ -31,7 +31,8 @@ struct StreetsCall {
   const char *trajectory;
   double trajectory_tolerance, trajectory_radius;
   Datum *changed, *beside;
-  int former_count;
+  int former_edge_count, former_place_count;
+  Datum *former_axis, *former_geom, *former_crossed;
   Datum *former_x, *former_y, *former_met;
 };
 

@@ -178,12 +178,16 @@ InterconnectionSettings interconnection_settings_of(const StreetsCall& call) {
   return settings;
 }
 
-std::vector<FormerNode> former_of(const StreetsCall& call) {
-  std::vector<FormerNode> former;
-  for (int i = 0; i < call.former_count; ++i)
-    former.push_back({{finite(DatumGetFloat8(call.former_x[i]), "x of a former node"),
-                       finite(DatumGetFloat8(call.former_y[i]), "y of a former node"), 0},
-                      DatumGetBool(call.former_met[i])});
+Former former_of(const StreetsCall& call) {
+  Former former;
+  for (int i = 0; i < call.former_edge_count; ++i)
+    former.edges.push_back({DatumGetInt64(call.former_axis[i]),
+                            read_line(bytes_of(call.former_geom[i]), "a former edge").line,
+                            DatumGetBool(call.former_crossed[i])});
+  for (int i = 0; i < call.former_place_count; ++i)
+    former.places.push_back({{finite(DatumGetFloat8(call.former_x[i]), "x of a former place"),
+                              finite(DatumGetFloat8(call.former_y[i]), "y of a former place"), 0},
+                             DatumGetBool(call.former_met[i])});
   return former;
 }
 

@@ -15,7 +15,7 @@ struct StreetsInput {
   bool has_z = false;
   std::vector<StreetAxis> axes;
   StreetSettings settings;
-  std::vector<FormerNode> former;
+  Former former;
   std::vector<LanesOfAxis> lanes;
   std::vector<LaneOverride> overrides;
   LaneSettings lane_settings;
