@@ -87,13 +87,16 @@ kept_node AS (SELECT row_index, min(node_id) AS node_id FROM heir GROUP BY row_i
 node_id_of AS MATERIALIZED (
     SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom, asked
     FROM (SELECT n.row_index, k.node_id, n.geom, n.asked FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
-old_key AS (SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn FROM old_edge),
+same_edge AS MATERIALIZED (SELECT e.row_index, o.edge_id FROM new_edge e JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa)),
+old_key AS (
+    SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
+    FROM old_edge o WHERE NOT EXISTS (SELECT FROM same_edge s WHERE s.edge_id = o.edge_id)),
 edge_id_of AS MATERIALIZED (
     SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom, t.asked
-    FROM (SELECT e.*, o.edge_id FROM (
-            SELECT e.*, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id ORDER BY e.start_abscissa) AS turn
-            FROM new_edge e JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
-          LEFT JOIN old_key o USING (axis_id, from_node, turn) ORDER BY e.row_index OFFSET 0) t),
+    FROM (SELECT e.*, coalesce(e.same_id, o.edge_id) AS edge_id FROM (
+            SELECT e.*, s.edge_id AS same_id, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id, s.edge_id IS NULL ORDER BY e.start_abscissa) AS turn
+            FROM new_edge e LEFT JOIN same_edge s USING (row_index) JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
+          LEFT JOIN old_key o ON e.same_id IS NULL AND (o.axis_id, o.from_node, o.turn) = (e.axis_id, e.from_node, e.turn) ORDER BY e.row_index OFFSET 0) t),
 gone_edge AS (
     DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND o.axis_id IN (SELECT axis_id FROM asked_axis)
         AND NOT EXISTS (SELECT FROM edge_id_of n WHERE n.edge_id = o.edge_id) RETURNING d.edge_id, d.from_node, d.to_node),
