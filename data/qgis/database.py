@@ -33,10 +33,10 @@ class Database:
         uri = QgsDataSourceUri(self.uri)
         if layer.query:
             uri.setDataSource('', '(%s)' % layer.query.replace('@', identifier(model)), layer.geometry, '', layer.key)
+            uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
         else:
             uri.setDataSource(model, layer.relation, layer.geometry, '', layer.key)
         if layer.geometry:
-            uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
             uri.setSrid(str(srid))
             uri.setUseEstimatedMetadata(True)
         return uri.uri(False)

@@ -11,13 +11,14 @@ class Layer:
     relation: str
     key: str
     geometry: typing.Optional[str] = None  # column; None: a table of values
-    kind: str = 'Unknown'  # of the geometry, as QgsWkbTypes names it
     renderer: typing.Optional[typing.Callable] = None
     # Columns that one may type in; () where only the geometry may be changed, None for what is read only.
     writable: typing.Optional[tuple] = None
     shown: bool = False
     scale: int = 0  # drawn only when nearer than 1 : scale
-    query: typing.Optional[str] = None  # of a layer that no relation holds; @ is the model
+    # Of a layer that no relation holds: its rows, @ being the model, and the type of its geometry.
+    query: typing.Optional[str] = None
+    kind: typing.Optional[str] = None
 
     @property
     def name(self):
@@ -74,13 +75,13 @@ def handle_line(colour):
 
 def by_hand(relation, *columns):
     """What users decided; here also that which fits nowhere can be seen and deleted."""
-    return Layer('overrides', relation, f'{relation}_id', 'geom', 'Point', lambda: single(point('star', HAND, 3)), columns)
+    return Layer('overrides', relation, f'{relation}_id', 'geom', lambda: single(point('star', HAND, 3)), columns)
 
 
 LAYERS = (
-    Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', 'Point', lambda: single(point('octagon', REPORT, 3)),
+    Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', lambda: single(point('octagon', REPORT, 3)),
           ('from_axis', 'to_axis', 'kind', 'turn', 'source', 'source_ref'), scale=2500),
-    Layer('input', 'axis', 'axis_id', 'geom', 'LineString', axis,
+    Layer('input', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'kind_forward',
            'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source', 'source_ref'), shown=True),
     by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
@@ -91,17 +92,17 @@ LAYERS = (
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'connecting'),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
     Layer('input', 'setting', 'name'),
-    Layer('traffic', 'interconnection', 'interconnection_id', 'geom', 'LineString', interconnection, scale=1500, shown=True),
-    Layer('traffic', 'lane', 'lane_id', 'geom', 'LineString', lane, scale=2500),
-    Layer('traffic', 'lane_separator', 'lane_separator_id', 'surface', 'MultiPolygon', lambda: single(fill(PAINT)), scale=2500),
-    Layer('traffic', 'marking', 'marking_id', 'surface', 'MultiPolygon', lambda: single(fill(PAINT)), scale=2500),
-    Layer('streets', 'report', 'report_id', 'geom', 'Point', lambda: single(point('cross2', REPORT, 3)), query=REPORT_ROWS),
-    Layer('streets', 'node', 'node_id', 'geom', 'Point', lambda: single(point('circle', AXIS, 1.8))),
-    Layer('streets', 'edge', 'edge_id', 'geom', 'LineString', lambda: single(line(AXIS, 0.4))),
-    Layer('streets', 'section_limit', 'section_limit_id', 'border_line', 'LineString', lambda: single(line(LIMIT, 0.4)), scale=2500),
-    Layer('streets', 'corner', 'corner_id', 'arc', 'CircularString',
+    Layer('traffic', 'interconnection', 'interconnection_id', 'geom', interconnection, scale=1500, shown=True),
+    Layer('traffic', 'lane', 'lane_id', 'geom', lane, scale=2500),
+    Layer('traffic', 'lane_separator', 'lane_separator_id', 'surface', lambda: single(fill(PAINT)), scale=2500),
+    Layer('traffic', 'marking', 'marking_id', 'surface', lambda: single(fill(PAINT)), scale=2500),
+    Layer('streets', 'report', 'report_id', 'geom', lambda: single(point('cross2', REPORT, 3)), query=REPORT_ROWS, kind='Point'),
+    Layer('streets', 'node', 'node_id', 'geom', lambda: single(point('circle', AXIS, 1.8))),
+    Layer('streets', 'edge', 'edge_id', 'geom', lambda: single(line(AXIS, 0.4))),
+    Layer('streets', 'section_limit', 'section_limit_id', 'border_line', lambda: single(line(LIMIT, 0.4)), scale=2500),
+    Layer('streets', 'corner', 'corner_id', 'arc',
           lambda: rules(('as wanted', "method IN ('hypothesis', 'by_hand')", line(ARC, 0.5)), ('otherwise', "method NOT IN ('hypothesis', 'by_hand')", line(HAND, 0.5))), scale=2500),
-    Layer('streets', 'roadway', 'roadway_id', 'surface', 'MultiPolygon', roadway, query=ROADWAY, shown=True),
-    Layer('streets', 'intersection', 'node_id', 'surface', 'MultiPolygon', surface_by_method(JUNCTION)),
-    Layer('streets', 'section', 'edge_id', 'surface', 'MultiPolygon', surface_by_method(ASPHALT)),
+    Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=ROADWAY, kind='MultiPolygon', shown=True),
+    Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),
+    Layer('streets', 'section', 'edge_id', 'surface', surface_by_method(ASPHALT)),
 )
