@@ -227,7 +227,7 @@ set_interconnection AS (
     RETURNING xmax = 0 AS fresh),
 -- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch.
 gone_interconnection AS (
-    DELETE FROM %1$I.interconnection k USING node_id_of n WHERE k.node_id = n.node_id AND n.asked
+    DELETE FROM %1$I.interconnection k USING (SELECT node_id FROM node_id_of WHERE asked UNION ALL SELECT node_id FROM left_node) n WHERE k.node_id = n.node_id
         AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
         AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
