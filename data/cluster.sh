@@ -23,6 +23,8 @@ install_packages() {
     osm2pgsql gdal-bin librsvg2-bin
 }
 
+install_qgis() { install_missing python3-qgis qgis-providers; }
+
 install_missing() {
   local missing=() package
   for package in "$@"; do

@@ -252,44 +252,47 @@ BEGIN
   RETURN script;
 END $$;
 
--- The script with whatever it does not need to fail taken out.
-CREATE PROCEDURE edits.reduce(INOUT script edits.script) LANGUAGE plpgsql AS $$
+CREATE TABLE edits.failure (seed integer, what text, script edits.script);
+
+-- Takes out of the script of a failure whatever it does not need to fail.
+CREATE PROCEDURE edits.reduce(failed integer) LANGUAGE plpgsql AS $$
 DECLARE
+  script edits.script;
   smaller edits.script;
+  differs text;
   shrank boolean := true;
+  part record;
 BEGIN
+  SELECT (f.script).* INTO script FROM edits.failure f WHERE seed = failed;
   WHILE shrank LOOP
     shrank := false;
-    FOR i IN REVERSE cardinality(script.statements) .. 1 LOOP
+    FOR part IN SELECT what, i FROM (VALUES ('statement', 1, cardinality(script.statements)), ('axis', 2, cardinality(script.axes)), ('setting', 3, cardinality(script.settings))) v(what, place, many),
+                generate_series(many, 1, -1) i ORDER BY place, i DESC LOOP
       smaller := script;
-      smaller.statements := script.statements[: i - 1] || script.statements[i + 1 :];
-      IF edits.run(smaller) IS NOT NULL THEN
+      CASE part.what
+        WHEN 'statement' THEN smaller.statements := script.statements[: part.i - 1] || script.statements[part.i + 1 :];
+        WHEN 'axis' THEN smaller.axes := script.axes[: part.i - 1] || script.axes[part.i + 1 :];
+        WHEN 'setting' THEN smaller.settings := script.settings[: part.i - 1] || script.settings[part.i + 1 :];
+      END CASE;
+      differs := edits.run(smaller);
+      IF differs IS NOT NULL THEN
         script := smaller;
         shrank := true;
+        UPDATE edits.failure f SET script = smaller, what = differs WHERE seed = failed;
       END IF;
-      COMMIT;
-    END LOOP;
-    FOR i IN REVERSE cardinality(script.axes) .. 1 LOOP
-      smaller := script;
-      smaller.axes := script.axes[: i - 1] || script.axes[i + 1 :];
-      IF edits.run(smaller) IS NOT NULL THEN
-        script := smaller;
-        shrank := true;
-      END IF;
-      COMMIT;
-    END LOOP;
-    FOR i IN REVERSE cardinality(script.settings) .. 1 LOOP
-      smaller := script;
-      smaller.settings := script.settings[: i - 1] || script.settings[i + 1 :];
-      IF edits.run(smaller) IS NOT NULL THEN
-        script := smaller;
-      END IF;
-      COMMIT;
     END LOOP;
   END LOOP;
 END $$;
 
-CREATE TABLE edits.failure (seed integer, what text, script edits.script);
+-- A script as SQL.
+CREATE FUNCTION edits.told(script edits.script) RETURNS text LANGUAGE sql STABLE AS $$
+  SELECT string_agg(line, E';\n' ORDER BY place, i) || ';' FROM (
+    SELECT 1 AS place, i, format('SELECT streetgen.set(''edited'', %L, %L)', split_part(s, '=', 1), split_part(s, '=', 2)) AS line FROM unnest(script.settings) WITH ORDINALITY v(s, i)
+    UNION ALL SELECT 2, 0, 'INSERT INTO edited.axis (axis_id, geom, width, width_end, lane_count, direction, speed, importance, level, kind, radius, kind_forward, turn_forward) VALUES '
+      || string_agg(format('(%s, %L, %s, %s, %s, %L, %s, %s, %s, %L, %s, %L, %L)', a.axis_id, ST_AsEWKT(a.geom), coalesce(a.width::text, 'NULL'), coalesce(a.width_end::text, 'NULL'), coalesce(a.lane_count::text, 'NULL'),
+          a.direction, coalesce(a.speed::text, 'NULL'), coalesce(a.importance::text, 'NULL'), a.level, a.kind, coalesce(a.radius::text, 'NULL'), a.kind_forward, a.turn_forward), E',\n  ')
+      FROM unnest(script.axes) row, LATERAL (SELECT (row::edited.axis).*) a
+    UNION ALL SELECT 3, i, s FROM unnest(script.statements) WITH ORDINALITY v(s, i)) l $$;
 
 -- So many scripts from a seed on; each that fails is a row of edits.failure.
 CREATE PROCEDURE edits.scripts(many integer, seed integer) LANGUAGE plpgsql AS $$

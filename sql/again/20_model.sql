@@ -41,7 +41,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
     ('reach', '60', 'm', 'an edit changes nothing farther away along the network', 10, 1000, NULL),
     ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL),
-    ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600, NULL)
+    ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600, NULL),
+    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on'])
     $$;
 COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
 
@@ -322,6 +323,9 @@ BEGIN
     PERFORM streetgen._register_model(model, srid, dimension);
     PERFORM streetgen._make_views(model);
     PERFORM streetgen._make_functions(model);
+    PERFORM streetgen._make_remap(model);
+    PERFORM streetgen._make_edit_views(model);
+    PERFORM streetgen._make_edit_log(model);
     PERFORM streetgen._comment_model(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
@@ -364,6 +368,10 @@ BEGIN
     PERFORM streetgen._make_override_tables(schema, srid);
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._make_functions(schema);
+    PERFORM streetgen._make_remap(schema);
+    PERFORM streetgen._make_edit_views(schema);
+    PERFORM streetgen._make_edit_log(schema);
+    PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
     -- Who may read or write the axes may do so with what was lost or is new.
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
@@ -455,5 +463,6 @@ BEGIN
     IF kind = 'editor' THEN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, %1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$I', model, role);
     END IF;
+    PERFORM streetgen._grant_edit_views(model);
 END $$;
 COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor).';

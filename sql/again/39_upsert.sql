@@ -92,14 +92,14 @@ claim_of AS (SELECT row_index, node_id, min(axis_id) AS axis_id FROM new_anchor 
 heir AS (SELECT DISTINCT ON (node_id) node_id, row_index FROM claim_of ORDER BY node_id, axis_id, row_index),
 kept_node AS (SELECT row_index, min(node_id) AS node_id FROM heir GROUP BY row_index),
 node_id_of AS MATERIALIZED (
-    SELECT row_index, coalesce(node_id, nextval('%1$I.node_node_id_seq')) AS node_id, geom, asked
+    SELECT row_index, coalesce(node_id, nextval('%6$s.node_node_id_seq')) AS node_id, geom, asked
     FROM (SELECT n.row_index, k.node_id, n.geom, n.asked FROM new_node n LEFT JOIN kept_node k USING (row_index) ORDER BY n.row_index OFFSET 0) t),
 same_edge AS MATERIALIZED (SELECT e.row_index, o.edge_id FROM new_edge e JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa)),
 old_key AS (
     SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
     FROM old_edge o WHERE NOT EXISTS (SELECT FROM same_edge s WHERE s.edge_id = o.edge_id)),
 edge_id_of AS MATERIALIZED (
-    SELECT t.row_index, coalesce(t.edge_id, nextval('%1$I.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom, t.asked
+    SELECT t.row_index, coalesce(t.edge_id, nextval('%6$s.edge_edge_id_seq')) AS edge_id, t.axis_id, t.from_node, t.to_node, t.level, t.start_abscissa, t.end_abscissa, t.geom, t.asked
     FROM (SELECT e.*, coalesce(e.same_id, o.edge_id) AS edge_id FROM (
             SELECT e.*, s.edge_id AS same_id, a.node_id AS from_node, b.node_id AS to_node, row_number() OVER (PARTITION BY e.axis_id, a.node_id, s.edge_id IS NULL ORDER BY e.start_abscissa) AS turn
             FROM new_edge e LEFT JOIN same_edge s USING (row_index) JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
@@ -135,7 +135,7 @@ new_limit AS MATERIALIZED (
     LEFT JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = CASE WHEN r.start_a THEN 'start' ELSE 'end' END WHERE r.relation = 'section_limit'),
 set_limit AS (
     INSERT INTO %1$I.section_limit AS t (section_limit_id, edge_id, which, wanted_abscissa, abscissa, geom, border_line, method)
-    SELECT coalesce(section_limit_id, nextval('%1$I.section_limit_section_limit_id_seq')), edge_id, which, wanted, abscissa, geom_1::geometry, geom_2::geometry, method FROM new_limit
+    SELECT coalesce(section_limit_id, nextval('%6$s.section_limit_section_limit_id_seq')), edge_id, which, wanted, abscissa, geom_1::geometry, geom_2::geometry, method FROM new_limit
     ON CONFLICT (section_limit_id) DO UPDATE SET wanted_abscissa = excluded.wanted_abscissa, abscissa = excluded.abscissa, geom = excluded.geom, border_line = excluded.border_line, method = excluded.method
     WHERE (t.wanted_abscissa, t.abscissa, t.geom::bytea, t.border_line::bytea, t.method) IS DISTINCT FROM (excluded.wanted_abscissa, excluded.abscissa, excluded.geom::bytea, excluded.border_line::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
@@ -155,7 +155,7 @@ new_corner AS MATERIALIZED (
     WHERE r.relation = 'corner' ORDER BY r.row_index),
 set_corner AS (
     INSERT INTO %1$I.corner AS t (corner_id, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method)
-    SELECT coalesce(corner_id, nextval('%1$I.corner_corner_id_seq')), node_id, edge_a, end_a, edge_b, end_b, centre::geometry, radius_wanted, radius, arc::geometry, method FROM new_corner
+    SELECT coalesce(corner_id, nextval('%6$s.corner_corner_id_seq')), node_id, edge_a, end_a, edge_b, end_b, centre::geometry, radius_wanted, radius, arc::geometry, method FROM new_corner
     ON CONFLICT (corner_id) DO UPDATE SET centre = excluded.centre, radius_wanted = excluded.radius_wanted, radius = excluded.radius, arc = excluded.arc, method = excluded.method
     WHERE (t.centre::bytea, t.radius_wanted, t.radius, t.arc::bytea, t.method) IS DISTINCT FROM (excluded.centre::bytea, excluded.radius_wanted, excluded.radius, excluded.arc::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
@@ -174,7 +174,7 @@ gone_intersection AS (
     DELETE FROM %1$I.intersection i USING node_id_of n WHERE i.node_id = n.node_id AND n.asked
         AND NOT EXISTS (SELECT FROM new_intersection c WHERE c.node_id = i.node_id) RETURNING i.node_id),
 new_lane AS MATERIALIZED (
-    SELECT row_index, coalesce(lane_id, nextval('%1$I.lane_lane_id_seq')) AS lane_id, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method FROM (
+    SELECT row_index, coalesce(lane_id, nextval('%6$s.lane_lane_id_seq')) AS lane_id, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method FROM (
     SELECT r.row_index, l.lane_id, e.edge_id, e.axis_id, r.ordinality, r.lane_position, r.side, r.start_a AS along_axis, r.kind, r.measure_1 AS width, r.measure_2 AS axis_offset, r.turn, r.geom_1 AS geom, r.geom_2 AS surface, r.method
     FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane l ON (l.edge_id, l.ordinality) = (e.edge_id, r.ordinality) WHERE r.relation = 'lane' ORDER BY r.row_index OFFSET 0) t),
 set_lane AS (
@@ -192,7 +192,7 @@ new_separator AS MATERIALIZED (
     FROM result r JOIN edge_id_of e ON e.row_index = r.edge_a LEFT JOIN %1$I.lane_separator s ON (s.edge_id, s.lane_position) = (e.edge_id, r.lane_position) WHERE r.relation = 'lane_separator'),
 set_separator AS (
     INSERT INTO %1$I.lane_separator AS t (lane_separator_id, edge_id, lane_position, kind, dashed, axis_offset, geom, surface)
-    SELECT coalesce(lane_separator_id, nextval('%1$I.lane_separator_lane_separator_id_seq')), edge_id, lane_position, kind, dashed, axis_offset, geom::geometry, surface::geometry FROM new_separator
+    SELECT coalesce(lane_separator_id, nextval('%6$s.lane_separator_lane_separator_id_seq')), edge_id, lane_position, kind, dashed, axis_offset, geom::geometry, surface::geometry FROM new_separator
     ON CONFLICT (lane_separator_id) DO UPDATE SET kind = excluded.kind, dashed = excluded.dashed, axis_offset = excluded.axis_offset, geom = excluded.geom, surface = excluded.surface
     WHERE (t.kind, t.dashed, t.axis_offset, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.kind, excluded.dashed, excluded.axis_offset, excluded.geom::bytea, excluded.surface::bytea)
     RETURNING xmax = 0 AS fresh),
@@ -204,7 +204,7 @@ new_marking AS MATERIALIZED (
     LEFT JOIN %1$I.marking m ON (m.edge_id, m.kind, m.lane_position) = (e.edge_id, r.kind, r.lane_position) WHERE r.relation = 'marking'),
 set_marking AS (
     INSERT INTO %1$I.marking AS t (marking_id, edge_id, lane_position, node_id, kind, geom, surface)
-    SELECT coalesce(marking_id, nextval('%1$I.marking_marking_id_seq')), edge_id, lane_position, node_id, kind, geom::geometry, surface::geometry FROM new_marking
+    SELECT coalesce(marking_id, nextval('%6$s.marking_marking_id_seq')), edge_id, lane_position, node_id, kind, geom::geometry, surface::geometry FROM new_marking
     ON CONFLICT (marking_id) DO UPDATE SET node_id = excluded.node_id, geom = excluded.geom, surface = excluded.surface
     WHERE (t.node_id, t.geom::bytea, t.surface::bytea) IS DISTINCT FROM (excluded.node_id, excluded.geom::bytea, excluded.surface::bytea) RETURNING xmax = 0 AS fresh),
 gone_marking AS (
@@ -226,7 +226,7 @@ new_interconnection AS MATERIALIZED (
     WHERE r.relation = 'interconnection' ORDER BY r.row_index),
 set_interconnection AS (
     INSERT INTO %1$I.interconnection AS t (interconnection_id, node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method)
-    SELECT coalesce(interconnection_id, nextval('%1$I.interconnection_interconnection_id_seq')), node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control::geometry, geom::geometry, method FROM new_interconnection
+    SELECT coalesce(interconnection_id, nextval('%6$s.interconnection_interconnection_id_seq')), node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control::geometry, geom::geometry, method FROM new_interconnection
     ON CONFLICT (interconnection_id) DO UPDATE SET node_id = excluded.node_id, turn = excluded.turn, angle = excluded.angle, plausible = excluded.plausible, reason = excluded.reason,
         connecting = excluded.connecting, control = excluded.control, geom = excluded.geom, method = excluded.method
     WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
@@ -259,7 +259,9 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
     UNION ALL SELECT 'interconnection', 10, (SELECT count(*) FROM new_interconnection), (SELECT count(*) FROM set_interconnection WHERE fresh), (SELECT count(*) FROM set_interconnection WHERE NOT fresh), (SELECT count(*) FROM gone_interconnection), (SELECT count(*) FROM new_interconnection WHERE method <> 'hypothesis')
     UNION ALL SELECT 'report', 20, (SELECT count(*) FROM new_report), (SELECT count(*) FROM set_report), 0, (SELECT count(*) FROM gone_report), 0)
 SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::bigint FROM counted ORDER BY place
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'));
+$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'),
+        -- Between quotes.
+        replace(quote_ident(model), '''', ''''''));
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 

@@ -123,6 +123,10 @@ DECLARE
 BEGIN
     IF NOT streetgen._live(%2$L) THEN
         RETURN NULL;
+    ELSIF TG_OP = 'TRUNCATE' THEN
+        -- What goes is known only before: as if deleted.
+        EXECUTE format('DELETE FROM %%I.%%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
+        RETURN NULL;
     ELSIF TG_OP = 'INSERT' THEN
         changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
     ELSIF TG_OP = 'DELETE' THEN
@@ -145,8 +149,9 @@ END $body$ $sql$, model, model);
                                CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis' THEN 'axis' ELSE 'override' END END),
                 CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
         END LOOP;
+        EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate %3$s TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%4$I()', model, relation,
+            CASE relation WHEN 'axis' THEN 'AFTER' ELSE 'BEFORE' END, CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
     END LOOP;
-    EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate AFTER TRUNCATE ON %1$I.axis FOR EACH STATEMENT EXECUTE FUNCTION %1$I._follow_axis()', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS 'Makes the triggers by which the streets of a model follow its axes and overrides.';
 

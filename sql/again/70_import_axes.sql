@@ -200,7 +200,9 @@ BEGIN
     RETURN QUERY EXECUTE format($sql$
 WITH gone AS (
     DELETE FROM %1$I.axis a WHERE a.source = $1 AND EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL)
-        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) RETURNING a.source_ref)
+        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) RETURNING a.source_ref, a.source_geom),
+-- Where a piece goes that was cut off by hand, the rest is taken whole again.
+rest AS (UPDATE %1$I.axis a SET source_geom = NULL WHERE a.source = $1 AND a.source_geom::bytea IN (SELECT source_geom::bytea FROM gone))
 SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model) USING source;
     EXECUTE format($sql$
 WITH upsert AS (

@@ -148,20 +148,17 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
 }
 
 // On edges that nearly coincide GEOS may drop ground or leave it, without an error: areas tell.
-MultiPolygon without(Geos& geos, MultiPolygon surface, const std::vector<MultiPolygon>& grounds) {
-  for (const MultiPolygon& ground : grounds) {
-    const Geos::Geometry whole = geos.surface(surface), taken = geos.surface(ground);
-    MultiPolygon rest = geos.polygons(geos.difference(whole.get(), taken.get()).get());
-    const double expected = area(surface) - area(ground), found = area(rest);
-    const auto left = [&] {
-      const Geos::Geometry kept = geos.surface(rest);
-      return area(geos.polygons(geos.intersection(kept.get(), taken.get()).get()));
-    };
-    if (found < expected - negligible || (found > expected + negligible && left() > negligible))
-      rest = geos.polygons(geos.difference_on_grid(whole.get(), taken.get()).get());
-    surface = std::move(rest);
-  }
-  return surface;
+MultiPolygon without(Geos& geos, const MultiPolygon& surface, const MultiPolygon& ground) {
+  const Geos::Geometry whole = geos.surface(surface), taken = geos.surface(ground);
+  const MultiPolygon rest = geos.polygons(geos.difference(whole.get(), taken.get()).get());
+  const double expected = area(surface) - area(ground), found = area(rest);
+  const auto left = [&] {
+    const Geos::Geometry kept = geos.surface(rest);
+    return area(geos.polygons(geos.intersection(kept.get(), taken.get()).get()));
+  };
+  if (found < expected - negligible || (found > expected + negligible && left() > negligible))
+    return geos.polygons(geos.difference_on_grid(whole.get(), taken.get()).get());
+  return rest;
 }
 
 // Ground won where axes cross.
@@ -220,7 +217,8 @@ std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes) {
   std::map<int, Geos::Geometry> raw;
-  std::map<int, std::vector<MultiPolygon>> lost;
+  // By rival, so that the ground goes in one order.
+  std::map<int, std::map<int, MultiPolygon>> lost;
   std::map<int, double> whole;
   std::vector<Won> won;
   const auto geometry = [&](int i) {
@@ -236,15 +234,15 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     const Box box = box_of(ground);
     if (skeletons_cross(claims[i], claims[j], box)) {
       const auto [winner, loser] = before(claims[i], claims[j]) ? std::pair(i, j) : std::pair(j, i);
-      lost[loser].push_back(ground);
+      lost[loser][winner] = ground;
       won.push_back({winner, loser, ground});
       return;
     }
     const Geos::Geometry clean = geos.surface(ground);
     const MultiPolygon ground_of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
-    const MultiPolygon ground_of_j = without(geos, ground, {ground_of_i});
-    if (!ground_of_i.empty()) lost[j].push_back(ground_of_i);
-    if (!ground_of_j.empty()) lost[i].push_back(ground_of_j);
+    const MultiPolygon ground_of_j = without(geos, ground, ground_of_i);
+    if (!ground_of_i.empty()) lost[j][i] = ground_of_i;
+    if (!ground_of_j.empty()) lost[i][j] = ground_of_j;
   };
   // What a winner gets back depends on the settled ground of all its rivals.
   std::vector<bool> wanted;
@@ -265,7 +263,8 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     whole[i] = area(*claims[i].surface);
-    MultiPolygon rest = without(geos, *claims[i].surface, grounds);
+    MultiPolygon rest = *claims[i].surface;
+    for (const auto& [rival, ground] : grounds) rest = without(geos, rest, ground);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());

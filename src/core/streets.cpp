@@ -432,15 +432,13 @@ class Pipeline {
       out_.asked_nodes[out_.intersections[claim - sections].node] = true;
   }
 
-  // What claims the ground of asked nodes and changed axes too.
+  // What claims the same ground as they do.
   void ask_rivals(std::vector<Claim>& claims, const std::vector<std::pair<int, int>>& pairs) {
-    const int sections = static_cast<int>(out_.sections.size());
-    std::vector<bool> changes;
-    for (int i = 0; i < static_cast<int>(claims.size()); ++i)
-      changes.push_back(i < sections ? axis_of(out_.sections[i].edge).changed : claims[i].wanted);
+    std::vector<bool> asked;
+    for (const Claim& claim : claims) asked.push_back(claim.wanted);
     for (const auto& [i, j] : pairs) {
-      if (changes[i]) ask(claims, j);
-      if (changes[j]) ask(claims, i);
+      if (asked[i]) ask(claims, j);
+      if (asked[j]) ask(claims, i);
     }
   }
 

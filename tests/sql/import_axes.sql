@@ -59,6 +59,14 @@ SELECT 'a vanished row is none', NOT EXISTS (SELECT FROM import_a.axis WHERE sou
 SELECT 'a changed row keeps its id',
        (SELECT a.name = 'Rue C' AND a.axis_id = b.axis_id FROM import_a.axis a JOIN import_before b USING (source_ref) WHERE a.source_ref = '2');
 
+-- Cut by hand as QGIS does it: the first piece stays, the other comes with all its values and a reference of its own.
+UPDATE import_a.axis SET geom = ST_LineSubstring(geom, 0, 0.4) WHERE source_ref = '8';
+INSERT INTO import_a.axis (geom, width, source, source_ref, source_geom)
+SELECT ST_LineSubstring(source_geom, 0.4, 1), width, source, '8_1', source_geom FROM import_a.axis WHERE source_ref = '8';
+SELECT 'importing again takes a piece that was cut off', (SELECT count(*) FROM streetgen.import_axes('import_a', 'import_source',
+  '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}') WHERE what LIKE 'vanished%' AND source_refs = '{8_1}') = 1;
+SELECT 'and makes the axis whole', (SELECT ST_Length(geom) = 100 FROM import_a.axis WHERE source_ref = '8') AND NOT EXISTS (SELECT FROM import_a.axis WHERE source_ref = '8_1');
+
 SELECT 'a missing column is 42703', test.state(pg_temp.with_mapping('{"width": "breadth"}')) = '42703';
 SELECT 'SQL is no column', test.state(pg_temp.with_mapping('{"width": "1); DROP TABLE import_source; --"}')) = '42703';
 SELECT 'a key that is no column of axis is 22023', test.state(pg_temp.with_mapping('{"axis_id": "id"}')) = '22023';

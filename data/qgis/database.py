@@ -1,0 +1,53 @@
+"""The database of a model, by the connection that its layers are stored with."""
+from qgis.core import QgsDataSourceUri, QgsProviderRegistry, QgsWkbTypes
+
+
+class Refused(Exception):
+    """What a user can put right, in one line."""
+
+
+def identifier(name):
+    return '"%s"' % name.replace('"', '""')
+
+
+def literal(value):
+    return "'%s'" % value.replace("'", "''")
+
+
+class Database:
+    def __init__(self, connection):
+        self.uri = QgsDataSourceUri(connection)
+        if self.uri.password():
+            raise Refused('the connection holds a password, which would be stored: leave it to ~/.pgpass or PGPASSWORD')
+        self.connection = QgsProviderRegistry.instance().providerMetadata('postgres').createConnection(self.uri.uri(False), {})
+
+    def ask(self, sql):
+        return self.connection.executeSql(sql)
+
+    def srid(self, model):
+        self.ask(f'SELECT count(*) FROM streetgen.setting({literal(model)})')  # An unknown model is an error.
+        return self.ask(f'SELECT srid FROM streetgen.model WHERE name = {literal(model)}')[0][0]
+
+    def source(self, model, srid, layer):
+        """Where a layer comes from. The key is named, since a view tells none."""
+        uri = QgsDataSourceUri(self.uri)
+        if layer.query:
+            uri.setDataSource('', '(%s)' % layer.query.replace('@', identifier(model)), layer.geometry, '', layer.key)
+            uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
+        else:
+            uri.setDataSource(model, layer.relation, layer.geometry, '', layer.key)
+        if layer.geometry:
+            uri.setSrid(str(srid))
+            uri.setUseEstimatedMetadata(True)
+        return uri.uri(False)
+
+    def words(self, model):
+        """The words that a column may be, by relation and column: those of its CHECK."""
+        rows = self.ask(f'''
+            SELECT relname, attname, word[1] FROM pg_constraint k JOIN pg_class c ON c.oid = conrelid JOIN pg_attribute ON attrelid = c.oid AND attnum = conkey[1],
+                regexp_matches(pg_get_constraintdef(k.oid), '\\x27(\\w+)\\x27::text', 'g') WITH ORDINALITY m(word, number)
+            WHERE relnamespace = {literal(identifier(model))}::regnamespace AND pg_get_constraintdef(k.oid) LIKE '%= ANY (ARRAY[%' ORDER BY 1, 2, number''')
+        found = {}
+        for relation, column, word in rows:
+            found.setdefault((relation, column), []).append(word)
+        return found

@@ -1,0 +1,24 @@
+"""What one types in: word lists where a column has few words, and nothing where it is not written."""
+from qgis.core import QgsEditorWidgetSetup, QgsFieldConstraints
+
+
+def set_form(vector, layer, words, class_layer):
+    config = vector.editFormConfig()
+    table = layer.relation.replace('_editing', '')
+    for index, field in enumerate(vector.fields()):
+        column = field.name()
+        config.setReadOnly(index, column not in (layer.writable or ()))
+        if (table, column) in words:
+            widget = QgsEditorWidgetSetup('ValueMap', {'map': [{word: word} for word in words[table, column]]})
+        elif (table, column) == ('axis', 'kind'):
+            widget = QgsEditorWidgetSetup('ValueRelation', {'Layer': class_layer.id(), 'LayerName': class_layer.name(), 'LayerSource': class_layer.source(),
+                                                            'LayerProviderName': 'postgres', 'Key': 'class', 'Value': 'class', 'AllowNull': True, 'OrderByValue': True})
+        elif column == 'source_geom':
+            widget = QgsEditorWidgetSetup('Hidden', {})
+        else:
+            continue
+        vector.setEditorWidgetSetup(index, widget)
+    vector.setEditFormConfig(config)
+    if table == 'axis' and vector.fields().indexFromName('source_ref') >= 0:
+        # QGIS copies what is unique to neither piece of a split where it knows of it, and of two columns together it does not.
+        vector.setFieldConstraint(vector.fields().indexFromName('source_ref'), QgsFieldConstraints.ConstraintUnique, QgsFieldConstraints.ConstraintStrengthSoft)

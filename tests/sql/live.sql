@@ -1,0 +1,328 @@
+-- Live: streets follow each statement on axes and overrides.  Each test is a row (name, holds).
+SET client_min_messages = warning;
+SELECT streetgen.create_model('town', 2154), streetgen.create_model('once', 2154) \g /dev/null
+
+-- A grid of 5 by 4 crossings, 90 m wide and not quite straight: farther across than any edit reaches.
+CREATE VIEW grid AS
+WITH place AS (SELECT x, y, ST_SetSRID(ST_Point(650000 + 90 * x + (x * 7 + y * 5) % 11, 6860000 + 90 * y + (x * 3 + y * 7) % 13), 2154) AS geom FROM generate_series(0, 4) x, generate_series(0, 3) y)
+SELECT row_number() OVER (ORDER BY a.x, a.y, b.x) AS axis_id, ST_MakeLine(a.geom, b.geom) AS geom, 6 + (a.x + 2 * a.y) % 5 AS width, 2 + (a.x + a.y) % 4 AS importance
+FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1));
+
+-- Are the streets those that a run over the same axes and overrides gives?
+CREATE FUNCTION public.followed(model name DEFAULT 'town') RETURNS boolean LANGUAGE plpgsql AS $$
+DECLARE
+  relation name;
+BEGIN
+  PERFORM set_config('streetgen.live', 'off', true);
+  DELETE FROM once.axis;
+  FOR relation IN SELECT relname FROM pg_class WHERE relnamespace = 'once'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    EXECUTE format('DELETE FROM once.%I', relation);
+    EXECUTE format('INSERT INTO once.%2$I SELECT * FROM %1$I.%2$I', model, relation);
+  END LOOP;
+  PERFORM set_config('streetgen.live', '', true);
+  PERFORM streetgen.generate('once');
+  RETURN test.same(model, 'once') AND NOT EXISTS (SELECT FROM streetgen.check_model(model) WHERE severity = 'error' OR rule = 'not_generated' OR rule LIKE 'stale%');
+END $$;
+
+-- Every derived row, with its writer, its place in the table, what it says and where it lies.
+CREATE FUNCTION public.derived() RETURNS TABLE (relation name, id text, written xid, at tid, content text, geom geometry) LANGUAGE plpgsql AS $$
+DECLARE
+  r record;
+BEGIN
+  FOR r IN SELECT * FROM (VALUES ('node', 'node_id', 'geom'), ('edge', 'edge_id', 'geom'), ('section_limit', 'section_limit_id', 'geom'), ('section', 'edge_id', 'surface'), ('corner', 'corner_id', 'arc'),
+    ('intersection', 'node_id', 'surface'), ('lane', 'lane_id', 'geom'), ('lane_separator', 'lane_separator_id', 'geom'), ('marking', 'marking_id', 'geom'), ('interconnection', 'interconnection_id', 'geom'),
+    ('report', 'axis_a', 'geom')) v(name, key, place) LOOP
+    RETURN QUERY EXECUTE format('SELECT %L::name, %I::text, xmin, ctid, t::text, %I FROM town.%1$I t', r.name, r.key, r.place);
+  END LOOP;
+END $$;
+CREATE TABLE before AS SELECT * FROM derived();
+CREATE FUNCTION pg_temp.remember() RETURNS void LANGUAGE sql AS $$ TRUNCATE before; INSERT INTO before SELECT * FROM derived() $$;
+-- Rows that came, went or were written since.
+CREATE VIEW written AS
+SELECT relation, id, b.content AS was, d.content, coalesce(d.geom, b.geom) AS geom FROM before b FULL JOIN derived() d USING (relation, id) WHERE (b.written, b.at) IS DISTINCT FROM (d.written, d.at);
+
+INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
+SELECT 'axes that are inserted have streets', count(*) = 31 FROM town.section;
+SELECT 'as one run gives them', followed();
+SELECT 'generate finds nothing to do', bool_and(inserted + updated + deleted + skipped = 0) FROM streetgen.generate('town');
+
+-- Columns, one by one, at axis 16 in the middle.
+CREATE TABLE said (name text, wrote boolean, holds boolean);
+DO $$
+DECLARE
+  change text;
+BEGIN
+  FOREACH change IN ARRAY ARRAY['width = 11', 'width_end = 14', 'lane_count = 3', $q$direction = 'direct'$q$, $q$direction = 'reverse'$q$, 'speed = 90', 'importance = 1', 'level = 1', $q$kind = 'primary'$q$, 'radius = 3',
+      'lanes_forward = 2', 'lanes_backward = 1', $q$kind_forward = 'general|cycle'$q$, $q$kind_backward = 'bus'$q$, $q$lane_width_forward = '3|1.5'$q$, $q$lane_width_backward = '4'$q$, $q$turn_forward = 'left|through'$q$,
+      $q$turn_backward = 'right'$q$, 'geom = ST_Reverse(geom)', 'geom = ST_SetPoint(geom, 0, ST_Translate(ST_StartPoint(geom), 20, 10))', 'width = NULL', 'level = 0'] LOOP
+    PERFORM pg_temp.remember();
+    EXECUTE format('UPDATE town.axis SET %s WHERE axis_id = 16', change);
+    INSERT INTO said SELECT change, EXISTS (SELECT FROM written), followed();
+  END LOOP;
+END $$;
+SELECT format('after %s the streets follow', name), wrote AND holds FROM said;
+
+-- What is written: where the edit is, and only what is another.
+SELECT pg_temp.remember() \g /dev/null
+UPDATE town.axis SET width = 9 WHERE axis_id = 1;
+SELECT 'an edit writes rows', count(*) > 5 FROM written;
+SELECT 'it writes no row that stays the same', count(*) = 0 FROM written WHERE was = content;
+SELECT 'rows beyond its reach keep xmin and ctid', max(ST_Distance(w.geom, a.geom)) < 100 AND (SELECT max(ST_Distance(d.geom, a.geom)) > 300 FROM derived() d) FROM written w, town.axis a WHERE axis_id = 1 GROUP BY a.geom;
+SELECT pg_temp.remember() \g /dev/null
+UPDATE town.axis SET width = width, geom = geom;
+SELECT 'a statement that changes nothing writes nothing', count(*) = 0 FROM written;
+UPDATE town.axis SET width = 3 WHERE axis_id = -1;
+INSERT INTO town.axis SELECT * FROM town.axis WHERE false;
+DELETE FROM town.axis WHERE axis_id = -1;
+SELECT 'nor does one that finds no row', count(*) = 0 FROM written;
+UPDATE town.axis SET name = 'rue de la Paix' WHERE axis_id = 3;
+SELECT 'a name is nothing that streets are made of', count(*) = 0 FROM written;
+
+-- Other statements.
+UPDATE town.axis SET width = width + 1 WHERE axis_id IN (2, 17, 30);
+SELECT 'several axes far from each other are followed in one statement', followed();
+UPDATE town.axis SET geom = ST_Translate(geom, 250, 33) WHERE axis_id = 5;
+SELECT 'an axis that is moved elsewhere is right at both places', followed();
+UPDATE town.axis SET geom = ST_Translate(geom, 0, 2000) WHERE axis_id = 5;
+SELECT 'and far from all others', followed();
+DELETE FROM town.axis WHERE axis_id IN (5, 12);
+SELECT 'deleted axes leave no rows', followed() AND NOT EXISTS (SELECT FROM town.edge WHERE axis_id IN (5, 12));
+UPDATE town.axis a SET geom = b.geom FROM town.axis b WHERE (a.axis_id, b.axis_id) IN ((7, 20), (20, 7));
+SELECT 'two axes that swap their places are followed', followed();
+BEGIN;
+UPDATE town.axis SET axis_id = 1000 WHERE axis_id = 8;
+UPDATE town.axis SET axis_id = 8 WHERE axis_id = 9;
+SELECT 'an axis with the number of another is followed in the transaction', followed();
+UPDATE town.axis SET axis_id = 9 WHERE axis_id = 1000;
+COMMIT;
+SELECT 'two axes that swap their numbers are followed', followed();
+INSERT INTO town.axis (axis_id, geom, width) SELECT axis_id, geom, 15 FROM grid WHERE axis_id IN (8, 12) ON CONFLICT (axis_id) DO UPDATE SET width = excluded.width;
+SELECT 'an upsert is followed', followed() AND (SELECT count(DISTINCT axis_id) = 2 FROM town.edge WHERE axis_id IN (8, 12) AND width = 15);
+WITH gone AS (DELETE FROM town.axis WHERE axis_id = 8 RETURNING geom), wide AS (UPDATE town.axis SET width = 12 WHERE axis_id = 10)
+INSERT INTO town.axis (axis_id, geom, width) SELECT 8, ST_Reverse(geom), 5 FROM gone WHERE false UNION ALL SELECT 50, ST_Reverse(geom), 5 FROM gone;
+SELECT 'three edits in one statement are followed', followed();
+MERGE INTO town.axis a USING grid g ON a.axis_id = g.axis_id WHEN MATCHED AND a.axis_id = 14 THEN DELETE WHEN MATCHED AND a.axis_id = 15 THEN UPDATE SET width = 4 WHEN NOT MATCHED THEN INSERT (axis_id, geom, width) VALUES (g.axis_id, g.geom, 7);
+SELECT 'MERGE is followed', followed();
+COPY town.axis (axis_id, geom, width) FROM STDIN;
+60	SRID=2154;LINESTRING(650045 6859960,650045 6860045)	6
+61	SRID=2154;LINESTRING(650045 6859960,650120 6859950)	6
+\.
+SELECT 'COPY is followed', followed();
+BEGIN;
+UPDATE town.axis SET width = 20 WHERE axis_id = 60;
+SAVEPOINT here;
+DELETE FROM town.axis WHERE axis_id = 61;
+ROLLBACK TO here;
+SELECT 'an edit that is taken back is not followed', followed() AND EXISTS (SELECT FROM town.edge WHERE axis_id = 61);
+SELECT 'who edits is shown with the places held', count(*) = 1 AND bool_and(pid = pg_backend_pid() AND holds ~ '^[1-9]\d* places$' AND waits_for = '{}') FROM streetgen.activity('town');
+ROLLBACK;
+SELECT 'nor a transaction that is', followed();
+SELECT 'and nobody holds a place any more', count(*) = 0 FROM streetgen.activity('town');
+
+-- Overrides and restrictions.
+CREATE FUNCTION pg_temp.follows(change text) RETURNS TABLE (name text, holds boolean) LANGUAGE plpgsql AS $$
+BEGIN
+  PERFORM pg_temp.remember();
+  EXECUTE change;
+  RETURN QUERY SELECT regexp_replace(left(change, 80), '\s+', ' ', 'g') || ' is followed', EXISTS (SELECT FROM written) AND followed();
+END $$;
+SELECT * FROM pg_temp.follows($q$INSERT INTO town.transition_override (axis_id, which, kind, length) SELECT axis_id, which, 'left', 25 FROM generate_series(1, 31) axis_id, unnest(ARRAY['start', 'end']) which$q$);
+SELECT * FROM pg_temp.follows($q$UPDATE town.transition_override SET kind = 'right', length = 2$q$);
+SELECT * FROM pg_temp.follows('DELETE FROM town.transition_override');
+SELECT * FROM pg_temp.follows('INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (16, 40, 1, 2.5)');
+SELECT * FROM pg_temp.follows('UPDATE town.lane_override SET axis_id = 17');
+SELECT * FROM pg_temp.follows('DELETE FROM town.lane_override');
+SELECT * FROM pg_temp.follows($q$INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind) SELECT DISTINCT ON (n.node_id) a.axis_id, b.axis_id, n.geom, 'no' FROM town.interconnection i JOIN town.node n USING (node_id)
+  JOIN town.lane l ON l.lane_id = lane_in JOIN town.edge a ON a.edge_id = l.edge_id JOIN town.lane m ON m.lane_id = lane_out JOIN town.edge b ON b.edge_id = m.edge_id WHERE connecting ORDER BY n.node_id, a.axis_id, b.axis_id LIMIT 3$q$);
+SELECT * FROM pg_temp.follows($q$UPDATE town.turn_restriction SET kind = 'only'$q$);
+SELECT * FROM pg_temp.follows('DELETE FROM town.turn_restriction');
+SELECT * FROM pg_temp.follows($q$INSERT INTO town.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) SELECT n.geom, a.axis_id, l.ordinality, b.axis_id, m.ordinality, NOT connecting
+  FROM town.interconnection i JOIN town.node n USING (node_id)
+  JOIN town.lane l ON l.lane_id = lane_in JOIN town.edge a ON a.edge_id = l.edge_id JOIN town.lane m ON m.lane_id = lane_out JOIN town.edge b ON b.edge_id = m.edge_id ORDER BY interconnection_id LIMIT 1$q$);
+SELECT * FROM pg_temp.follows('UPDATE town.interconnection_override SET connecting = NOT connecting');
+SELECT * FROM pg_temp.follows($q$UPDATE town.interconnection_override SET connecting = NULL, control = ST_Translate(geom, 1, 2)$q$);
+SELECT * FROM pg_temp.follows('DELETE FROM town.interconnection_override');
+SELECT pg_temp.remember() \g /dev/null
+INSERT INTO town.transition_override (axis_id, which, kind) VALUES (4711, 'start', 'left');
+SELECT 'an override of an axis that is not there is kept and writes nothing', count(*) = 1 AND NOT EXISTS (SELECT FROM written) FROM town.transition_override;
+INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (16, 40, 1, 2.5);
+UPDATE town.lane_override SET abscissa = abscissa;
+DELETE FROM town.axis WHERE axis_id = 16;
+SELECT 'an override outlives its axis', count(*) = 1 AND followed() FROM town.lane_override;
+INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid WHERE axis_id = 16;
+SELECT 'and holds again when it comes back', followed() AND EXISTS (SELECT FROM town.lane JOIN town.edge e USING (edge_id) WHERE axis_id = 16 AND method = 'by_hand');
+TRUNCATE town.lane_override;
+SELECT 'overrides that are truncated hold no more', followed();
+DELETE FROM town.transition_override;
+
+-- Off and on.
+SELECT pg_temp.remember() \g /dev/null
+SELECT 'off, no axis is stale', streetgen.live('town', false) = 0;
+UPDATE town.axis SET width = 10.5 WHERE axis_id IN (2, 3);
+INSERT INTO town.axis (axis_id, geom) VALUES (70, 'SRID=2154;LINESTRING(650300 6860000,650330 6860040)');
+SELECT 'off, nothing follows', count(*) = 0 FROM written;
+SELECT 'what is stale is counted', streetgen.live('town', false) = 3;
+SELECT streetgen.live('town', true) \g /dev/null
+UPDATE town.axis SET width = 8 WHERE axis_id = 31;
+SELECT 'on, an edit elsewhere leaves the stale ones to generate', EXISTS (SELECT FROM town.edge WHERE axis_id = 31 AND width = 8) AND NOT EXISTS (SELECT FROM town.edge WHERE axis_id = 2 AND width = 10.5);
+SELECT streetgen.live('town', false) \g /dev/null
+DELETE FROM town.axis WHERE axis_id = 25;
+SELECT 'off, a deleted axis takes its results with it', NOT EXISTS (SELECT FROM town.edge WHERE axis_id = 25) AND NOT EXISTS (SELECT FROM town.section s WHERE NOT EXISTS (SELECT FROM town.edge e WHERE e.edge_id = s.edge_id));
+SELECT 'no node is left without an edge', NOT EXISTS (SELECT FROM town.node n WHERE NOT EXISTS (SELECT FROM town.edge WHERE node_id IN (from_node, to_node)));
+SELECT 'and its neighbours are stale', (SELECT count(*) > 1 FROM streetgen.check_model('town') WHERE rule LIKE 'stale%');
+SELECT 'more is stale now', streetgen.live('town', true) > 3;
+UPDATE town.axis SET width = 8 WHERE axis_id = 1;
+SELECT 'an edit beside stale ones takes them along', bool_and(width = 10.5) AND count(*) >= 2 FROM town.edge WHERE axis_id IN (2, 3);
+SELECT streetgen.generate('town') \g /dev/null
+SELECT 'generate brings all up to date', followed() AND streetgen.live('town', true) = 0;
+BEGIN;
+SELECT pg_temp.remember() \g /dev/null
+SET LOCAL streetgen.live = 'off';
+UPDATE town.axis SET width = 5 WHERE axis_id = 4;
+SELECT 'a transaction may go without', count(*) = 0 FROM written;
+COMMIT;
+UPDATE town.axis SET width = 5.5 WHERE axis_id = 4;
+SELECT 'the next one follows', followed();
+SELECT 'only the owner switches', (r).state = '42501' AND (r).hint <> '' FROM (SELECT test.refusal($q$SET LOCAL ROLE pg_monitor; SELECT streetgen.live('town', false)$q$) AS r) t;
+SELECT 'a model that is not there is refused', test.state($q$SELECT streetgen.live('no such', false)$q$) = '3F000' AND test.state($q$SELECT * FROM streetgen.activity('no such')$q$) = '3F000';
+
+-- Settings: old and new are never mixed.
+SELECT streetgen.set(m, 'dead_end', 'round') FROM unnest(ARRAY['town', 'once']) m \g /dev/null
+SELECT pg_temp.remember() \g /dev/null
+UPDATE town.axis SET width = 13 WHERE axis_id = 4;
+SELECT 'after a change of settings an edit waits for generate', count(*) = 0 FROM written;
+SELECT 'and all is stale', streetgen.live('town', true) = (SELECT count(*) FROM town.axis);
+DELETE FROM town.axis WHERE axis_id = 4;
+SELECT 'a deleted axis takes its results with it even so', NOT EXISTS (SELECT FROM town.edge WHERE axis_id = 4) AND (SELECT count(DISTINCT setting_hash) = 1 FROM town.edge);
+SELECT streetgen.generate('town') \g /dev/null
+INSERT INTO town.axis (axis_id, geom) SELECT axis_id, geom FROM grid WHERE axis_id = 4;
+SELECT 'after generate edits are followed again', followed();
+
+-- Locks.
+BEGIN;
+UPDATE town.axis SET width = 6 WHERE axis_id = 4;
+SELECT 'where none is set an edit waits as long as the model says', current_setting('lock_timeout') = '5s';
+COMMIT;
+SELECT 'and only for its transaction', current_setting('lock_timeout') = '0';
+SELECT streetgen.set('town', 'lock_timeout', '0.25') \g /dev/null
+BEGIN;
+UPDATE town.axis SET width = 7 WHERE axis_id = 4;
+SELECT 'setting lock_timeout is read', current_setting('lock_timeout') = '250ms';
+COMMIT;
+SELECT 'it makes nothing stale', streetgen.live('town', true) = 0;
+BEGIN;
+SET LOCAL lock_timeout = '7s';
+UPDATE town.axis SET width = 6 WHERE axis_id = 4;
+SELECT 'a lock_timeout of the session stays', current_setting('lock_timeout') = '7s';
+COMMIT;
+
+-- Bad input: one error that says what to do, and the rest of the transaction goes on.
+BEGIN;
+SELECT pg_temp.remember() \g /dev/null
+SELECT format('%s is refused', what), (r).state = wanted AND (r).said <> '' FROM (VALUES
+  ('a width of NaN', $q$UPDATE town.axis SET width = 'NaN' WHERE axis_id = 4$q$, '23514'), ('a width out of range', 'UPDATE town.axis SET width = 201 WHERE axis_id = 4', '23514'),
+  ('a line of no length', $q$UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860000)' WHERE axis_id = 4$q$, '23514'),
+  ('another SRID', $q$UPDATE town.axis SET geom = 'SRID=32631;LINESTRING(0 0,1 1)' WHERE axis_id = 4$q$, '22023'),
+  ('no line', 'UPDATE town.axis SET geom = NULL WHERE axis_id = 4', '23502'),
+  ('a place where the scale is off', $q$UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 8860000,650100 8860000)' WHERE axis_id = 4$q$, '22023'),
+  ('a number that is taken', 'UPDATE town.axis SET axis_id = 5 WHERE axis_id = 4', '23505')) v(what, statement, wanted), test.refusal(statement) r;
+SELECT 'a place far off is refused with the scale and a way out', r.said LIKE '%axis 4%' AND r.detail LIKE '%100 m%' AND r.hint LIKE '%EPSG%'
+  FROM test.refusal($q$UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 8860000,650100 8860000)' WHERE axis_id = 4$q$) r;
+SELECT 'what is refused writes nothing', count(*) = 0 FROM written;
+UPDATE town.axis SET width = 6.5 WHERE axis_id = 4;
+SELECT 'and the transaction goes on', followed();
+COMMIT;
+BEGIN ISOLATION LEVEL REPEATABLE READ;
+SELECT 'an edit above read committed is refused with a way out', r.state = '0A000' AND r.hint <> '' FROM test.refusal('UPDATE town.axis SET width = 9 WHERE axis_id = 4') r;
+ROLLBACK;
+
+-- An editor has rights on the input only.
+DO $$ BEGIN
+  CREATE ROLE streetgen_test_live;
+  PERFORM streetgen."grant"('town', 'streetgen_test_live', 'editor');
+END $$;
+SELECT setval('town.axis_axis_id_seq', 1000) \g /dev/null
+SET ROLE streetgen_test_live;
+UPDATE town.axis SET width = 8.5 WHERE axis_id = 4;
+INSERT INTO town.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860200,650330 6860240)');
+INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17, 40, 1, 2.5);
+DELETE FROM town.axis WHERE axis_id = 11;
+SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
+  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'')', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
+RESET ROLE;
+SELECT 'what an editor does is followed', followed() AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
+SELECT 'functions in the schema are the owner''s, run with its rights and are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE')
+    AND 'search_path=pg_catalog, public' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
+  FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
+
+-- Replicas and restores.
+SELECT pg_temp.remember() \g /dev/null
+SET session_replication_role = replica;
+UPDATE town.axis SET width = 9.5 WHERE axis_id = 4;
+DELETE FROM town.axis WHERE axis_id = 17;
+RESET session_replication_role;
+SELECT 'on a replica nothing fires', count(*) = 0 FROM written;
+ALTER TABLE town.axis DISABLE TRIGGER ALL;
+INSERT INTO town.axis (axis_id, geom) SELECT axis_id, geom FROM grid WHERE axis_id = 17;
+ALTER TABLE town.axis ENABLE TRIGGER ALL;
+SELECT 'nor under --disable-triggers', count(*) = 0 FROM written;
+SELECT streetgen.generate('town') \g /dev/null
+SELECT 'generate follows', followed();
+
+-- Names that need quotes, heights, an empty model.
+SELECT streetgen.create_model('Ville "d''Été"', 2154), streetgen.set('Ville "d''Été"', 'dead_end', 'round') \g /dev/null
+INSERT INTO "Ville ""d'Été""".axis (axis_id, geom, width, importance) SELECT * FROM grid WHERE axis_id < 6;
+UPDATE "Ville ""d'Été""".axis SET width = 9 WHERE axis_id = 3;
+SELECT 'any name will do for a model', followed('Ville "d''Été"');
+BEGIN;
+UPDATE "Ville ""d'Été""".axis SET width = 10 WHERE axis_id = 3;
+SELECT 'of which activity tells too', count(*) = 1 FROM streetgen.activity('Ville "d''Été"');
+COMMIT;
+SELECT streetgen.create_model('high', 2154, 3) \g /dev/null
+INSERT INTO high.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING Z(650000 6860000 10,650100 6860000 20)', 7), (2, 'SRID=2154;LINESTRING Z(650100 6860000 20,650200 6860000 40)', 7);
+UPDATE high.axis SET geom = 'SRID=2154;LINESTRING Z(650100 6860000 20,650200 6860000 70)' WHERE axis_id = 2;
+SELECT 'heights are followed', array_agg(ST_Z(geom)::integer ORDER BY ST_X(geom)) = '{10,20,70}' FROM high.node;
+SELECT 'and nothing is left to do', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('high');
+
+-- TRUNCATE.
+INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (16, 41, 1, 2.5);
+BEGIN;
+TRUNCATE town.axis;
+SELECT 'truncated axes leave nothing', count(*) = 0 FROM derived();
+SELECT 'but overrides', count(*) > 0 FROM town.lane_override;
+INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
+SELECT 'a town that is drawn anew is followed', followed();
+ROLLBACK;
+SELECT 'and taken back with its transaction', followed();
+SELECT streetgen.live('town', false) \g /dev/null
+BEGIN;
+TRUNCATE town.axis;
+SELECT 'off, truncated axes are for generate to follow', bool_or(deleted > 0) AND NOT EXISTS (SELECT FROM derived()) FROM streetgen.generate('town');
+ROLLBACK;
+SELECT streetgen.live('town', true) \g /dev/null
+DELETE FROM town.axis;
+SELECT 'deleted to the last axis, nothing is left', count(*) = 0 FROM derived();
+INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
+SELECT 'and it goes on from nothing', followed();
+
+-- Without the extension.
+CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
+DO $$ BEGIN
+  REVOKE ALL ON ALL TABLES IN SCHEMA town FROM streetgen_test_live;
+  REVOKE ALL ON SCHEMA town FROM streetgen_test_live;
+  DROP ROLE streetgen_test_live;
+END $$;
+DROP EXTENSION streetgen CASCADE;
+SELECT 'without the extension no trigger is left', count(*) = 0 FROM pg_trigger t JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'town'::regnamespace AND NOT tgisinternal;
+SELECT 'and no function', count(*) = 0 FROM pg_proc WHERE pronamespace = 'town'::regnamespace;
+UPDATE town.axis SET width = 12 WHERE axis_id = 10;
+SELECT 'its tables stay, and axes can be edited', NOT EXISTS (SELECT test.content('town') EXCEPT ALL SELECT content FROM town_content);
+CREATE EXTENSION streetgen;
+SELECT streetgen.adopt_model('town'), streetgen.adopt_model('once') \g /dev/null
+SELECT 'adopt_model counts what is stale', streetgen.live('town', true) = 1;
+SELECT 'adopt_model puts the triggers back, under the same names', (SELECT array_agg(tgname ORDER BY tgname) FROM pg_trigger WHERE tgrelid = 'town.axis'::regclass AND NOT tgisinternal)
+  @> ARRAY['a_enter', 'z_follow_delete', 'z_follow_insert', 'z_follow_truncate', 'z_follow_update']::name[];
+SELECT 'on every table that is input', bool_and(3 <= (SELECT count(*) FROM pg_trigger WHERE tgrelid = c.oid AND tgname LIKE 'z\_follow\_%')) AND count(*) > 3
+  FROM pg_class c WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override');
+UPDATE town.axis SET width = 11 WHERE axis_id IN (10, 30);
+SELECT 'and the streets follow', followed();

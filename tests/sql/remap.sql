@@ -1,0 +1,128 @@
+-- Decisions by hand stay on the piece of road where they lie.  Each SELECT is one truth: (name, holds).
+SET client_min_messages = warning;
+SET check_function_bodies = off;
+CREATE FUNCTION pg_temp.place(x float8, y float8) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000 + y), 2154) $$;
+CREATE FUNCTION pg_temp.line(wkt text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_Translate(wkt::geometry, 650000, 6860000), 2154) $$;
+CREATE FUNCTION pg_temp.draw(id bigint, wkt text) RETURNS void LANGUAGE sql AS $$
+  INSERT INTO town.axis (axis_id, geom, width, lane_count) VALUES (id, pg_temp.line(wkt), 7, 2) ON CONFLICT (axis_id) DO UPDATE SET geom = excluded.geom $$;
+
+-- A street of 100 m (1) that goes on (2), with a side street (3) and another at its far end (4); a decision of each kind.
+CREATE PROCEDURE pg_temp.decide() LANGUAGE plpgsql AS $$
+BEGIN
+  IF to_regnamespace('town') IS NOT NULL THEN PERFORM streetgen.drop_model('town'); END IF;
+  PERFORM streetgen.create_model('town', 2154);
+  PERFORM pg_temp.draw(1, 'LINESTRING(0 0, 50 0, 100 0)'), pg_temp.draw(2, 'LINESTRING(100 0, 200 0)'), pg_temp.draw(3, 'LINESTRING(100 0, 100 -80)'), pg_temp.draw(4, 'LINESTRING(200 0, 200 80)');
+  PERFORM streetgen.generate('town');
+  INSERT INTO town.transition_override (axis_id, which, kind, length, geom) VALUES (1, 'end', 'left', 8, pg_temp.place(100, 0));
+  INSERT INTO town.lane_override (axis_id, abscissa, ordinality, along_axis, width, geom, line) VALUES (1, 80, 1, false, 4, pg_temp.place(80, 0), pg_temp.line('LINESTRING(60 1, 95 1)'));
+  INSERT INTO town.section_limit_override (axis_id, abscissa, which, geom) VALUES (1, 90, 'end', pg_temp.place(90, 0));
+  INSERT INTO town.kerb_point_override (axis_id, geom, abscissa, width) VALUES (1, pg_temp.place(75, 4), 75, 8);
+  INSERT INTO town.corner_override (geom, axis_a, axis_b, radius) VALUES (pg_temp.place(100, 0), 1, 3, 9);
+  INSERT INTO town.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting, control) VALUES (pg_temp.place(100, 0), 1, 2, 3, 2, true, pg_temp.place(98, -2));
+  INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind) VALUES (1, 2, pg_temp.place(100, 0), 'no');
+END $$;
+-- All of them in one line of text; places as offsets.
+CREATE FUNCTION pg_temp.decisions() RETURNS text LANGUAGE sql AS $$
+  SELECT concat_ws('; ',
+    (SELECT format('transition %s %s %s %s', axis_id, which, kind, pg_temp.at(geom)) FROM town.transition_override),
+    (SELECT format('lane %s at %s %s %s %s %s', axis_id, round(abscissa), ordinality, along_axis, pg_temp.at(geom), pg_temp.at(ST_StartPoint(line))) FROM town.lane_override),
+    (SELECT format('limit %s at %s %s %s', axis_id, round(abscissa), which, pg_temp.at(geom)) FROM town.section_limit_override),
+    (SELECT format('kerb %s at %s %s %s', axis_id, round(abscissa), round(width), pg_temp.at(geom)) FROM town.kerb_point_override),
+    (SELECT format('corner %s %s %s', axis_a, axis_b, pg_temp.at(geom)) FROM town.corner_override),
+    (SELECT format('interconnection %s.%s %s.%s %s %s', axis_in, lane_in, axis_out, lane_out, pg_temp.at(geom), pg_temp.at(control)) FROM town.interconnection_override),
+    (SELECT format('restriction %s %s %s', from_axis, to_axis, pg_temp.at(geom)) FROM town.turn_restriction)) $$;
+CREATE FUNCTION pg_temp.at(place geometry) RETURNS text LANGUAGE sql AS $$ SELECT format('(%s %s)', round(ST_X(place) - 650000), round(ST_Y(place) - 6860000)) $$;
+CREATE FUNCTION pg_temp.holds(name text, expected text) RETURNS TABLE (name text, holds boolean) LANGUAGE sql AS $$
+  SELECT CASE WHEN expected = d THEN $1 ELSE format('%s: %s', $1, d) END, expected = d FROM pg_temp.decisions() d $$;
+
+CALL pg_temp.decide();
+SELECT 'as decided', pg_temp.decisions() = 'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)';
+
+-- Split at 50, as QGIS does: the first piece in one transaction, the second in the next.
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('the first half of a split leaves all as it was',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+UPDATE town.axis SET geom = ST_AddPoint(geom, pg_temp.place(200, 90)) WHERE axis_id = 4;
+SELECT * FROM pg_temp.holds('an axis elsewhere does not catch them',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+SELECT pg_temp.draw(3, 'LINESTRING(100 0, 105 -40, 100 -80)') \g /dev/null
+SELECT * FROM pg_temp.holds('nor does one that met the node before',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+SELECT pg_temp.draw(5, 'LINESTRING(50 0, 100 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('the second half takes what lies on it',
+  'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+
+-- Merge again: one extended, the other deleted, in either order.
+BEGIN;
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 100 0)') \g /dev/null
+DELETE FROM town.axis WHERE axis_id = 5;
+SELECT * FROM pg_temp.holds('a merge that extends first',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+ROLLBACK;
+DELETE FROM town.axis WHERE axis_id = 5;
+SELECT * FROM pg_temp.holds('a deleted axis leaves its decisions',
+  'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 100 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('a merge that deletes first',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+
+-- Split in one statement.
+CALL pg_temp.decide();
+WITH cut AS (UPDATE town.axis SET geom = pg_temp.line('LINESTRING(0 0, 50 0)') WHERE axis_id = 1)
+INSERT INTO town.axis (axis_id, geom) VALUES (5, pg_temp.line('LINESTRING(50 0, 100 0)'));
+SELECT * FROM pg_temp.holds('a split in one statement',
+  'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+-- A border between two axes that moves.
+UPDATE town.axis SET geom = CASE axis_id WHEN 1 THEN pg_temp.line('LINESTRING(0 0, 85 0)') ELSE pg_temp.line('LINESTRING(85 0, 100 0)') END WHERE axis_id IN (1, 5);
+SELECT * FROM pg_temp.holds('what lies between goes to the other axis',
+  'transition 5 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 5 at 5 end (90 0); kerb 1 at 75 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+
+CALL pg_temp.decide();
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT * FROM pg_temp.holds('an axis turned round keeps its decisions on their side',
+  'transition 1 start right (100 0); lane 1 at 20 2 t (80 0) (95 1); limit 1 at 10 start (90 0); kerb 1 at 25 8 (75 4); corner 1 3 (100 0); interconnection 1.1 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT * FROM pg_temp.holds('turned again, as it was',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+
+-- Redraw: a detour before, then the whole street aside.
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 0 10, 50 0, 100 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('a detour before them lengthens the way',
+  'transition 1 end left (100 0); lane 1 at 91 1 f (80 0) (60 1); limit 1 at 101 end (90 0); kerb 1 at 86 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+SELECT pg_temp.draw(1, 'LINESTRING(0 -2, 100 -2)') \g /dev/null
+SELECT * FROM pg_temp.holds('an axis redrawn aside takes along what still meets, the kerb stays',
+  'transition 1 end left (100 -2); lane 1 at 80 1 f (80 -2) (60 1); limit 1 at 90 end (90 -2); kerb 1 at 75 12 (75 4); corner 1 3 (100 -2); interconnection 1.2 3.2 (100 -2) (98 -4); restriction 1 2 (100 0)');
+
+-- The node is dragged: all its axes at once, or one after the other.
+CALL pg_temp.decide();
+UPDATE town.axis SET geom = CASE axis_id WHEN 1 THEN pg_temp.line('LINESTRING(0 0, 50 0, 100 9)') WHEN 2 THEN pg_temp.line('LINESTRING(100 9, 200 0)') ELSE pg_temp.line('LINESTRING(100 9, 100 -80)') END WHERE axis_id < 4;
+SELECT split_part(decisions, '; ', part) || ': a node that moves takes it along', split_part(decisions, '; ', part) = expected FROM pg_temp.decisions() decisions,
+  (VALUES (1, 'transition 1 end left (100 9)'), (5, 'corner 1 3 (100 9)'), (6, 'interconnection 1.2 3.2 (100 9) (98 7)'), (7, 'restriction 1 2 (100 9)')) v(part, expected);
+CALL pg_temp.decide();
+SELECT pg_temp.draw(3, 'LINESTRING(100 9, 100 -80)') \g /dev/null
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 0, 100 9)') \g /dev/null
+SELECT split_part(decisions, '; ', part) || ': axis after axis too', split_part(decisions, '; ', part) = expected FROM pg_temp.decisions() decisions,
+  (VALUES (1, 'transition 1 end left (100 9)'), (5, 'corner 1 3 (100 9)'), (6, 'interconnection 1.2 3.2 (100 9) (98 7)'), (7, 'restriction 1 2 (100 0)')) v(part, expected);
+
+-- What is not meant stays untouched.
+CALL pg_temp.decide();
+CREATE TABLE decided AS SELECT xmin::text AS writer, ctid::text AS place FROM town.lane_override UNION ALL SELECT xmin::text, ctid::text FROM town.corner_override UNION ALL SELECT xmin::text, ctid::text FROM town.interconnection_override;
+UPDATE town.axis SET width = 9;
+UPDATE town.axis SET geom = ST_AddPoint(geom, pg_temp.place(0, -9), 0) WHERE axis_id = 4;
+INSERT INTO town.axis (axis_id, geom) VALUES (9, pg_temp.line('LINESTRING(80 -40, 80 40)'));
+SELECT 'decisions that lie where they did are not written', NOT EXISTS (TABLE decided EXCEPT (SELECT xmin::text, ctid::text FROM town.lane_override UNION ALL SELECT xmin::text, ctid::text FROM town.corner_override UNION ALL SELECT xmin::text, ctid::text FROM town.interconnection_override));
+DELETE FROM town.axis WHERE axis_id = 1;
+SELECT * FROM pg_temp.holds('an axis that only crosses the one that is gone takes nothing',
+  'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+
+-- A plain editor.
+CALL pg_temp.decide();
+CREATE ROLE streetgen_test_editor;
+SELECT streetgen."grant"('town', 'streetgen_test_editor', 'editor') \g /dev/null
+SET ROLE streetgen_test_editor;
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+RESET ROLE;
+SELECT 'an editor''s edit takes decisions along', pg_temp.decisions() LIKE 'transition 1 start right%';
+SELECT 'nobody calls a trigger by hand', NOT has_function_privilege('streetgen_test_editor', 'town.remap_update()', 'EXECUTE');
+SELECT streetgen.drop_model('town') \g /dev/null
+DROP ROLE streetgen_test_editor;
