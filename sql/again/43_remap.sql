@@ -236,7 +236,7 @@ CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
     AS $body$
 BEGIN
     IF EXISTS (SELECT FROM %1$I.override_place) THEN
-        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c;
+        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c HAVING count(*) > 0;
     END IF;
     RETURN NULL;
 END $body$;
