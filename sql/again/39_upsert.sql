@@ -43,7 +43,7 @@ result AS MATERIALIZED (
                array_agg(coalesce(turn_forward, '') ORDER BY axis_id) AS turn_forward, array_agg(coalesce(turn_backward, '') ORDER BY axis_id) AS turn_backward FROM used) u, (
         SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
                coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
-        FROM %1$I.transition_override, setting WHERE axis_id = ANY ($2)) t, (
+        FROM (SELECT DISTINCT ON (axis_id, which) * FROM %1$I.transition_override WHERE axis_id = ANY ($2) ORDER BY axis_id, which, transition_override_id DESC) o, setting) t, (
         SELECT coalesce(array_agg(axis_id ORDER BY lane_override_id), '{}') AS axis_id, coalesce(array_agg(abscissa ORDER BY lane_override_id), '{}') AS abscissa, coalesce(array_agg(ordinality ORDER BY lane_override_id), '{}') AS ordinality,
                coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END ORDER BY lane_override_id), '{}') AS direction, coalesce(array_agg(coalesce(width, 0) ORDER BY lane_override_id), '{}') AS width,
                coalesce(array_agg(coalesce(line::bytea, '') ORDER BY lane_override_id), '{}') AS line
