@@ -93,7 +93,7 @@ heir AS (
     FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach) LEFT JOIN changed c ON c.axis_id = a.axis_id
     WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
     UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
-    WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
+    WHERE NOT p.at_node AND ST_DWithin(streetgen._met(p.relation, p.before), p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
         AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._cut_back(p.after, p.before, t.value) ELSE streetgen._inside(p.after, p.geom) END),
 found AS MATERIALIZED (
     SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn, streetgen._turned(before, heir_line, geom) AS turned FROM (
