@@ -67,6 +67,14 @@ INSERT INTO town.axis_editing (geom, width, lane_count) VALUES (pg_temp.line('LI
 UPDATE town.node_editing SET geom = pg_temp.place(205, 45) WHERE node_id = pg_temp.node(200, 45);
 SELECT 'the axis that goes on bends', pg_temp.axis(4) = 'LINESTRING(200 0,205 45,200 90)' AND pg_temp.axis(5) = 'LINESTRING(205 45,260 45)';
 
+-- A loop: both its ends.
+INSERT INTO town.axis_editing (geom, width) VALUES (pg_temp.line('LINESTRING(0 200, 40 200, 40 240, 0 200)'), 4);
+UPDATE town.node_editing SET geom = pg_temp.place(-5, 195) WHERE node_id = pg_temp.node(0, 200);
+SELECT 'a loop stays closed', pg_temp.axis(max(axis_id)) = 'LINESTRING(-5 195,40 200,40 240,-5 195)' FROM town.axis;
+-- One edit of several rows.
+UPDATE town.node_editing SET geom = ST_Translate(geom, 0, 0.5) WHERE ST_DWithin(geom, pg_temp.place(100, 0), 1) OR ST_DWithin(geom, pg_temp.place(200, 0), 1);
+SELECT 'two nodes of an axis moved by one statement', pg_temp.axis(2) = 'LINESTRING(100 0.5,200 0.5)';
+UPDATE town.node_editing SET geom = ST_Translate(geom, 0, -0.5) WHERE ST_DWithin(geom, pg_temp.place(100, 0.5), 0.1) OR ST_DWithin(geom, pg_temp.place(200, 0.5), 0.1);
 -- edge_editing
 UPDATE town.edge_editing SET geom = pg_temp.line('LINESTRING(200 0, 210 20, 205 45)') WHERE axis_id = 4 AND ST_DWithin(geom, pg_temp.place(200, 0), 1);
 SELECT 'a piece of an axis is drawn anew', pg_temp.axis(4) = 'LINESTRING(200 0,210 20,205 45,200 90)';
