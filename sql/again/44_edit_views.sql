@@ -18,7 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('section_limit_editing', 'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge', 'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
-            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, ST_Force2D(l.geom)::geometry(Point, %2$s) AS geom
+            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, l.geom
         FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what was decided by hand',
         ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, a place at the corner'],
@@ -46,11 +46,12 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS 'The edit views of a model: their comments, those of their columns, and their queries.';
 
 CREATE OR REPLACE FUNCTION streetgen._direction_from(line geometry, which text) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT pi() / 2 - ST_Azimuth(streetgen._end_of(line, which), ST_LineInterpolatePoint(line, CASE which WHEN 'start' THEN step ELSE 1 - step END))
-    FROM (SELECT 1 / greatest(ST_Length2D(line), 1) AS step) s
-    $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        SELECT pi() / 2 - CASE which WHEN 'start' THEN ST_Azimuth(ST_StartPoint(line), ST_LineInterpolatePoint(line, 1 / greatest(ST_Length2D(line), 1)))
+                                     ELSE ST_Azimuth(ST_EndPoint(line), ST_LineInterpolatePoint(line, 1 - 1 / greatest(ST_Length2D(line), 1))) END;
+    END;
 COMMENT ON FUNCTION streetgen._direction_from(geometry, text) IS 'Direction in which a line leaves its start or end, over 1 m: radians counter-clockwise from the east.';
 
 CREATE OR REPLACE FUNCTION streetgen._on_side(place geometry, node geometry, of_a float8, of_b float8) RETURNS boolean
