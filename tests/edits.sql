@@ -159,25 +159,16 @@ BEGIN
     WHERE ST_DWithin(a.geom, c.geom, %2$s) ORDER BY axis_id', model, edits.between(60, 160));
 END $$;
 
--- Both models as before any script.
-CREATE FUNCTION edits.clear() RETURNS void LANGUAGE plpgsql VOLATILE AS $$
-DECLARE
-  input record;
-BEGIN
-  FOR input IN SELECT relnamespace::regnamespace AS model, oid::regclass AS relation FROM pg_class
-    WHERE relnamespace IN ('edited'::regnamespace, 'scratch'::regnamespace) AND relkind = 'r' AND (relname LIKE '%\_override' OR relname = 'turn_restriction') LOOP
-    EXECUTE format('DELETE FROM %s', input.relation);
-  END LOOP;
-  DELETE FROM edited.axis;
-  DELETE FROM scratch.axis;
-END $$;
-
--- Prepares both models: settings, and the axes in the one that is edited.
+-- Makes the model that is edited what a script begins with.
 CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  input regclass;
 BEGIN
-  PERFORM edits.clear();
-  PERFORM streetgen.set(model, name, value) FROM unnest(ARRAY['edited', 'scratch']) model, streetgen._default_setting() d;
-  PERFORM streetgen.set(model, split_part(s, '=', 1), split_part(s, '=', 2)) FROM unnest(ARRAY['edited', 'scratch']) model, unnest(script.settings) s;
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    EXECUTE format('DELETE FROM %s', input);
+  END LOOP;
+  PERFORM streetgen.set('edited', name, value) FROM streetgen._default_setting();
+  PERFORM streetgen.set('edited', split_part(s, '=', 1), split_part(s, '=', 2)) FROM unnest(script.settings) s;
   INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
 END $$;
 
@@ -193,15 +184,9 @@ END $$;
 -- Does the edited model equal one that is generated from its axes and overrides? NULL: yes; else what differs.
 CREATE FUNCTION edits.difference() RETURNS text LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  relation name;
   differs text;
 BEGIN
-  PERFORM set_config('streetgen.live', 'off', true);
-  FOR relation IN SELECT relname FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
-    EXECUTE format('INSERT INTO scratch.%1$I SELECT * FROM edited.%1$I', relation);
-  END LOOP;
-  PERFORM set_config('streetgen.live', '', true);
-  PERFORM FROM streetgen.generate('scratch', ARRAY(SELECT axis_id FROM scratch.axis));
+  PERFORM test.generate_anew('edited', 'scratch');
   SELECT string_agg(format('%s: %s', side, left(content, 300)), E'\n') INTO differs FROM (
     (SELECT 'only edited' AS side, d.* FROM (SELECT test.content('edited') EXCEPT ALL SELECT test.content('scratch')) d(content) ORDER BY content LIMIT 3)
     UNION ALL (SELECT 'only from scratch', d.* FROM (SELECT test.content('scratch') EXCEPT ALL SELECT test.content('edited')) d(content) ORDER BY content LIMIT 3)

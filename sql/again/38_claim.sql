@@ -108,6 +108,9 @@ DECLARE
     stale bigint[] := axes;
 BEGIN
     asked := '{}';
+    written := '{}';
+    gathered := '{}';
+    cells := '{}';
     -- An axis that changed while nobody followed changes what is around it too.
     WHILE stale <> '{}' LOOP
         asked := asked || stale;
@@ -132,10 +135,12 @@ COMMENT ON FUNCTION streetgen._setting_changed(name) IS 'Were settings of the mo
 CREATE OR REPLACE FUNCTION streetgen._holders(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-    SELECT string_agg(format('%s (process %s, since %s)', coalesce(a.usename, '?'), l.pid, to_char(a.xact_start, 'HH24:MI:SS')), ', ' ORDER BY l.pid)
-    FROM (SELECT DISTINCT pid FROM pg_locks WHERE locktype = 'advisory' AND objsubid = 2 AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid AND granted AND pid <> pg_backend_pid()) l
+    SELECT coalesce(string_agg(format('%s (process %s%s)', coalesce(a.usename, '?'), l.pid, ', since ' || to_char(a.xact_start, 'HH24:MI:SS')), ', ' ORDER BY l.pid), 'It has ended since.')
+    FROM (SELECT DISTINCT pid FROM pg_locks LEFT JOIN pg_class c ON locktype = 'relation' AND c.oid = relation AND relnamespace = quote_ident(model)::regnamespace
+          WHERE database = (SELECT oid FROM pg_database WHERE datname = current_database()) AND granted AND pid <> pg_backend_pid()
+              AND (locktype = 'advisory' AND objsubid = 2 AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid OR c.oid IS NOT NULL AND mode <> 'AccessShareLock')) l
     LEFT JOIN pg_stat_activity a USING (pid) $$;
-COMMENT ON FUNCTION streetgen._holders(name) IS 'The other sessions that hold places of a model, as text; NULL: none.';
+COMMENT ON FUNCTION streetgen._holders(name) IS 'The other sessions that hold places, rows or tables of a model, as text.';
 
 CREATE OR REPLACE FUNCTION streetgen._enter(model name, wait boolean, alone boolean) RETURNS boolean
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -64,7 +64,8 @@ place AS MATERIALIZED (
     WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END)),
 -- The node was moved: all axes that are named meet at the new place of a vertex that was there.
 moved AS MATERIALIZED (
-    SELECT DISTINCT ON (relation, override_id) relation, override_id, p.geom AS old_place, v.geom AS new_place
+    SELECT DISTINCT ON (relation, override_id) relation, override_id, v.geom AS new_place,
+           (SELECT d.geom FROM ST_DumpPoints(p.before) d ORDER BY ST_Distance(d.geom, p.geom), d.path LIMIT 1) AS old_place
     FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom, p.reach) v(geom)
     WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
         AND NOT EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
@@ -140,7 +141,7 @@ UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, a
 WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out) IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out)$sql$
         ELSE $sql$,
 new AS (
-    SELECT o.%2$I_id AS id, coalesce(m.new_place, o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b
+    SELECT o.%2$I_id AS id, coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)), o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b
     FROM %1$I.%2$I o
     LEFT JOIN moved m ON (m.relation, m.override_id) = (%2$L, o.%2$I_id)
     LEFT JOIN found a ON (a.relation, a.override_id, a.role) = (%2$L, o.%2$I_id, %3$L)
@@ -236,7 +237,7 @@ CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
     AS $body$
 BEGIN
     IF EXISTS (SELECT FROM %1$I.override_place) THEN
-        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c;
+        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c HAVING count(*) > 0;
     END IF;
     RETURN NULL;
 END $body$;

@@ -8,22 +8,6 @@ WITH place AS (SELECT x, y, ST_SetSRID(ST_Point(650000 + 90 * x + (x * 7 + y * 5
 SELECT row_number() OVER (ORDER BY a.x, a.y, b.x) AS axis_id, ST_MakeLine(a.geom, b.geom) AS geom, 6 + (a.x + 2 * a.y) % 5 AS width, 2 + (a.x + a.y) % 4 AS importance
 FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1));
 
--- Are the streets those that a run over the same axes and overrides gives?
-CREATE FUNCTION public.followed(model name DEFAULT 'town') RETURNS boolean LANGUAGE plpgsql AS $$
-DECLARE
-  relation name;
-BEGIN
-  PERFORM set_config('streetgen.live', 'off', true);
-  DELETE FROM once.axis;
-  FOR relation IN SELECT relname FROM pg_class WHERE relnamespace = 'once'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
-    EXECUTE format('DELETE FROM once.%I', relation);
-    EXECUTE format('INSERT INTO once.%2$I SELECT * FROM %1$I.%2$I', model, relation);
-  END LOOP;
-  PERFORM set_config('streetgen.live', '', true);
-  PERFORM streetgen.generate('once');
-  RETURN test.same(model, 'once') AND NOT EXISTS (SELECT FROM streetgen.check_model(model) WHERE severity = 'error' OR rule = 'not_generated' OR rule LIKE 'stale%');
-END $$;
-
 -- Every derived row, with its writer, its place in the table, what it says and where it lies.
 CREATE FUNCTION public.derived() RETURNS TABLE (relation name, id text, written xid, at tid, content text, geom geometry) LANGUAGE plpgsql AS $$
 DECLARE
@@ -43,7 +27,7 @@ SELECT relation, id, b.content AS was, d.content, coalesce(d.geom, b.geom) AS ge
 
 INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
 SELECT 'axes that are inserted have streets', count(*) = 31 FROM town.section;
-SELECT 'as one run gives them', followed();
+SELECT 'as one run gives them', test.followed('town', 'once');
 SELECT 'generate finds nothing to do', bool_and(inserted + updated + deleted + skipped = 0) FROM streetgen.generate('town');
 
 -- Columns, one by one, at axis 16 in the middle.
@@ -57,7 +41,7 @@ BEGIN
       $q$turn_backward = 'right'$q$, 'geom = ST_Reverse(geom)', 'geom = ST_SetPoint(geom, 0, ST_Translate(ST_StartPoint(geom), 20, 10))', 'width = NULL', 'level = 0'] LOOP
     PERFORM pg_temp.remember();
     EXECUTE format('UPDATE town.axis SET %s WHERE axis_id = 16', change);
-    INSERT INTO said SELECT change, EXISTS (SELECT FROM written), followed();
+    INSERT INTO said SELECT change, EXISTS (SELECT FROM written), test.followed('town', 'once');
   END LOOP;
 END $$;
 SELECT format('after %s the streets follow', name), wrote AND holds FROM said;
@@ -80,43 +64,43 @@ SELECT 'a name is nothing that streets are made of', count(*) = 0 FROM written;
 
 -- Other statements.
 UPDATE town.axis SET width = width + 1 WHERE axis_id IN (2, 17, 30);
-SELECT 'several axes far from each other are followed in one statement', followed();
+SELECT 'several axes far from each other are followed in one statement', test.followed('town', 'once');
 UPDATE town.axis SET geom = ST_Translate(geom, 250, 33) WHERE axis_id = 5;
-SELECT 'an axis that is moved elsewhere is right at both places', followed();
+SELECT 'an axis that is moved elsewhere is right at both places', test.followed('town', 'once');
 UPDATE town.axis SET geom = ST_Translate(geom, 0, 2000) WHERE axis_id = 5;
-SELECT 'and far from all others', followed();
+SELECT 'and far from all others', test.followed('town', 'once');
 DELETE FROM town.axis WHERE axis_id IN (5, 12);
-SELECT 'deleted axes leave no rows', followed() AND NOT EXISTS (SELECT FROM town.edge WHERE axis_id IN (5, 12));
+SELECT 'deleted axes leave no rows', test.followed('town', 'once') AND NOT EXISTS (SELECT FROM town.edge WHERE axis_id IN (5, 12));
 UPDATE town.axis a SET geom = b.geom FROM town.axis b WHERE (a.axis_id, b.axis_id) IN ((7, 20), (20, 7));
-SELECT 'two axes that swap their places are followed', followed();
+SELECT 'two axes that swap their places are followed', test.followed('town', 'once');
 BEGIN;
 UPDATE town.axis SET axis_id = 1000 WHERE axis_id = 8;
 UPDATE town.axis SET axis_id = 8 WHERE axis_id = 9;
-SELECT 'an axis with the number of another is followed in the transaction', followed();
+SELECT 'an axis with the number of another is followed in the transaction', test.followed('town', 'once');
 UPDATE town.axis SET axis_id = 9 WHERE axis_id = 1000;
 COMMIT;
-SELECT 'two axes that swap their numbers are followed', followed();
+SELECT 'two axes that swap their numbers are followed', test.followed('town', 'once');
 INSERT INTO town.axis (axis_id, geom, width) SELECT axis_id, geom, 15 FROM grid WHERE axis_id IN (8, 12) ON CONFLICT (axis_id) DO UPDATE SET width = excluded.width;
-SELECT 'an upsert is followed', followed() AND (SELECT count(DISTINCT axis_id) = 2 FROM town.edge WHERE axis_id IN (8, 12) AND width = 15);
+SELECT 'an upsert is followed', test.followed('town', 'once') AND (SELECT count(DISTINCT axis_id) = 2 FROM town.edge WHERE axis_id IN (8, 12) AND width = 15);
 WITH gone AS (DELETE FROM town.axis WHERE axis_id = 8 RETURNING geom), wide AS (UPDATE town.axis SET width = 12 WHERE axis_id = 10)
 INSERT INTO town.axis (axis_id, geom, width) SELECT 8, ST_Reverse(geom), 5 FROM gone WHERE false UNION ALL SELECT 50, ST_Reverse(geom), 5 FROM gone;
-SELECT 'three edits in one statement are followed', followed();
+SELECT 'three edits in one statement are followed', test.followed('town', 'once');
 MERGE INTO town.axis a USING grid g ON a.axis_id = g.axis_id WHEN MATCHED AND a.axis_id = 14 THEN DELETE WHEN MATCHED AND a.axis_id = 15 THEN UPDATE SET width = 4 WHEN NOT MATCHED THEN INSERT (axis_id, geom, width) VALUES (g.axis_id, g.geom, 7);
-SELECT 'MERGE is followed', followed();
+SELECT 'MERGE is followed', test.followed('town', 'once');
 COPY town.axis (axis_id, geom, width) FROM STDIN;
 60	SRID=2154;LINESTRING(650045 6859960,650045 6860045)	6
 61	SRID=2154;LINESTRING(650045 6859960,650120 6859950)	6
 \.
-SELECT 'COPY is followed', followed();
+SELECT 'COPY is followed', test.followed('town', 'once');
 BEGIN;
 UPDATE town.axis SET width = 20 WHERE axis_id = 60;
 SAVEPOINT here;
 DELETE FROM town.axis WHERE axis_id = 61;
 ROLLBACK TO here;
-SELECT 'an edit that is taken back is not followed', followed() AND EXISTS (SELECT FROM town.edge WHERE axis_id = 61);
+SELECT 'an edit that is taken back is not followed', test.followed('town', 'once') AND EXISTS (SELECT FROM town.edge WHERE axis_id = 61);
 SELECT 'who edits is shown with the places held', count(*) = 1 AND bool_and(pid = pg_backend_pid() AND holds ~ '^[1-9]\d* places$' AND waits_for = '{}') FROM streetgen.activity('town');
 ROLLBACK;
-SELECT 'nor a transaction that is', followed();
+SELECT 'nor a transaction that is', test.followed('town', 'once');
 SELECT 'and nobody holds a place any more', count(*) = 0 FROM streetgen.activity('town');
 
 -- Overrides and restrictions.
@@ -124,7 +108,7 @@ CREATE FUNCTION pg_temp.follows(change text) RETURNS TABLE (name text, holds boo
 BEGIN
   PERFORM pg_temp.remember();
   EXECUTE change;
-  RETURN QUERY SELECT regexp_replace(left(change, 80), '\s+', ' ', 'g') || ' is followed', EXISTS (SELECT FROM written) AND followed();
+  RETURN QUERY SELECT regexp_replace(left(change, 80), '\s+', ' ', 'g') || ' is followed', EXISTS (SELECT FROM written) AND test.followed('town', 'once');
 END $$;
 SELECT * FROM pg_temp.follows($q$INSERT INTO town.transition_override (axis_id, which, kind, length) SELECT axis_id, which, 'left', 25 FROM generate_series(1, 31) axis_id, unnest(ARRAY['start', 'end']) which$q$);
 SELECT * FROM pg_temp.follows($q$UPDATE town.transition_override SET kind = 'right', length = 2$q$);
@@ -148,11 +132,11 @@ SELECT 'an override of an axis that is not there is kept and writes nothing', co
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (16, 40, 1, 2.5);
 UPDATE town.lane_override SET abscissa = abscissa;
 DELETE FROM town.axis WHERE axis_id = 16;
-SELECT 'an override outlives its axis', count(*) = 1 AND followed() FROM town.lane_override;
+SELECT 'an override outlives its axis', count(*) = 1 AND test.followed('town', 'once') FROM town.lane_override;
 INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid WHERE axis_id = 16;
-SELECT 'and holds again when it comes back', followed() AND EXISTS (SELECT FROM town.lane JOIN town.edge e USING (edge_id) WHERE axis_id = 16 AND method = 'by_hand');
+SELECT 'and holds again when it comes back', test.followed('town', 'once') AND EXISTS (SELECT FROM town.lane JOIN town.edge e USING (edge_id) WHERE axis_id = 16 AND method = 'by_hand');
 TRUNCATE town.lane_override;
-SELECT 'overrides that are truncated hold no more', followed();
+SELECT 'overrides that are truncated hold no more', test.followed('town', 'once');
 DELETE FROM town.transition_override;
 
 -- Off and on.
@@ -174,7 +158,7 @@ SELECT 'more is stale now', streetgen.live('town', true) > 3;
 UPDATE town.axis SET width = 8 WHERE axis_id = 1;
 SELECT 'an edit beside stale ones takes them along', bool_and(width = 10.5) AND count(*) >= 2 FROM town.edge WHERE axis_id IN (2, 3);
 SELECT streetgen.generate('town') \g /dev/null
-SELECT 'generate brings all up to date', followed() AND streetgen.live('town', true) = 0;
+SELECT 'generate brings all up to date', test.followed('town', 'once') AND streetgen.live('town', true) = 0;
 BEGIN;
 SELECT pg_temp.remember() \g /dev/null
 SET LOCAL streetgen.live = 'off';
@@ -182,12 +166,12 @@ UPDATE town.axis SET width = 5 WHERE axis_id = 4;
 SELECT 'a transaction may go without', count(*) = 0 FROM written;
 COMMIT;
 UPDATE town.axis SET width = 5.5 WHERE axis_id = 4;
-SELECT 'the next one follows', followed();
+SELECT 'the next one follows', test.followed('town', 'once');
 SELECT 'only the owner switches', (r).state = '42501' AND (r).hint <> '' FROM (SELECT test.refusal($q$SET LOCAL ROLE pg_monitor; SELECT streetgen.live('town', false)$q$) AS r) t;
 SELECT 'a model that is not there is refused', test.state($q$SELECT streetgen.live('no such', false)$q$) = '3F000' AND test.state($q$SELECT * FROM streetgen.activity('no such')$q$) = '3F000';
 
 -- Settings: old and new are never mixed.
-SELECT streetgen.set(m, 'dead_end', 'round') FROM unnest(ARRAY['town', 'once']) m \g /dev/null
+SELECT streetgen.set('town', 'dead_end', 'round') \g /dev/null
 SELECT pg_temp.remember() \g /dev/null
 UPDATE town.axis SET width = 13 WHERE axis_id = 4;
 SELECT 'after a change of settings an edit waits for generate', count(*) = 0 FROM written;
@@ -196,7 +180,7 @@ DELETE FROM town.axis WHERE axis_id = 4;
 SELECT 'a deleted axis takes its results with it even so', NOT EXISTS (SELECT FROM town.edge WHERE axis_id = 4) AND (SELECT count(DISTINCT setting_hash) = 1 FROM town.edge);
 SELECT streetgen.generate('town') \g /dev/null
 INSERT INTO town.axis (axis_id, geom) SELECT axis_id, geom FROM grid WHERE axis_id = 4;
-SELECT 'after generate edits are followed again', followed();
+SELECT 'after generate edits are followed again', test.followed('town', 'once');
 
 -- Locks.
 BEGIN;
@@ -230,7 +214,7 @@ SELECT 'a place far off is refused with the scale and a way out', r.said LIKE '%
   FROM test.refusal($q$UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 8860000,650100 8860000)' WHERE axis_id = 4$q$) r;
 SELECT 'what is refused writes nothing', count(*) = 0 FROM written;
 UPDATE town.axis SET width = 6.5 WHERE axis_id = 4;
-SELECT 'and the transaction goes on', followed();
+SELECT 'and the transaction goes on', test.followed('town', 'once');
 COMMIT;
 BEGIN ISOLATION LEVEL REPEATABLE READ;
 SELECT 'an edit above read committed is refused with a way out', r.state = '0A000' AND r.hint <> '' FROM test.refusal('UPDATE town.axis SET width = 9 WHERE axis_id = 4') r;
@@ -250,7 +234,7 @@ DELETE FROM town.axis WHERE axis_id = 11;
 SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
   'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'')', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
 RESET ROLE;
-SELECT 'what an editor does is followed', followed() AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
+SELECT 'what an editor does is followed', test.followed('town', 'once') AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
 SELECT 'functions in the schema are the owner''s, run with its rights and are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE')
     AND 'search_path=pg_catalog, public' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
   FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
@@ -267,13 +251,13 @@ INSERT INTO town.axis (axis_id, geom) SELECT axis_id, geom FROM grid WHERE axis_
 ALTER TABLE town.axis ENABLE TRIGGER ALL;
 SELECT 'nor under --disable-triggers', count(*) = 0 FROM written;
 SELECT streetgen.generate('town') \g /dev/null
-SELECT 'generate follows', followed();
+SELECT 'generate follows', test.followed('town', 'once');
 
 -- Names that need quotes, heights, an empty model.
-SELECT streetgen.create_model('Ville "d''Été"', 2154), streetgen.set('Ville "d''Été"', 'dead_end', 'round') \g /dev/null
+SELECT streetgen.create_model('Ville "d''Été"', 2154) \g /dev/null
 INSERT INTO "Ville ""d'Été""".axis (axis_id, geom, width, importance) SELECT * FROM grid WHERE axis_id < 6;
 UPDATE "Ville ""d'Été""".axis SET width = 9 WHERE axis_id = 3;
-SELECT 'any name will do for a model', followed('Ville "d''Été"');
+SELECT 'any name will do for a model', test.followed('Ville "d''Été"', 'once');
 BEGIN;
 UPDATE "Ville ""d'Été""".axis SET width = 10 WHERE axis_id = 3;
 SELECT 'of which activity tells too', count(*) = 1 FROM streetgen.activity('Ville "d''Été"');
@@ -291,9 +275,9 @@ TRUNCATE town.axis;
 SELECT 'truncated axes leave nothing', count(*) = 0 FROM derived();
 SELECT 'but overrides', count(*) > 0 FROM town.lane_override;
 INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
-SELECT 'a town that is drawn anew is followed', followed();
+SELECT 'a town that is drawn anew is followed', test.followed('town', 'once');
 ROLLBACK;
-SELECT 'and taken back with its transaction', followed();
+SELECT 'and taken back with its transaction', test.followed('town', 'once');
 SELECT streetgen.live('town', false) \g /dev/null
 BEGIN;
 TRUNCATE town.axis;
@@ -303,7 +287,7 @@ SELECT streetgen.live('town', true) \g /dev/null
 DELETE FROM town.axis;
 SELECT 'deleted to the last axis, nothing is left', count(*) = 0 FROM derived();
 INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
-SELECT 'and it goes on from nothing', followed();
+SELECT 'and it goes on from nothing', test.followed('town', 'once');
 
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
@@ -325,4 +309,4 @@ SELECT 'adopt_model puts the triggers back, under the same names', (SELECT array
 SELECT 'on every table that is input', bool_and(3 <= (SELECT count(*) FROM pg_trigger WHERE tgrelid = c.oid AND tgname LIKE 'z\_follow\_%')) AND count(*) > 3
   FROM pg_class c WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override');
 UPDATE town.axis SET width = 11 WHERE axis_id IN (10, 30);
-SELECT 'and the streets follow', followed();
+SELECT 'and the streets follow', test.followed('town', 'once');

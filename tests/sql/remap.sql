@@ -42,6 +42,7 @@ SELECT 'as decided', pg_temp.decisions() = 'transition 1 end left (100 0); lane 
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 0)') \g /dev/null
 SELECT * FROM pg_temp.holds('the first half of a split leaves all as it was',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+SELECT 'check_model lists what fits nowhere: ' || r, EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = r AND rule NOT LIKE 'stale%') FROM unnest('{lane_override,section_limit_override,corner_override,interconnection_override,turn_restriction}'::text[]) r;
 UPDATE town.axis SET geom = ST_AddPoint(geom, pg_temp.place(200, 90)) WHERE axis_id = 4;
 SELECT * FROM pg_temp.holds('an axis elsewhere does not catch them',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
@@ -51,6 +52,9 @@ SELECT * FROM pg_temp.holds('nor does one that met the node before',
 SELECT pg_temp.draw(5, 'LINESTRING(50 0, 100 0)') \g /dev/null
 SELECT * FROM pg_temp.holds('the second half takes what lies on it',
   'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+SELECT 'and nothing more than before: ' || r, NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = r) FROM unnest('{lane_override,section_limit_override,corner_override,interconnection_override,turn_restriction}'::text[]) r;
+SELECT 'the streets have them', (SELECT count(*) = 1 FROM town.lane JOIN town.edge USING (edge_id) WHERE axis_id = 5 AND method = 'by_hand') AND (SELECT abs(width - 8) < 1e-6 FROM town.edge WHERE axis_id = 5);
+SELECT 'as generated from scratch', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town');
 
 -- Merge again: one extended, the other deleted, in either order.
 BEGIN;

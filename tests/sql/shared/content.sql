@@ -29,6 +29,28 @@ CREATE FUNCTION test.same(a name, b name) RETURNS boolean LANGUAGE sql AS $$
                      UNION ALL (SELECT test.content(b) EXCEPT ALL SELECT test.content(a)))
 $$;
 
+-- Fills another model with the settings, axes and overrides of a model, and generates it from scratch.
+CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
+DECLARE
+  relation name;
+BEGIN
+  PERFORM set_config('streetgen.live', 'off', true);
+  EXECUTE format('DELETE FROM %I.axis', anew);
+  FOR relation IN SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    EXECUTE format('DELETE FROM %I.%I', anew, relation);
+    EXECUTE format('INSERT INTO %2$I.%3$I SELECT * FROM %1$I.%3$I', model, anew, relation);
+  END LOOP;
+  PERFORM set_config('streetgen.live', '', true);
+  EXECUTE format('SELECT FROM streetgen.generate(%L, ARRAY(SELECT axis_id FROM %I.axis), wait => true)', anew, anew);
+END $$;
+
+-- Are the streets of a model those that a run from scratch over the same input gives, with nothing left to do?
+CREATE FUNCTION test.followed(model name, anew name) RETURNS boolean LANGUAGE plpgsql AS $$
+BEGIN
+  PERFORM test.generate_anew(model, anew);
+  RETURN test.same(model, anew) AND NOT EXISTS (SELECT FROM streetgen.check_model(model) WHERE severity = 'error' OR rule = 'not_generated' OR rule LIKE 'stale%');
+END $$;
+
 -- Place and writer of every row of a model: equal as long as nothing was written.
 CREATE FUNCTION test.rows(model name) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
