@@ -1,7 +1,7 @@
 """One QGIS with the project of a model open: what an editor does, as calls."""
 import contextlib
 
-from qgis.core import QgsFeature, QgsGeometry, QgsMapRendererParallelJob, QgsMapSettings, QgsProject, QgsRectangle, QgsVectorLayerUtils
+from qgis.core import QgsGeometry, QgsMapRendererParallelJob, QgsMapSettings, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayerUtils
 from qgis.PyQt.QtCore import QSize
 
 from database import Refused
@@ -38,6 +38,11 @@ class Desk:
         if len(found) != 1:
             raise Refused(f'{len(found)} features of {name} where {where}')
         return found[0]
+
+    def nearest(self, name, x, y, where='true'):
+        """Of the features for which an expression holds the one next to a place, as an expression."""
+        place = QgsGeometry.fromPointXY(QgsPointXY(x, y))
+        return f'$id = {min(self.layer(name).getFeatures(where), key=lambda feature: feature.geometry().distance(place)).id()}'
 
     def type_in(self, layer_name, where, **values):
         with self.editing(layer_name) as layer:

@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from style import (ARC, ASPHALT, AXIS, HAND, IMPLAUSIBLE, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, fill, line, point, rules, single, with_arrow)
+from style import (ARC, ASPHALT, AXIS, CONTROL, HAND, IMPLAUSIBLE, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, fill, line, point, rules, single, with_arrow)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -55,7 +55,7 @@ def lane():
 
 def interconnection():
     return rules(('implausible', 'NOT connecting AND NOT plausible', line(IMPLAUSIBLE, 0.15, dash='1;1.5', opacity=0.5)),
-                 ('plausible, not connecting', 'plausible AND NOT connecting', line(REPORT, 0.3, dash='1;1')),
+                 ('plausible, not connecting', 'plausible AND NOT connecting', line(REPORT, 0.5, dash='1.5;1')),
                  ('connecting', "connecting AND method <> 'by_hand'", with_arrow(line(PATH, 0.35), PATH, 1.6)),
                  ('by hand', "connecting AND method = 'by_hand'", with_arrow(line(HAND, 0.45), HAND, 1.8)))
 
@@ -69,8 +69,10 @@ def handle(shape, size, colour):
     return lambda: rules(('computed', 'NOT by_hand', point(shape, colour, size)), ('by hand', 'by_hand', point(shape, HAND, size)))
 
 
-def handle_line(colour):
-    return lambda: rules(('computed', 'NOT by_hand', line(colour, 0.4, dash='2;1')), ('by hand', 'by_hand', line(HAND, 0.5)))
+def handle_line(colour, seldom='false'):
+    """A line to redraw; what one seldom needs is thin."""
+    return lambda: rules(('seldom', f'NOT by_hand AND {seldom}', line(colour, 0.1, dash='1;2')), ('computed', f'NOT by_hand AND NOT {seldom}', line(colour, 0.3, dash='2;2')),
+                         ('by hand', 'by_hand', line(HAND, 0.5)))
 
 
 def by_hand(relation, *columns):
@@ -79,6 +81,15 @@ def by_hand(relation, *columns):
 
 
 LAYERS = (
+    Layer('edit', 'node_editing', 'node_id', 'geom', lambda: single(point('circle', AXIS, 2.6)), ()),
+    Layer('edit', 'section_limit_editing', 'section_limit_id', 'geom', handle('diamond', 2.6, LIMIT), ('abscissa', 'by_hand'), scale=2500),
+    Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
+    Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
+    Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
+    Layer('edit', 'lane_editing', 'lane_id', 'geom', handle_line('#ffffff'), ('along_axis', 'width', 'by_hand'), scale=2500),
+    Layer('edit', 'edge_editing', 'edge_id', 'geom', lambda: single(line(AXIS, 0.5, dash='3;1')), ()),
+    Layer('edit', 'axis_editing', 'axis_id', 'geom', axis, ('width', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level')),
+    Layer('edit', 'edit_log', 'edit_log_id', 'extent', lambda: single(fill('#00000000', HAND, 0.3))),
     Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', lambda: single(point('octagon', REPORT, 3)),
           ('from_axis', 'to_axis', 'kind', 'turn', 'source', 'source_ref'), scale=2500),
     Layer('input', 'axis', 'axis_id', 'geom', axis,

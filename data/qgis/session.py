@@ -35,11 +35,6 @@ def named(name):
     return f"name = '{name}'"
 
 
-def near(x, y, radius=1.0):
-    """The feature within so many metres of a place, as an expression."""
-    return f"distance($geometry, geom_from_wkt('{point(x, y)}')) < {radius}"
-
-
 def draw(desk, name, *places, **values):
     desk.draw('axis', line(*places), name=name, **values)
 
@@ -84,13 +79,31 @@ def clear(desk):
     desk.delete('axis', named('entry west'))
 
 
+def move_node(desk):
+    """All that meets at the node follows."""
+    desk.put('node_editing', desk.nearest('node_editing', *place(0, -130)), point(0, -124))
+
+
+def decide(desk):
+    """A limit is dragged along the avenue, one radius typed, the centre of another corner dragged, a kerb point dropped, a lane flipped, a path cut off."""
+    desk.put('section_limit_editing', desk.nearest('section_limit_editing', *place(-12, -125)), point(-28, -126))
+    desk.type_in('corner_editing', desk.nearest('corner_editing', *place(13, -109)), radius=12.0)
+    desk.put('corner_editing', desk.nearest('corner_editing', *place(-13, -115)), point(-17, -112))
+    desk.draw('kerb_point_editing', point(-8.5, -92))
+    desk.type_in('lane_editing', desk.nearest('lane_editing', *place(-2, -85)), along_axis=True)
+    desk.type_in('interconnection_editing', desk.nearest('interconnection_editing', *place(7, -114), 'connecting'), connecting=False)
+
+
 # Step, what is done, frame of its picture (west, south, east, north), layers that are shown beside the usual ones.
 WHOLE = (-270, -175, 270, 145)
-JUNCTION = (-40, -160, 44, -110)
+JUNCTION = (-48, -146, 48, -86)
+HANDLES = ('node_editing', 'section_limit_editing', 'corner_editing', 'kerb_point_editing', 'interconnection_editing', 'lane_editing')
 STEPS = (
     ('motorway', (motorway, boulevard), WHOLE, ()),
     ('ramps', (ramps, avenue), WHOLE, ()),
     ('split', (drag, cut, clear), WHOLE, ()),
+    ('junction', (move_node,), JUNCTION, HANDLES),
+    ('decided', (decide,), JUNCTION, HANDLES),
 )
 
 

@@ -146,7 +146,7 @@ BEGIN
         ('section_limit_override', 'which', 'the limit at the start or the end of the edge on which the abscissa lies'),
         ('section_limit_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out'),
         ('corner_override', 'corner_override_id', 'key'),
-        ('corner_override', 'geom', 'place of the node, within three tolerances of it'),
+        ('corner_override', 'geom', 'place of the node, within three tolerances of it; where axes that go on beyond the node make two such corners: on the side of the one that is meant, at the node itself both'),
         ('corner_override', 'axis_a', 'axis of the first edge'),
         ('corner_override', 'axis_b', 'axis of the next edge counter-clockwise'),
         ('corner_override', 'radius', 'radius, metres; 0: no arc'),

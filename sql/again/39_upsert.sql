@@ -11,7 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name, few boolean) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -43,7 +43,7 @@ result AS MATERIALIZED (
                array_agg(coalesce(turn_forward, '') ORDER BY axis_id) AS turn_forward, array_agg(coalesce(turn_backward, '') ORDER BY axis_id) AS turn_backward FROM used) u, (
         SELECT coalesce(array_agg(axis_id), '{}') AS axis_id, coalesce(array_agg(which), '{}') AS which,
                coalesce(array_agg(coalesce(kind, v ->> 'transition_kind')), '{}') AS kind, coalesce(array_agg(coalesce(length, (v ->> 'transition_length')::float8)), '{}') AS length
-        FROM %1$I.transition_override, setting WHERE axis_id = ANY ($2)) t, (
+        FROM (SELECT DISTINCT ON (axis_id, which) * FROM %1$I.transition_override WHERE axis_id = ANY ($2) ORDER BY axis_id, which, transition_override_id DESC) o, setting) t, (
         SELECT coalesce(array_agg(axis_id ORDER BY lane_override_id), '{}') AS axis_id, coalesce(array_agg(abscissa ORDER BY lane_override_id), '{}') AS abscissa, coalesce(array_agg(ordinality ORDER BY lane_override_id), '{}') AS ordinality,
                coalesce(array_agg(CASE along_axis WHEN true THEN 'along' WHEN false THEN 'against' ELSE 'as_is' END ORDER BY lane_override_id), '{}') AS direction, coalesce(array_agg(coalesce(width, 0) ORDER BY lane_override_id), '{}') AS width,
                coalesce(array_agg(coalesce(line::bytea, '') ORDER BY lane_override_id), '{}') AS line
@@ -68,7 +68,8 @@ result AS MATERIALIZED (
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
         u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.crossed, p.x, p.y, p.met,
-        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius) s),
+        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius) s
+    WHERE %7$s),
 -- The axes whose rows come out, and those that are gone.
 asked_axis AS MATERIALIZED (
     SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),
@@ -261,9 +262,10 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'),
         -- Between quotes.
-        replace(quote_ident(model), '''', ''''''));
+        replace(quote_ident(model), '''', ''''''),
+        CASE WHEN few THEN 'relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')' ELSE 'true' END);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+COMMENT ON FUNCTION streetgen._upsert_statement(name, boolean) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. few: the planner is to expect few rows, by a condition that always holds. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
@@ -276,7 +278,7 @@ DECLARE
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     -- Of the whole model every axis is asked.
-    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model) END
+    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model, few => false), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model, few => false) END
         USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
@@ -286,8 +288,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: the condition on
-    -- relation, which always holds, lets the planner expect few rows.
+    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
@@ -297,7 +298,7 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, replace(streetgen._upsert_statement(model), 'p.met) s),', 'p.met) s WHERE relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')),'));
+END $body$ $sql$, model, streetgen._upsert_statement(model, few => true));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';

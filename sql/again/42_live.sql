@@ -143,14 +143,17 @@ END $body$ $sql$, model, model);
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
     FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR EACH STATEMENT EXECUTE FUNCTION %1$I._enter_edit()', model, relation);
+        EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation, 'Locks the model beside other editors');
         FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
             EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I()', model, relation, event,
                 concat_ws(' ', CASE WHEN event <> 'insert' THEN 'OLD TABLE AS old_' || CASE relation WHEN 'axis' THEN 'axis' ELSE 'override' END END,
                                CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis' THEN 'axis' ELSE 'override' END END),
                 CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
+            EXECUTE format('COMMENT ON TRIGGER z_follow_%3$s ON %1$I.%2$I IS %4$L', model, relation, event, 'The streets follow');
         END LOOP;
         EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate %3$s TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%4$I()', model, relation,
             CASE relation WHEN 'axis' THEN 'AFTER' ELSE 'BEFORE' END, CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
+        EXECUTE format('COMMENT ON TRIGGER z_follow_truncate ON %I.%I IS %L', model, relation, 'The streets follow');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS 'Makes the triggers by which the streets of a model follow its axes and overrides.';

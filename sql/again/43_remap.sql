@@ -51,7 +51,7 @@ CREATE OR REPLACE FUNCTION streetgen._met(relation text, line geometry) RETURNS 
     AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line)) ELSE line END $$;
 COMMENT ON FUNCTION streetgen._met(text, geometry) IS 'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
 
--- Every statement of _remap begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is none.
+-- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is none.
 CREATE OR REPLACE FUNCTION streetgen._remap_places(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format($sql$
@@ -64,44 +64,37 @@ place AS MATERIALIZED (
     WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END)),
 -- The node was moved: all axes that are named meet at the new place of a vertex that was there.
 moved AS MATERIALIZED (
-    SELECT DISTINCT ON (relation, override_id) relation, override_id, p.geom AS old_place, v.geom AS new_place
+    SELECT DISTINCT ON (relation, override_id) relation, override_id, v.geom AS new_place,
+           (SELECT d.geom FROM ST_DumpPoints(p.before) d ORDER BY ST_Distance(d.geom, p.geom), d.path LIMIT 1) AS old_place
     FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom, p.reach) v(geom)
     WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
         AND NOT EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
                         AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id AND ST_DWithin(a.geom, v.geom, o.reach)))
     ORDER BY relation, override_id, role),
--- Which axis each is on now: its own, if that still lies there; one that came by; the one that took its line over; its own, redrawn.
+-- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line over (3); its own, redrawn (4).
+heir AS (
+    SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
+           CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE THEN 2
+                WHEN p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value) THEN 3 END AS turn
+    FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach) LEFT JOIN changed c ON c.axis_id = a.axis_id
+    WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
+    UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
+    WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
+        AND (p.relation = 'transition_override' OR ST_LineLocatePoint(p.after, p.geom) > 0 AND ST_LineLocatePoint(p.after, p.geom) < 1)),
 found AS MATERIALIZED (
-    SELECT p.relation, p.override_id, p.role, p.geom, heir.axis_id, heir.line, heir.redrawn, streetgen._turned(p.before, heir.line, p.geom) AS turned
-    FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL (
-        SELECT * FROM (
-            SELECT 1 AS turn, p.axis_id, p.line, false AS redrawn WHERE ST_DWithin(streetgen._met(p.relation, p.line), p.geom, p.reach)
-            UNION ALL SELECT 2, c.axis_id, c.after, false FROM changed c
-            WHERE c.axis_id <> p.axis_id AND ST_DWithin(streetgen._met(p.relation, c.after), p.geom, p.reach)
-                AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE
-            UNION ALL SELECT 3, a.axis_id, ST_Force2D(a.geom), false FROM %1$I.axis a
-            WHERE p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, p.geom, p.reach) AND ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
-                AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value)
-            UNION ALL SELECT 4, p.axis_id, p.after, true
-            WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
-                AND (p.relation = 'transition_override' OR ST_LineLocatePoint(p.after, p.geom) > 0 AND ST_LineLocatePoint(p.after, p.geom) < 1)) h
-        WHERE NOT (p.at_node AND turn > 1 AND EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id, o.axis_id) = (p.relation, p.override_id, h.axis_id) AND o.role <> p.role))
-        ORDER BY turn, ST_Distance(line, p.geom), axis_id LIMIT 1) heir
-    WHERE (p.named OR ST_DWithin(streetgen._met(p.relation, p.line), p.geom, p.reach) IS NOT TRUE)
-        AND NOT EXISTS (SELECT FROM moved m WHERE (m.relation, m.override_id) = (p.relation, p.override_id)))
+    SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn, streetgen._turned(before, heir_line, geom) AS turned FROM (
+        SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
+        WHERE turn = 1 OR turn IS NOT NULL AND NOT (at_node AND EXISTS (SELECT FROM place o WHERE (o.relation, o.override_id, o.axis_id) = (h.relation, h.override_id, h.heir) AND o.role <> h.role))
+        ORDER BY relation, override_id, role, turn, ST_Distance(heir_line, geom), heir) h
+    WHERE (named OR turn > 1) AND NOT EXISTS (SELECT FROM moved m WHERE (m.relation, m.override_id) = (h.relation, h.override_id)))
 $sql$, model) $$;
-COMMENT ON FUNCTION streetgen._remap_places(name) IS 'The beginning of the statements of _remap: the CTEs moved (overrides whose node is elsewhere) and found (which axis each override near changed axes is on).';
+COMMENT ON FUNCTION streetgen._remap_places(name) IS 'The beginning of the statements of _remap_statement: the CTEs moved (overrides whose node is elsewhere) and found (which axis each override near changed axes is on).';
 
-CREATE OR REPLACE FUNCTION streetgen._remap(model name, axes bigint[], before geometry[], after geometry[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+CREATE OR REPLACE FUNCTION streetgen._remap_statement(model name, relation name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-DECLARE
-    concerned text;
-    statement text;
-BEGIN
-    FOR concerned IN EXECUTE streetgen._remap_places(model) || 'SELECT relation FROM moved UNION SELECT relation FROM found' USING axes, before, after LOOP
-        statement := CASE concerned
-            WHEN 'transition_override' THEN $sql$,
+    SELECT streetgen._remap_places(model) || format(CASE relation
+        WHEN 'transition_override' THEN $sql$,
 new AS (
     SELECT o.transition_override_id AS id, f.axis_id, w.which, ST_SetSRID(streetgen._end_of(f.line, w.which), ST_SRID(f.line)) AS geom,
            CASE WHEN w.which = o.which THEN o.kind ELSE CASE o.kind WHEN 'left' THEN 'right' WHEN 'right' THEN 'left' ELSE o.kind END END AS kind
@@ -112,28 +105,29 @@ new AS (
     WHERE f.relation = 'transition_override')
 UPDATE %1$I.transition_override o SET axis_id = n.axis_id, which = n.which, kind = n.kind, geom = n.geom FROM new n
 WHERE o.transition_override_id = n.id AND (o.axis_id, o.which, o.geom) IS DISTINCT FROM (n.axis_id, n.which, n.geom)$sql$
-            WHEN 'lane_override' THEN $sql$,
+        WHEN 'lane_override' THEN $sql$,
 new AS (
     SELECT o.lane_override_id AS id, f.axis_id, at.abscissa, at.geom, o.along_axis <> f.turned AS along_axis, CASE WHEN f.turned THEN ST_Reverse(o.line) ELSE o.line END AS line,
            CASE WHEN f.turned THEN streetgen._mirrored_ordinality(o.ordinality, streetgen._lanes_at(%1$L, o.axis_id, o.abscissa)) ELSE o.ordinality END AS ordinality
-    FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn) at
+    FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
     WHERE f.relation = 'lane_override')
 UPDATE %1$I.lane_override o SET axis_id = n.axis_id, abscissa = n.abscissa, ordinality = n.ordinality, along_axis = n.along_axis, line = n.line, geom = n.geom FROM new n
 WHERE o.lane_override_id = n.id AND (o.axis_id, o.abscissa, o.ordinality, o.along_axis, o.line, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.ordinality, n.along_axis, n.line, n.geom)$sql$
-            WHEN 'section_limit_override' THEN $sql$,
+        WHEN 'section_limit_override' THEN $sql$,
 new AS (
     SELECT o.section_limit_override_id AS id, f.axis_id, at.abscissa, at.geom, CASE WHEN NOT f.turned THEN o.which WHEN o.which = 'start' THEN 'end' ELSE 'start' END AS which
-    FROM found f JOIN %1$I.section_limit_override o ON o.section_limit_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn) at
+    FROM found f JOIN %1$I.section_limit_override o ON o.section_limit_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
     WHERE f.relation = 'section_limit_override')
 UPDATE %1$I.section_limit_override o SET axis_id = n.axis_id, abscissa = n.abscissa, which = n.which, geom = n.geom FROM new n
 WHERE o.section_limit_override_id = n.id AND (o.axis_id, o.abscissa, o.which, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.which, n.geom)$sql$
-            WHEN 'kerb_point_override' THEN $sql$,
+        WHEN 'kerb_point_override' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, 2 * ST_Distance(f.line, f.geom) AS width
-    FROM found f CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true) at WHERE f.relation = 'kerb_point_override')
+    FROM found f JOIN %1$I.kerb_point_override o ON o.kerb_point_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true, o.abscissa) at
+    WHERE f.relation = 'kerb_point_override')
 UPDATE %1$I.kerb_point_override o SET axis_id = n.axis_id, abscissa = n.abscissa, width = n.width FROM new n
 WHERE o.kerb_point_override_id = n.id AND (o.axis_id, o.abscissa, o.width) IS DISTINCT FROM (n.axis_id, n.abscissa, n.width)$sql$
-            WHEN 'interconnection_override' THEN $sql$,
+        WHEN 'interconnection_override' THEN $sql$,
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom, coalesce(ST_Translate(o.control, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)), o.control) AS control,
            coalesce(i.axis_id, o.axis_in) AS axis_in, CASE WHEN i.turned THEN streetgen._mirrored_ordinality(o.lane_in, streetgen._lanes_by(%1$L, o.axis_in, o.geom)) ELSE o.lane_in END AS lane_in,
@@ -145,26 +139,26 @@ new AS (
     WHERE m.override_id IS NOT NULL OR i.override_id IS NOT NULL OR u.override_id IS NOT NULL)
 UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, axis_in = n.axis_in, lane_in = n.lane_in, axis_out = n.axis_out, lane_out = n.lane_out FROM new n
 WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out) IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out)$sql$
-            ELSE $sql$,
+        ELSE $sql$,
 new AS (
-    SELECT o.%2$I_id AS id, coalesce(m.new_place, o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b
+    SELECT o.%2$I_id AS id, coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)), o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b
     FROM %1$I.%2$I o
     LEFT JOIN moved m ON (m.relation, m.override_id) = (%2$L, o.%2$I_id)
     LEFT JOIN found a ON (a.relation, a.override_id, a.role) = (%2$L, o.%2$I_id, %3$L)
     LEFT JOIN found b ON (b.relation, b.override_id, b.role) = (%2$L, o.%2$I_id, %4$L)
     WHERE m.override_id IS NOT NULL OR a.override_id IS NOT NULL OR b.override_id IS NOT NULL)
 UPDATE %1$I.%2$I o SET geom = n.geom, %3$I = n.axis_a, %4$I = n.axis_b FROM new n
-WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.axis_a, n.axis_b)$sql$ END;
-        EXECUTE streetgen._remap_places(model) || format(statement, model, concerned,
-            CASE concerned WHEN 'corner_override' THEN 'axis_a' ELSE 'from_axis' END, CASE concerned WHEN 'corner_override' THEN 'axis_b' ELSE 'to_axis' END) USING axes, before, after;
-    END LOOP;
-END $$;
-COMMENT ON FUNCTION streetgen._remap(name, bigint[], geometry[], geometry[]) IS 'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and after, NULL where there was or is none. What fits nowhere stays as it is, until an axis comes by.';
+WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.axis_a, n.axis_b)$sql$ END, model, relation, CASE relation WHEN 'corner_override' THEN 'axis_a' ELSE 'from_axis' END, CASE relation WHEN 'corner_override' THEN 'axis_b' ELSE 'to_axis' END)
+    $$;
+COMMENT ON FUNCTION streetgen._remap_statement(name, name) IS 'The statement that puts the overrides of one relation near changed axes on the axis that they lie on now. What fits nowhere stays as it is, until an axis comes by.';
 
-CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, OUT abscissa float8, OUT geom geometry)
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line), CASE WHEN onto THEN ST_ClosestPoint(line, place) ELSE place END $$;
-COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean) IS 'Abscissa (metres) of a line nearest to a place, and the place, put onto the line where asked.';
+CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8, OUT abscissa float8, OUT geom geometry)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN abs(at - former) < 1e-6 THEN former ELSE at END, CASE WHEN onto THEN ST_ClosestPoint(line, place) ELSE place END
+    FROM (SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line) AS at) p
+    $$;
+COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS 'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre; and the place, put onto the line where asked.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -216,28 +210,34 @@ COMMENT ON COLUMN %1$I.override_place.axis_id IS 'the axis';
 COMMENT ON COLUMN %1$I.override_place.geom IS 'place on the axis or of the node; of a kerb point, beside the axis';
 COMMENT ON COLUMN %1$I.override_place.reach IS 'an axis within this distance lies at the place, metres'
 $sql$, model);
+    -- Static SQL, whose plans a session keeps: most models have few overrides, most edits none near.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._remap(bigint[], geometry[], geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+    AS $body$
+DECLARE
+    extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line);
+BEGIN
+%2$s
+END $body$ $sql$, model, (
+        -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
+        SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, %3$s)) THEN%4$s;' || E'\nEND IF;', model, relation, CASE relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END,
+            streetgen._remap_statement(model, relation)), E'\n')
+        FROM unnest('{transition_override,lane_override,section_limit_override,kerb_point_override,corner_override,interconnection_override,turn_restriction}'::name[]) relation));
+    PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])', 'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and after, NULL where there was or is none');
     FOR followed IN SELECT * FROM (VALUES
         ('insert', 'REFERENCING NEW TABLE AS after', 'SELECT axis_id, NULL::geometry AS before, geom AS after FROM after'),
         ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
             'SELECT axis_id, b.geom AS before, a.geom AS after FROM before b FULL JOIN after a USING (axis_id) WHERE b.geom IS DISTINCT FROM a.geom'),
         ('delete', 'REFERENCING OLD TABLE AS before', 'SELECT axis_id, geom AS before, NULL::geometry AS after FROM before')) f(event, tables, changed)
     LOOP
-        -- Static SQL, whose plans a session keeps: most models have few overrides, most edits none near.
         EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
-DECLARE
-    axes bigint[];
-    lines_before geometry[];
-    lines_after geometry[];
-    extent geometry;
 BEGIN
     IF EXISTS (SELECT FROM %1$I.override_place) THEN
-        SELECT array_agg(axis_id), array_agg(before), array_agg(after), ST_Extent(ST_Collect(before, after)) INTO axes, lines_before, lines_after, extent FROM (%3$s) c;
-        -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
-        IF EXISTS (SELECT FROM %1$I.override_place p WHERE p.geom && ST_Expand(extent, CASE p.relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END)) THEN
-            PERFORM streetgen._remap(%1$L, axes, lines_before, lines_after);
-        END IF;
+        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c HAVING count(*) > 0;
     END IF;
     RETURN NULL;
 END $body$;

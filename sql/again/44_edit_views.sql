@@ -18,12 +18,14 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('section_limit_editing', 'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge', 'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
-            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, ST_Force2D(l.geom)::geometry(Point, %2$s) AS geom
+            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
         FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what was decided by hand',
         ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, a place at the corner'],
         $sql$SELECT c.corner_id, c.node_id, c.radius,
-            EXISTS (SELECT FROM %1$I.corner_override o WHERE (o.axis_a, o.axis_b) = (a.axis_id, b.axis_id) AND ST_DWithin(o.geom, n.geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance'))) AS by_hand,
+            EXISTS (SELECT FROM %1$I.corner_override o WHERE (o.axis_a, o.axis_b) = (a.axis_id, b.axis_id) AND ST_DWithin(o.geom, n.geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance'))
+                AND (streetgen._on_side(o.geom, n.geom, of_a, of_b) OR NOT EXISTS (SELECT FROM %1$I.corner t JOIN %1$I.edge u ON u.edge_id = t.edge_a JOIN %1$I.edge v ON v.edge_id = t.edge_b
+                    WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)))) AS by_hand,
             coalesce(c.centre, ST_Translate(ST_Force2D(n.geom), reach * cos(w.towards), reach * sin(w.towards)))::geometry(Point, %2$s) AS geom
         FROM %1$I.corner c JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
         CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b, greatest(a.width, b.width) / 2 AS reach) d
@@ -44,12 +46,21 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS 'The edit views of a model: their comments, those of their columns, and their queries.';
 
 CREATE OR REPLACE FUNCTION streetgen._direction_from(line geometry, which text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        SELECT pi() / 2 - CASE which WHEN 'start' THEN ST_Azimuth(ST_StartPoint(line), ST_LineInterpolatePoint(line, 1 / greatest(ST_Length2D(line), 1)))
+                                     ELSE ST_Azimuth(ST_EndPoint(line), ST_LineInterpolatePoint(line, 1 - 1 / greatest(ST_Length2D(line), 1))) END;
+    END;
+COMMENT ON FUNCTION streetgen._direction_from(geometry, text) IS 'Direction in which a line leaves its start or end, over 1 m: radians counter-clockwise from the east.';
+
+CREATE OR REPLACE FUNCTION streetgen._on_side(place geometry, node geometry, of_a float8, of_b float8) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT pi() / 2 - ST_Azimuth(streetgen._end_of(line, which), ST_LineInterpolatePoint(line, CASE which WHEN 'start' THEN step ELSE 1 - step END))
-    FROM (SELECT 1 / greatest(ST_Length2D(line), 1) AS step) s
+    SELECT ST_Distance(place, node) <= 0.001 OR to_place - 2 * pi() * floor(to_place / (2 * pi())) <= to_b - 2 * pi() * floor(to_b / (2 * pi()))
+    FROM (SELECT pi() / 2 - ST_Azimuth(node, place) - of_a AS to_place, of_b - of_a AS to_b) t
     $$;
-COMMENT ON FUNCTION streetgen._direction_from(geometry, text) IS 'Direction in which a line leaves its start or end, over 1 m: radians counter-clockwise from the east.';
+COMMENT ON FUNCTION streetgen._on_side(geometry, geometry, float8, float8) IS 'Whether a place lies at a node, within 1 mm, or beside it counter-clockwise from one direction to the other (radians).';
 
 CREATE OR REPLACE FUNCTION streetgen._make_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

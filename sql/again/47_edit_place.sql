@@ -57,20 +57,25 @@ DECLARE
     subject text;
     place record;
     known bigint[];
+    -- The youngest that speaks of this corner alone.
+    own bigint;
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Corners lie between the edges of a node: change the radius of one.');
     END IF;
     subject := 'corner ' || OLD.corner_id;
     EXECUTE format($sql$
-SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b, CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width ELSE b.width_end END AS width_b
+SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b, CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width ELSE b.width_end END AS width_b,
+       streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b,
+       EXISTS (SELECT FROM %1$I.corner t JOIN %1$I.edge u ON u.edge_id = t.edge_a JOIN %1$I.edge v ON v.edge_id = t.edge_b WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)) AS twin
 FROM %1$I.corner c JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
 WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id) AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA) INTO place USING OLD.corner_id;
     IF place.node IS NULL THEN
         RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its axes do not meet there any more.', HINT = 'Refresh the layer.';
     END IF;
-    EXECUTE format('SELECT coalesce(array_agg(corner_override_id ORDER BY corner_override_id DESC), ''{}'') FROM %I.corner_override WHERE (axis_a, axis_b) = ($1, $2) AND ST_DWithin(geom, $3, $4)', TG_TABLE_SCHEMA)
-        INTO known USING place.axis_a, place.axis_b, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA);
+    EXECUTE format('SELECT coalesce(array_agg(corner_override_id), ''{}''), max(corner_override_id) FILTER (WHERE NOT $5 OR ST_Distance(geom, $3) > 0.001) FROM %I.corner_override
+        WHERE (axis_a, axis_b) = ($1, $2) AND ST_DWithin(geom, $3, $4) AND (NOT $5 OR streetgen._on_side(geom, $3, $6, $7))', TG_TABLE_SCHEMA)
+        INTO known, own USING place.axis_a, place.axis_b, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA), place.twin, place.of_a, place.of_b;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
         EXECUTE format('DELETE FROM %I.corner_override WHERE corner_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
@@ -85,10 +90,12 @@ WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axi
         NEW.radius := greatest(0, (ST_Distance(NEW.geom, place.line_a) - place.width_a / 2 + ST_Distance(NEW.geom, place.line_b) - place.width_b / 2) / 2);
     END IF;
     PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 200, 'm', '0 for no arc; delete the row to take back what was decided by hand.');
-    IF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.corner_override (geom, axis_a, axis_b, radius) VALUES ($1, $2, $3, $4)', TG_TABLE_SCHEMA) USING place.node, place.axis_a, place.axis_b, NEW.radius;
+    IF own IS NULL THEN
+        EXECUTE format('INSERT INTO %I.corner_override (geom, axis_a, axis_b, radius) VALUES (CASE WHEN $5 THEN ST_Translate($1, $6 * cos($7), $6 * sin($7)) ELSE $1 END, $2, $3, $4)', TG_TABLE_SCHEMA)
+            USING place.node, place.axis_a, place.axis_b, NEW.radius, place.twin, streetgen._tolerance(TG_TABLE_SCHEMA),
+                place.of_a + (place.of_b - place.of_a - 2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2;
     ELSE
-        EXECUTE format('UPDATE %I.corner_override SET radius = $2 WHERE corner_override_id = $1', TG_TABLE_SCHEMA) USING known[1], NEW.radius;
+        EXECUTE format('UPDATE %I.corner_override SET radius = $2 WHERE corner_override_id = $1', TG_TABLE_SCHEMA) USING own, NEW.radius;
     END IF;
     NEW.by_hand := true;
     RETURN NEW;

@@ -180,6 +180,23 @@ SELECT 'it has no error', count(*) = 0 FROM streetgen.check_model('crooked') WHE
 DO $$ BEGIN DELETE FROM crooked.section_limit_override; DELETE FROM crooked.corner_override; DELETE FROM crooked.kerb_point_override; DELETE FROM crooked.lane_override; END $$;
 SELECT 'without its overrides it equals the one never decided upon', pg_temp.is_whole('crooked') AND NOT EXISTS (SELECT FROM crooked.lane WHERE method = 'by_hand');
 
+-- Streets that go on beyond their crossing make two corners of one name: the edit view decides upon one of them.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('through', 32631);
+  INSERT INTO through.axis (axis_id, geom, width, radius) VALUES (1, 'SRID=32631;LINESTRING(0 0,100 0,200 0)', 8, 5), (2, 'SRID=32631;LINESTRING(100 -80,100 0,100 80)', 8, 5);
+END $$;
+CREATE VIEW quarter AS SELECT e.*, round(degrees(ST_Azimuth(n.geom, e.geom))) AS azimuth FROM through.corner_editing e JOIN through.node n USING (node_id);
+UPDATE through.corner_editing SET radius = 9 WHERE corner_id = (SELECT corner_id FROM quarter WHERE azimuth = 45);
+SELECT 'of two corners of one name one is changed', array_agg(azimuth || ' ' || radius || ' ' || by_hand ORDER BY azimuth) = '{"45 9 true","135 5 false","225 5 false","315 5 false"}' FROM quarter;
+UPDATE through.corner_editing SET radius = 7 WHERE corner_id = (SELECT corner_id FROM quarter WHERE azimuth = 225);
+UPDATE through.corner_editing SET radius = 8 WHERE corner_id = (SELECT corner_id FROM quarter WHERE azimuth = 225);
+SELECT 'and the other', array_agg(radius ORDER BY azimuth) = '{9,5,8,5}' AND (SELECT count(*) = 2 FROM through.corner_override) FROM quarter;
+UPDATE through.axis SET geom = ST_SetPoint(geom, 1, 'SRID=32631;POINT(100 6)');
+SELECT 'both come along with their node', array_agg(radius ORDER BY azimuth) = '{9,5,8,5}' FROM quarter;
+UPDATE through.axis SET geom = ST_SetPoint(geom, 1, 'SRID=32631;POINT(100 0)');
+DELETE FROM through.corner_editing WHERE corner_id = (SELECT corner_id FROM quarter WHERE azimuth = 45);
+SELECT 'one is taken back', array_agg(radius ORDER BY azimuth) = '{5,5,8,5}' FROM quarter;
+
 -- Of three dimensions: places stay flat, results get the height of the axis.
 DO $$ BEGIN
   PERFORM streetgen.create_model('high', 32631, 3);
@@ -187,4 +204,5 @@ DO $$ BEGIN
   INSERT INTO high.section_limit_override (axis_id, abscissa, which) VALUES (1, 70, 'end');
 END $$;
 SELECT 'a limit in three dimensions', ST_AsText(geom) = 'POINT Z (70 0 7)' FROM high.section_limit WHERE method = 'by_hand';
-DO $$ BEGIN PERFORM streetgen.drop_model(m) FROM unnest('{town,crooked,high}'::name[]) m; END $$;
+DROP VIEW quarter;
+DO $$ BEGIN PERFORM streetgen.drop_model(m) FROM unnest('{town,crooked,high,through}'::name[]) m; END $$;

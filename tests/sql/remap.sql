@@ -42,6 +42,7 @@ SELECT 'as decided', pg_temp.decisions() = 'transition 1 end left (100 0); lane 
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 0)') \g /dev/null
 SELECT * FROM pg_temp.holds('the first half of a split leaves all as it was',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+SELECT 'check_model lists what fits nowhere: ' || r, EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = r AND rule NOT LIKE 'stale%') FROM unnest('{lane_override,section_limit_override,corner_override,interconnection_override,turn_restriction}'::text[]) r;
 UPDATE town.axis SET geom = ST_AddPoint(geom, pg_temp.place(200, 90)) WHERE axis_id = 4;
 SELECT * FROM pg_temp.holds('an axis elsewhere does not catch them',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
@@ -51,6 +52,9 @@ SELECT * FROM pg_temp.holds('nor does one that met the node before',
 SELECT pg_temp.draw(5, 'LINESTRING(50 0, 100 0)') \g /dev/null
 SELECT * FROM pg_temp.holds('the second half takes what lies on it',
   'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+SELECT 'and nothing more than before: ' || r, NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = r) FROM unnest('{lane_override,section_limit_override,corner_override,interconnection_override,turn_restriction}'::text[]) r;
+SELECT 'the streets have them', (SELECT count(*) = 1 FROM town.lane JOIN town.edge USING (edge_id) WHERE axis_id = 5 AND method = 'by_hand') AND (SELECT abs(width - 8) < 1e-6 FROM town.edge WHERE axis_id = 5);
+SELECT 'as generated from scratch', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town');
 
 -- Merge again: one extended, the other deleted, in either order.
 BEGIN;
@@ -84,6 +88,20 @@ SELECT * FROM pg_temp.holds('an axis turned round keeps its decisions on their s
 UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
 SELECT * FROM pg_temp.holds('turned again, as it was',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
+
+-- Two that change places.
+INSERT INTO town.transition_override (axis_id, which, length, geom) VALUES (1, 'start', 3, pg_temp.place(0, 0));
+INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width, geom) VALUES (1, 50, 1, 3, pg_temp.place(50, 0)), (1, 50, 2, 4, pg_temp.place(50, 0));
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'both ends of an axis turned round', array_agg(concat_ws(' ', which, length) ORDER BY which) = '{end 3,start 8}' FROM town.transition_override;
+SELECT 'and lanes side by side', array_agg(concat_ws(' ', ordinality, width) ORDER BY ordinality) = '{1 4,2 3}' FROM town.lane_override WHERE abscissa = 50;
+-- One that comes to where another is.
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+INSERT INTO town.transition_override (axis_id, which, length, geom) VALUES (2, 'end', 5, pg_temp.place(200, 0));
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 200 0)') \g /dev/null
+DELETE FROM town.axis WHERE axis_id = 2;
+SELECT 'a merge keeps both', array_agg(concat_ws(' ', axis_id, which, length) ORDER BY transition_override_id) = '{1 end 8,1 start 3,1 end 5}' FROM town.transition_override;
+CALL pg_temp.decide();
 
 -- Redraw: a detour before, then the whole street aside.
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 0 10, 50 0, 100 0)') \g /dev/null

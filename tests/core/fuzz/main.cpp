@@ -41,6 +41,7 @@ int main(int count_of_arguments, char** arguments) {
       continue;
     }
     failed += count_faults("town", seed, town_faults);
+    failed += count_faults("overrides", seed, override_faults);
     failed += count_faults("lanes", seed, lane_faults);
     failed += count_faults("interconnections", seed, interconnection_faults);
     failed += count_faults("primitives", seed, primitive_faults);
@@ -48,6 +49,6 @@ int main(int count_of_arguments, char** arguments) {
   }
   std::fprintf(stderr, "\n");
   std::printf("%llu checks, %d failed\n",
-              static_cast<unsigned long long>(tiling ? count : 5 * count), failed);
+              static_cast<unsigned long long>(tiling ? count : 6 * count), failed);
   return failed == 0 ? 0 : 1;
 }

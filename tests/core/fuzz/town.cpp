@@ -175,4 +175,20 @@ Town random_town(std::uint64_t seed) {
   return town;
 }
 
+StreetOverrides random_overrides(Random& random, const Streets& town) {
+  StreetOverrides overrides;
+  const auto& edges = town.network.edges;
+  for (const Edge& edge : edges)
+    for (const bool at_start : {true, false})
+      if (random.one_in(2))
+        overrides.limits.push_back(
+            {edge.axis_id, random.between(edge.start_abscissa, edge.end_abscissa), at_start});
+  for (const Corner& corner : town.corners)
+    if (random.one_in(2))
+      overrides.corners.push_back({town.network.nodes[corner.node].point,
+                                   edges[corner.edge_a].axis_id, edges[corner.edge_b].axis_id,
+                                   random.one_in(4) ? 0 : random.scaled(0.1, 200)});
+  return overrides;
+}
+
 }  // namespace streetgen::fuzz

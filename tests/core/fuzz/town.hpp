@@ -37,6 +37,9 @@ struct Town {
 // a node by about the tolerance, levels; at the origin, at 6.8e6 m or at 1e9 m.
 Town random_town(std::uint64_t seed);
 
+// About half of the limits and corners decided by hand, within their edges and beyond what fits.
+StreetOverrides random_overrides(Random& random, const Streets& town);
+
 // A crooked line of up to 40 points that starts at `from`.
 Line random_line(Random& random, const Point& from);
 

@@ -15,6 +15,9 @@ using Faults = std::vector<std::string>;
 // of the axes.
 Faults town_faults(std::uint64_t seed);
 
+// The same with limits and corners by hand; each edge's limits lie on it, in order.
+Faults override_faults(std::uint64_t seed);
+
 // Ground of one owner each, edges covered.  Not reached yet in every such town: docs/quality.md.
 Faults tiling_faults(std::uint64_t seed);
 
