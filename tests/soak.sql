@@ -33,8 +33,7 @@ BEGIN
       PERFORM set_config('soak.second_piece', ST_LineSubstring(a.geom, cut, 1)::text, false);
       UPDATE town.axis SET geom = ST_LineSubstring(a.geom, 0, cut) WHERE axis_id = a.axis_id;
     WHEN 12 THEN INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (a.axis_id, random() * ST_Length(a.geom), 1, 2 + 2 * random());
-    ELSE INSERT INTO town.transition_override (axis_id, which, kind, length) VALUES (a.axis_id, CASE WHEN random() < 0.5 THEN 'start' ELSE 'end' END, 'left', 20 * random())
-           ON CONFLICT (axis_id, which) DO UPDATE SET kind = 'right', length = excluded.length;
+    ELSE INSERT INTO town.transition_override (axis_id, which, kind, length) VALUES (a.axis_id, CASE WHEN random() < 0.5 THEN 'start' ELSE 'end' END, 'left', 20 * random());
   END CASE;
 END $$;
 
