@@ -10,11 +10,12 @@ BEGIN
     EXECUTE format($sql$
 WITH setting AS (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
 neighbour AS MATERIALIZED (
-    SELECT DISTINCT a.axis_id FROM setting CROSS JOIN _import_part p JOIN %1$I.axis a ON a.geom && ST_Expand(p.line, (v ->> 'tolerance')::float8)
+    SELECT DISTINCT ON (a.axis_id) a.geom FROM _import_part p CROSS JOIN LATERAL (
+        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT (v ->> 'tolerance')::float8 FROM setting)) OFFSET 0) a
     WHERE NOT EXISTS (SELECT FROM _import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
 line AS (
     SELECT p.ctid AS part, p.line AS geom FROM _import_part p
-    UNION ALL SELECT NULL, a.geom FROM neighbour JOIN %1$I.axis a USING (axis_id)),
+    UNION ALL SELECT NULL, geom FROM neighbour),
 point AS MATERIALIZED (
     SELECT part, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
     FROM line l, ST_DumpPoints(l.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
@@ -153,7 +154,7 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
+    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE NOT EXISTS (SELECT FROM spatial_ref_sys s WHERE s.srid = ST_SRID(i.geom)) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', coalesce(bad.source_ref, '?'), CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
@@ -199,6 +200,7 @@ BEGIN
         source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
     DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
+    ANALYZE _import_part (source_ref, line);
     SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref HAVING count(*) > 1 LIMIT 1;
     IF FOUND THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
