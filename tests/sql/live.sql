@@ -233,10 +233,26 @@ INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17
 DELETE FROM town.axis WHERE axis_id = 11;
 SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
   'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'')', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
+-- What stands in a session's temporary schema must not run with the owner's rights.
+CREATE TEMPORARY TABLE ran_as (who name);
+GRANT INSERT ON ran_as TO PUBLIC;
+CREATE FUNCTION pg_temp.spy(value anyelement) RETURNS anyelement LANGUAGE plpgsql AS $$ BEGIN INSERT INTO pg_temp.ran_as VALUES (current_user); RETURN value; END $$;
+CREATE FUNCTION pg_temp.holds(value double precision) RETURNS boolean LANGUAGE sql AS 'SELECT pg_temp.spy(true)';
+CREATE DOMAIN pg_temp.float8 AS double precision CHECK (pg_temp.holds(value));
+CREATE TEMPORARY VIEW pg_trigger AS SELECT oid, tgrelid, tgname, pg_temp.spy(tgenabled) AS tgenabled FROM pg_catalog.pg_trigger;
+GRANT SELECT ON pg_trigger TO PUBLIC;
+-- In a session that has not edited yet nothing is planned.
+DISCARD PLANS;
+UPDATE town.axis SET width = 8.6 WHERE axis_id = 4;
+INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17, 42, 1, 2.5);
+SELECT 'what an editor plants in the temporary schema does not run', count(*) = 0 FROM ran_as;
+DROP VIEW pg_trigger;
+DROP DOMAIN pg_temp.float8;
+UPDATE town.axis SET width = 8.5 WHERE axis_id = 4;
 RESET ROLE;
 SELECT 'what an editor does is followed', test.followed('town', 'once') AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
 SELECT 'functions in the schema are the owner''s, run with its rights and are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE')
-    AND 'search_path=pg_catalog, public' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
+    AND 'search_path=pg_catalog, public, pg_temp' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
   FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
 
 -- Replicas and restores.
@@ -292,8 +308,7 @@ SELECT 'and it goes on from nothing', test.followed('town', 'once');
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN
-  REVOKE ALL ON ALL TABLES IN SCHEMA town FROM streetgen_test_live;
-  REVOKE ALL ON SCHEMA town FROM streetgen_test_live;
+  DROP OWNED BY streetgen_test_live;
   DROP ROLE streetgen_test_live;
 END $$;
 DROP EXTENSION streetgen CASCADE;
