@@ -7,11 +7,26 @@ CREATE FUNCTION pg_temp.columns_of(model name) RETURNS SETOF text LANGUAGE sql A
 DO $$
 DECLARE
     known record;
+    part text;
     missing text;
 BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
-        EXECUTE format('DROP VIEW IF EXISTS %1$I.axis_used, %1$I.intersection_group, %1$I.conflict', known.name);
+        EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
+            FROM unnest(ARRAY['axis_used', 'intersection_group', 'conflict', 'override_place', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
+                              'corner_editing', 'kerb_point_editing', 'lane_editing', 'interconnection_editing']) v);
+        -- Of the model's own functions, those that go with the extension, and the triggers that call them or it.
+        FOR part IN
+            WITH called AS (SELECT d.objid AS oid, d.deptype FROM pg_depend d JOIN pg_extension e ON e.oid = d.refobjid
+                            WHERE d.classid = 'pg_proc'::regclass AND d.refclassid = 'pg_extension'::regclass AND e.extname = 'streetgen' AND d.deptype IN ('e', 'x'))
+            SELECT drop FROM (
+                SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid JOIN called ON called.oid = tgfoid
+                    WHERE relnamespace = quote_ident(known.name)::regnamespace AND NOT tgisinternal
+                UNION ALL SELECT 2, format('DROP FUNCTION %s', p.oid::regprocedure) FROM pg_proc p JOIN called USING (oid) WHERE deptype = 'x' AND pronamespace = quote_ident(known.name)::regnamespace) d
+            ORDER BY turn
+        LOOP
+            EXECUTE part;
+        END LOOP;
     END LOOP;
     DROP EXTENSION streetgen;
     CREATE EXTENSION streetgen;

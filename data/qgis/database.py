@@ -17,8 +17,8 @@ def literal(value):
 class Database:
     def __init__(self, connection):
         self.uri = QgsDataSourceUri(connection)
-        if self.uri.password():
-            raise Refused('the connection holds a password, which would be stored: leave it to ~/.pgpass or PGPASSWORD')
+        if self.uri.username() or self.uri.password():
+            raise Refused('the connection holds a user or a password, which would be stored: leave them to PGUSER, PGPASSWORD and ~/.pgpass')
         self.connection = QgsProviderRegistry.instance().providerMetadata('postgres').createConnection(self.uri.uri(False), {})
 
     def ask(self, sql):

@@ -7,11 +7,11 @@ each layer of the model, table qgis_projects of its schema a project of its name
 """
 import argparse
 import sys
-import urllib.parse
 
 from headless import qgis
 
 from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsReferencedRectangle, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
+from qgis.PyQt.QtCore import QUrl, QUrlQuery
 from qgis.PyQt.QtGui import QColor
 
 from database import Database, Refused, literal
@@ -91,11 +91,18 @@ def save_styles(database, model, vectors):
 
 
 def project_uri(database, model):
-    """Where the project of a model is, as QgsProject reads it."""
-    uri = database.uri
-    where = {'service': uri.service()} if uri.service() else {'dbname': uri.database()}
-    host = '' if uri.service() else f'{uri.host()}:{uri.port()}'
-    return f'postgresql://{host}?' + urllib.parse.urlencode({**where, 'schema': model, 'project': model})
+    """Where the project of a model is, as QGIS writes it."""
+    uri, url, query = database.uri, QUrl('postgresql:'), QUrlQuery()
+    if uri.service():
+        query.addQueryItem('service', uri.service())
+    else:
+        url.setHost(uri.host())
+        url.setPort(int(uri.port() or -1))
+        query.addQueryItem('dbname', uri.database())
+    query.addQueryItem('schema', model)
+    query.addQueryItem('project', model)
+    url.setQuery(query)
+    return url.toEncoded().data().decode()
 
 
 def save(connection, model):

@@ -1,6 +1,6 @@
 """Symbols and renderers of QGIS that the layers of a model share. Widths are metres of ground (unit MapUnit) or millimetres of map (MM)."""
 from qgis.core import (QgsFillSymbol, QgsLineSymbol, QgsMarkerLineSymbolLayer, QgsMarkerSymbol, QgsProperty, QgsRuleBasedRenderer,
-                       QgsSingleSymbolRenderer, QgsSymbolLayer, QgsTemplatedLineSymbolLayerBase, QgsUnitTypes)
+                       QgsSingleSymbolRenderer, QgsSymbolLayer, QgsTemplatedLineSymbolLayerBase)
 
 GROUND = '#e9e7df'
 ASPHALT = '#5b6068'
@@ -37,14 +37,13 @@ def point(shape, colour, size):
     return QgsMarkerSymbol.createSimple({'name': shape, 'color': colour, 'size': str(size), 'outline_color': '#ffffff', 'outline_width': '0.3'})
 
 
-def with_arrow(symbol, colour, size, angle='0', placement=QgsTemplatedLineSymbolLayerBase.CentralPoint, unit=QgsUnitTypes.RenderMillimeters):
-    """An arrow on the line, turned by an expression (degrees; NULL: none)."""
+def with_arrow(symbol, colour, size, angle='0'):
+    """An arrow in the middle of the line, turned by an expression (degrees; NULL: none)."""
     arrow = QgsMarkerSymbol.createSimple({'name': 'filled_arrowhead', 'color': colour, 'size': str(size), 'outline_style': 'no'})
-    arrow.setSizeUnit(unit)
     arrow.symbolLayer(0).setDataDefinedProperty(QgsSymbolLayer.PropertyAngle, QgsProperty.fromExpression(angle))
     arrow.symbolLayer(0).setDataDefinedProperty(QgsSymbolLayer.PropertyLayerEnabled, QgsProperty.fromExpression(f'({angle}) IS NOT NULL'))
     arrows = QgsMarkerLineSymbolLayer(True)
-    arrows.setPlacement(placement)
+    arrows.setPlacement(QgsTemplatedLineSymbolLayerBase.CentralPoint)
     arrows.setSubSymbol(arrow)
     symbol.appendSymbolLayer(arrows)
     return symbol

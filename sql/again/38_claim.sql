@@ -29,7 +29,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
 DECLARE

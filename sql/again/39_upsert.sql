@@ -292,7 +292,7 @@ BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
@@ -302,3 +302,19 @@ END $body$ $sql$, model, streetgen._upsert_statement(model, few => true));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- More axes than this are worth a plan of their own.
+    most_planned constant integer := 200;
+BEGIN
+    IF cardinality(written) > most_planned THEN
+        RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
+    ELSE
+        RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many.';

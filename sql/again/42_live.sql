@@ -27,7 +27,7 @@ BEGIN
         RETURN;
     END IF;
     claimed := streetgen._claim(model, changed, wait => true);
-    EXECUTE format('SELECT FROM %I._upsert($1, $2, $3)', model) USING claimed.written, claimed.gathered, claimed.changed;
+    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
     PERFORM pg_notify('qgis', model);
 END $$;
 COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS 'Brings the streets of a model up to date with axes that changed; tells QGIS.';
@@ -74,7 +74,7 @@ BEGIN
     -- In the model's schema and with its owner's rights: an editor writes axes and overrides, nothing else.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
@@ -84,7 +84,7 @@ BEGIN
 END $body$ $sql$, model, model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._follow_axis() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 DECLARE
     changed bigint[];
@@ -116,7 +116,7 @@ BEGIN
 END $body$ $sql$, model, model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 DECLARE
     changed jsonb[];

@@ -51,6 +51,19 @@ CREATE OR REPLACE FUNCTION streetgen._met(relation text, line geometry) RETURNS 
     AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line)) ELSE line END $$;
 COMMENT ON FUNCTION streetgen._met(text, geometry) IS 'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
 
+CREATE OR REPLACE FUNCTION streetgen._inside(line geometry, place geometry) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
+COMMENT ON FUNCTION streetgen._inside(geometry, geometry) IS 'Whether a place lies beside a line and not beyond its ends.';
+
+CREATE OR REPLACE FUNCTION streetgen._comes_by(relation text, before geometry, after geometry, place geometry, reach float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_DWithin(streetgen._met(relation, before), place, reach) IS NOT TRUE
+        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override') AND streetgen._inside(after, place) AND NOT streetgen._inside(before, place)
+    $$;
+COMMENT ON FUNCTION streetgen._comes_by(text, geometry, geometry, geometry, float8) IS 'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
+
 -- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is none.
 CREATE OR REPLACE FUNCTION streetgen._remap_places(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -71,16 +84,17 @@ moved AS MATERIALIZED (
         AND NOT EXISTS (SELECT FROM %1$I.override_place o WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
                         AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id AND ST_DWithin(a.geom, v.geom, o.reach)))
     ORDER BY relation, override_id, role),
--- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line over (3); its own, redrawn (4).
+-- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line over (3); its own, redrawn and
+-- neither cut back nor, for an end, made longer (4).
 heir AS (
     SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
-           CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL AND ST_DWithin(streetgen._met(p.relation, c.before), p.geom, p.reach) IS NOT TRUE THEN 2
+           CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL AND streetgen._comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
                 WHEN p.before IS NOT NULL AND p.line IS NULL AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value) THEN 3 END AS turn
     FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach) LEFT JOIN changed c ON c.axis_id = a.axis_id
     WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
     UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
-    WHERE NOT p.at_node AND NOT streetgen._cut_back(p.before, p.after, t.value)
-        AND (p.relation = 'transition_override' OR ST_LineLocatePoint(p.after, p.geom) > 0 AND ST_LineLocatePoint(p.after, p.geom) < 1)),
+    WHERE NOT p.at_node AND ST_DWithin(streetgen._met(p.relation, p.before), p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
+        AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._cut_back(p.after, p.before, t.value) ELSE streetgen._inside(p.after, p.geom) END),
 found AS MATERIALIZED (
     SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn, streetgen._turned(before, heir_line, geom) AS turned FROM (
         SELECT DISTINCT ON (relation, override_id, role) * FROM heir h

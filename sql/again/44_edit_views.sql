@@ -18,7 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('section_limit_editing', 'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge', 'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
-            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
+            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, l.geom
         FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what was decided by hand',
         ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, a place at the corner'],

@@ -16,7 +16,7 @@ BEGIN
     subject := format('section limit %s (%s of edge %s)', OLD.section_limit_id, OLD.which, OLD.edge_id);
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
+        EXECUTE format('DELETE FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND CASE $2 WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa <= $4 END', TG_TABLE_SCHEMA)
             USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN OLD.by_hand THEN OLD END;
     ELSIF NEW IS NOT DISTINCT FROM OLD THEN
@@ -37,7 +37,7 @@ BEGIN
     -- The end of an edge belongs to the next one.
     NEW.abscissa := least(edge.start_abscissa + NEW.abscissa, edge.end_abscissa - 1e-6);
     place := ST_LineInterpolatePoint(edge.axis, least(NEW.abscissa / ST_Length2D(edge.axis), 1));
-    EXECUTE format('SELECT max(section_limit_override_id) FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
+    EXECUTE format('SELECT max(section_limit_override_id) FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND CASE $2 WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa <= $4 END', TG_TABLE_SCHEMA)
         INTO known USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
     IF known IS NULL THEN
         EXECUTE format('INSERT INTO %I.section_limit_override (axis_id, abscissa, which, geom) VALUES ($1, $2, $3, $4)', TG_TABLE_SCHEMA) USING edge.axis_id, NEW.abscissa, OLD.which, place;

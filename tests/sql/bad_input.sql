@@ -60,7 +60,7 @@ SELECT 'a list of radii without elements is 22023', (test.refusal('SELECT street
 SELECT 'no axes make an empty intersection', ST_IsEmpty(streetgen.intersection_surface('{}'::geometry[], '{}', '{}'));
 
 -- Axes, written directly.
-SELECT streetgen.create_model('town', 2154) \g /dev/null
+SELECT streetgen.create_model('town', 2154), streetgen.live('town', false) \g /dev/null
 SELECT streetgen.create_model('hill', 2154, 3) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width, source, source_ref) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 'by hand', 'a'), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6, 'by hand', 'b');

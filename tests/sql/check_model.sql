@@ -1,7 +1,7 @@
 -- check_model and summary: silent on a sound model, and a row for each thing that was broken.  (name, holds)
 SET client_min_messages = warning;
 DO $$ BEGIN
-  PERFORM streetgen.create_model('checked', 2154);
+  PERFORM streetgen.create_model('checked', 2154), streetgen.live('checked', false);
   INSERT INTO checked.axis (geom, width, importance)
     SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 80 * i, 6860000 + 80 * j), ST_MakePoint(650000 + 80 * (i + di), 6860000 + 80 * (j + dj))), 2154), 5 + (i + j) % 5, 4
     FROM generate_series(0, 3) i, generate_series(0, 3) j, (VALUES (1, 0), (0, 1)) d(di, dj);

@@ -3,7 +3,7 @@ SET client_min_messages = warning;
 -- A crossing of four streets of a lane each way, the third with two.
 CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
-  PERFORM streetgen.create_model(model, 2154);
+  PERFORM streetgen.create_model(model, 2154), streetgen.live(model, false);
   EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width, lane_count, importance) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 3.5 * lanes, lanes, 4 FROM (VALUES
     (1, 'LINESTRING(-100 0,0 0)', 2), (2, 'LINESTRING(0 -100,0 0)', 2), (3, 'LINESTRING(0 0,100 0)', 4), (4, 'LINESTRING(0 0,0 100)', 2)) v(id, line, lanes)$q$, model);
 END $$;

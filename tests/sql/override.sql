@@ -180,6 +180,17 @@ SELECT 'it has no error', count(*) = 0 FROM streetgen.check_model('crooked') WHE
 DO $$ BEGIN DELETE FROM crooked.section_limit_override; DELETE FROM crooked.corner_override; DELETE FROM crooked.kerb_point_override; DELETE FROM crooked.lane_override; END $$;
 SELECT 'without its overrides it equals the one never decided upon', pg_temp.is_whole('crooked') AND NOT EXISTS (SELECT FROM crooked.lane WHERE method = 'by_hand');
 
+-- A limit far from its node: what happens there and at both ends of the edge is followed.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('far', 32631);
+  INSERT INTO far.axis (axis_id, geom, width, radius) VALUES (1, 'SRID=32631;LINESTRING(0 0,500 0)', 8, 5), (2, 'SRID=32631;LINESTRING(0 -80,0 0)', 8, 5), (3, 'SRID=32631;LINESTRING(0 0,-10 80)', 8, 5),
+    (4, 'SRID=32631;LINESTRING(350 30,420 6,470 30)', 6, 5), (5, 'SRID=32631;LINESTRING(500 0,560 40)', 8, 5), (6, 'SRID=32631;LINESTRING(500 0,560 -40)', 8, 5), (7, 'SRID=32631;LINESTRING(-300 0,0 0)', 8, 5);
+  INSERT INTO far.section_limit_override (axis_id, abscissa, which) VALUES (1, 440, 'start');
+END $$;
+CREATE FUNCTION pg_temp.is_followed(statement text) RETURNS TABLE (name text, holds boolean) LANGUAGE plpgsql AS $$ BEGIN EXECUTE statement; RETURN QUERY SELECT 'followed: ' || statement, pg_temp.is_whole('far'); END $$;
+SELECT f.* FROM unnest(ARRAY['UPDATE far.axis SET width = 12 WHERE axis_id = 4', 'UPDATE far.axis SET importance = 1 WHERE axis_id = 7', 'UPDATE far.axis SET width = 11 WHERE axis_id = 2',
+  'UPDATE far.section_limit_override SET abscissa = 495', 'UPDATE far.axis SET width = 10 WHERE axis_id = 5', 'DELETE FROM far.section_limit_override']) s, pg_temp.is_followed(s) f;
+
 -- Streets that go on beyond their crossing make two corners of one name: the edit view decides upon one of them.
 DO $$ BEGIN
   PERFORM streetgen.create_model('through', 32631);
@@ -205,4 +216,4 @@ DO $$ BEGIN
 END $$;
 SELECT 'a limit in three dimensions', ST_AsText(geom) = 'POINT Z (70 0 7)' FROM high.section_limit WHERE method = 'by_hand';
 DROP VIEW quarter;
-DO $$ BEGIN PERFORM streetgen.drop_model(m) FROM unnest('{town,crooked,high,through}'::name[]) m; END $$;
+DO $$ BEGIN PERFORM streetgen.drop_model(m) FROM unnest('{town,crooked,high,through,far}'::name[]) m; END $$;

@@ -100,7 +100,9 @@ UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
 INSERT INTO town.transition_override (axis_id, which, length, geom) VALUES (2, 'end', 5, pg_temp.place(200, 0));
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 200 0)') \g /dev/null
 DELETE FROM town.axis WHERE axis_id = 2;
-SELECT 'a merge keeps both', array_agg(concat_ws(' ', axis_id, which, length) ORDER BY transition_override_id) = '{1 end 8,1 start 3,1 end 5}' FROM town.transition_override;
+SELECT 'a merge keeps both', array_agg(concat_ws(' ', axis_id, which, length) ORDER BY transition_override_id) = '{1 end 8,1 start 3,1 end 5}' AND bool_and(ST_DWithin(geom, pg_temp.place(CASE length WHEN 8 THEN 100 WHEN 3 THEN 0 ELSE 200 END, 0), 1e-6)) FROM town.transition_override;
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'what fits nowhere stays when its axis changes', concat_ws(' ', which, pg_temp.at(geom)) = 'end (100 0)' FROM town.transition_override WHERE length = 8;
 CALL pg_temp.decide();
 
 -- Redraw: a detour before, then the whole street aside.

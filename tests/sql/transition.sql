@@ -3,7 +3,7 @@ SET client_min_messages = warning;
 -- East along y = 0 from 6 m to 10 m wide at x = 100; the wide street comes back west along its axis.
 CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
-  PERFORM streetgen.create_model(model, 32631);
+  PERFORM streetgen.create_model(model, 32631), streetgen.live(model, false);
   EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width) VALUES (1, 'SRID=32631;LINESTRING(0 0,100 0)', 6), (2, 'SRID=32631;LINESTRING(200 0,100 0)', 10),
     (3, 'SRID=32631;LINESTRING(0 0,0 90)', 6), (4, 'SRID=32631;LINESTRING(0 90,0 180)', 12)$q$, model);
 END $$;

@@ -32,13 +32,17 @@ $$;
 -- Fills another model with the settings, axes and overrides of a model, and generates it from scratch.
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
-  relation name;
+  -- Axes first: those that come by take overrides along.
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction') OR relname LIKE '%\_override')
+                         ORDER BY relname = 'axis' DESC);
+  input name;
 BEGIN
   PERFORM set_config('streetgen.live', 'off', true);
-  EXECUTE format('DELETE FROM %I.axis', anew);
-  FOR relation IN SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
-    EXECUTE format('DELETE FROM %I.%I', anew, relation);
-    EXECUTE format('INSERT INTO %2$I.%3$I SELECT * FROM %1$I.%3$I', model, anew, relation);
+  FOR i IN REVERSE cardinality(inputs) .. 1 LOOP
+    EXECUTE format('DELETE FROM %I.%I', anew, inputs[i]);
+  END LOOP;
+  FOREACH input IN ARRAY inputs LOOP
+    EXECUTE format('INSERT INTO %2$I.%3$I SELECT * FROM %1$I.%3$I', model, anew, input);
   END LOOP;
   PERFORM set_config('streetgen.live', '', true);
   EXECUTE format('SELECT FROM streetgen.generate(%L, ARRAY(SELECT axis_id FROM %I.axis), wait => true)', anew, anew);

@@ -1,0 +1,45 @@
+-- What tests/soak runs: a town of streets 80 m long, and one random edit of it.
+SELECT streetgen.create_model('town', 2154), streetgen.create_model('anew', 2154) \g /dev/null
+CREATE SCHEMA soak;
+
+-- BLOCKS by BLOCKS blocks.
+WITH place AS (SELECT x, y, ST_SetSRID(ST_Point(650000 + 80 * x + (x * 7 + y * 5) % 17, 6860000 + 80 * y + (x * 3 + y * 11) % 13), 2154) AS geom FROM generate_series(0, :blocks) x, generate_series(0, :blocks) y)
+INSERT INTO town.axis (geom, width, importance) SELECT ST_MakeLine(a.geom, b.geom), 4 + (a.x * 5 + a.y * 3) % 12, 2 + (a.x + a.y) % 4
+FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y;
+ANALYZE;
+
+CREATE FUNCTION soak.near(geom geometry, far float8) RETURNS geometry LANGUAGE sql VOLATILE
+  RETURN ST_Translate(geom, far * (2 * random() - 1), far * (2 * random() - 1));
+
+-- One statement that touches one axis; the second piece of a split is the session's next, as QGIS has it.
+CREATE FUNCTION soak.edit() RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  a town.axis;
+  fresh geometry := nullif(current_setting('soak.second_piece', true), '');
+  cut float8 := 0.2 + 0.6 * random();
+BEGIN
+  IF fresh IS NOT NULL THEN
+    PERFORM set_config('soak.second_piece', '', false);
+    INSERT INTO town.axis (geom, width) VALUES (fresh, 6);
+    RETURN;
+  END IF;
+  SELECT * INTO a FROM town.axis WHERE axis_id >= (SELECT min(axis_id) + floor(random() * (max(axis_id) - min(axis_id) + 1)) FROM town.axis) ORDER BY axis_id LIMIT 1;
+  CASE floor(random() * 14)
+    WHEN 0, 1, 2 THEN UPDATE town.axis SET geom = ST_SetPoint(geom, floor(random() * ST_NPoints(geom))::integer, soak.near(ST_StartPoint(geom), 40)) WHERE axis_id = a.axis_id;
+    WHEN 3, 4, 5 THEN UPDATE town.axis SET width = 3 + 15 * random() WHERE axis_id = a.axis_id;
+    WHEN 6, 7 THEN INSERT INTO town.axis (geom, width, level) VALUES (ST_MakeLine(ST_EndPoint(a.geom), soak.near(ST_EndPoint(a.geom), 90)), 4 + 8 * random(), (random() < 0.1)::integer);
+    WHEN 8, 9, 10 THEN DELETE FROM town.axis WHERE axis_id = a.axis_id;
+    WHEN 11 THEN
+      PERFORM set_config('soak.second_piece', ST_LineSubstring(a.geom, cut, 1)::text, false);
+      UPDATE town.axis SET geom = ST_LineSubstring(a.geom, 0, cut) WHERE axis_id = a.axis_id;
+    WHEN 12 THEN INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (a.axis_id, random() * ST_Length(a.geom), 1, 2 + 2 * random());
+    ELSE INSERT INTO town.transition_override (axis_id, which, kind, length) VALUES (a.axis_id, CASE WHEN random() < 0.5 THEN 'start' ELSE 'end' END, 'left', 20 * random());
+  END CASE;
+END $$;
+
+CREATE FUNCTION soak.edits(many integer) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  FOR i IN 1 .. many LOOP
+    PERFORM soak.edit();
+  END LOOP;
+END $$;
