@@ -219,7 +219,8 @@ WITH among AS MATERIALIZED (SELECT a.axis_id, a.source_ref, a.source_geom FROM %
 gone AS (
     DELETE FROM %1$I.axis a WHERE a.source = $1 AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) %2$s RETURNING a.source_ref, a.source_geom),
 -- Where a piece goes that was cut off by hand, the rest is taken whole again.
-rest AS (UPDATE %1$I.axis a SET source_geom = NULL FROM gone g WHERE a.source = $1 AND a.geom && g.source_geom AND a.source_geom::bytea = g.source_geom::bytea AND a.source_ref <> g.source_ref)
+rest AS (UPDATE %1$I.axis a SET source_geom = NULL FROM gone g WHERE a.source = $1 AND a.geom && g.source_geom AND a.source_geom::bytea = g.source_geom::bytea
+    AND EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref))
 SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model,
         CASE WHEN among IS NOT NULL THEN format($sql$ AND a.axis_id IN (
         SELECT axis_id FROM among

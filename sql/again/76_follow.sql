@@ -103,7 +103,7 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen.import_axes(model, source, mapping);
 END $$;
-COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS 'Imports a line table as import_axes does, then keeps the model in step with it by triggers: each statement that inserts, updates, deletes or truncates imports the rows concerned, and the streets follow. mapping as in import_axes; source_ref must name a column that tells the rows apart. Called again it takes the new mapping. Generate is due after it, once. Needs the rights of the owner of the model and TRIGGER and SELECT on the table (42501); a view, partition or table of a model: 42809; bad rows: 22023, here and in later statements on the table, which are refused then.';
+COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS 'Imports a line table as import_axes does, then keeps the model in step with it by triggers: each statement that inserts, updates, deletes or truncates imports the rows concerned, and the streets follow. mapping as in import_axes; source_ref must name a column that tells the rows apart. Called again it takes the new mapping. Generate is due after it, once. pg_dump keeps it, adopt_model does not bring it back. Needs the rights of the owner of the model and TRIGGER and SELECT on the table (42501); a view, partition or table of a model: 42809; bad rows: 22023, here and in later statements on the table, which are refused then.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
