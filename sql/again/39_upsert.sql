@@ -24,13 +24,20 @@ WITH setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM %1$
 used AS MATERIALIZED (SELECT * FROM %1$I.axis_used WHERE axis_id = ANY ($2)),
 -- What the changed axes met and what lay beside their ground before the change.
 former_node AS MATERIALIZED (SELECT DISTINCT node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) WHERE e.axis_id IN (SELECT unnest($3))),
+followed AS MATERIALIZED (
+    SELECT c.node_id FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_a = e.edge_id WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
+    UNION SELECT c.node_id FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_b = e.edge_id WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'),
+-- An edge that they cut, or meet no longer, gives up ground at its far node too: to those that had lost some.
+line AS MATERIALIZED (SELECT geom FROM used WHERE axis_id IN (SELECT unnest($3)) UNION ALL SELECT geom FROM %1$I.edge e WHERE e.axis_id IN (SELECT unnest($3))),
+met_edge AS MATERIALIZED (SELECT DISTINCT e.edge_id, e.from_node, e.to_node FROM setting CROSS JOIN line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * (v ->> 'tolerance')::float8)),
 ground AS MATERIALIZED (
-    SELECT surface FROM %1$I.edge e JOIN %1$I.section USING (edge_id) WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT surface FROM former_node JOIN %1$I.intersection USING (node_id)),
-beside AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) JOIN %1$I.edge e USING (edge_id)),
+    SELECT surface, true AS own FROM %1$I.edge e JOIN %1$I.section USING (edge_id) WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT surface, true FROM former_node JOIN %1$I.intersection USING (node_id)
+    UNION ALL SELECT surface, false FROM met_edge JOIN %1$I.section USING (edge_id)
+    UNION ALL SELECT surface, false FROM (SELECT from_node AS node_id FROM met_edge UNION SELECT to_node FROM met_edge UNION SELECT node_id FROM followed) n JOIN %1$I.intersection USING (node_id)),
+beside AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) AND (g.own OR s.contested_area > 0) JOIN %1$I.edge e USING (edge_id)),
 former_place AS (
-    SELECT n.geom, true AS met FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_a = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
-    UNION ALL SELECT n.geom, true FROM %1$I.edge e JOIN %1$I.corner c ON c.edge_b = e.edge_id JOIN %1$I.node n USING (node_id) WHERE e.axis_id IN (SELECT unnest($1)) AND c.method = 'followed'
-    UNION ALL SELECT n.geom, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) JOIN %1$I.node n USING (node_id)),
+    SELECT n.geom, true AS met FROM followed JOIN %1$I.node n USING (node_id)
+    UNION ALL SELECT n.geom, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) AND (g.own OR i.contested_area > 0) JOIN %1$I.node n USING (node_id)),
 result AS MATERIALIZED (
     SELECT s.* FROM setting, (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,

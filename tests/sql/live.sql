@@ -284,6 +284,16 @@ UPDATE high.axis SET geom = 'SRID=2154;LINESTRING Z(650100 6860000 20,650200 686
 SELECT 'heights are followed', array_agg(ST_Z(geom)::integer ORDER BY ST_X(geom)) = '{10,20,70}' FROM high.node;
 SELECT 'and nothing is left to do', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('high');
 
+-- Ground that a neighbour of what changes gives up: a street that lies beside the corner at its far node had lost some to it.
+SELECT streetgen.create_model('corner', 2154) \g /dev/null
+INSERT INTO corner.axis (axis_id, geom, width, importance, radius) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650020 6860000,650030 6860000)', 6, 2, 20), (2, 'SRID=2154;LINESTRING(650030 6860000,650030 6860100)', 6, 2, 20),
+  (3, 'SRID=2154;LINESTRING(650020 6860010.5,650020 6860040)', 14, 9, 0), (4, 'SRID=2154;LINESTRING(650000 6860000,649900 6860000)', 6, 2, 20);
+CREATE TEMPORARY VIEW lost AS SELECT contested_area AS area FROM corner.section JOIN corner.edge USING (edge_id) WHERE axis_id = 3;
+SELECT 'a wide corner takes ground of a street beside it', area > 1 FROM lost;
+INSERT INTO corner.axis (axis_id, geom, width, importance, radius) VALUES (9, 'SRID=2154;LINESTRING(650020 6860000,650020 6859900)', 6, 2, 20);
+SELECT 'which gets it back when the edge between is cut', area = 0 FROM lost;
+SELECT 'as one run gives it', test.followed('corner', 'once');
+
 -- TRUNCATE.
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (16, 41, 1, 2.5);
 BEGIN;
