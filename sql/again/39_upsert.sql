@@ -30,14 +30,20 @@ followed AS MATERIALIZED (
 -- An edge that they cut, or meet no longer, gives up ground at its far node too: to those that had lost some.
 line AS MATERIALIZED (SELECT geom FROM used WHERE axis_id IN (SELECT unnest($3)) UNION ALL SELECT geom FROM %1$I.edge e WHERE e.axis_id IN (SELECT unnest($3))),
 met_edge AS MATERIALIZED (SELECT DISTINCT e.edge_id, e.from_node, e.to_node FROM setting CROSS JOIN line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * (v ->> 'tolerance')::float8)),
+-- LIMIT: looked up by key, and not joined.
 ground AS MATERIALIZED (
-    SELECT surface, true AS own FROM %1$I.edge e JOIN %1$I.section USING (edge_id) WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT surface, true FROM former_node JOIN %1$I.intersection USING (node_id)
-    UNION ALL SELECT surface, false FROM met_edge JOIN %1$I.section USING (edge_id)
-    UNION ALL SELECT surface, false FROM (SELECT from_node AS node_id FROM met_edge UNION SELECT to_node FROM met_edge UNION SELECT node_id FROM followed) n JOIN %1$I.intersection USING (node_id)),
-beside AS MATERIALIZED (SELECT DISTINCT e.axis_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) AND (g.own OR s.contested_area > 0) JOIN %1$I.edge e USING (edge_id)),
+    SELECT surface, own FROM (SELECT edge_id, true AS own FROM %1$I.edge e WHERE e.axis_id IN (SELECT unnest($3)) UNION ALL SELECT edge_id, false FROM met_edge) e, LATERAL (SELECT surface FROM %1$I.section s WHERE s.edge_id = e.edge_id LIMIT 1) s
+    UNION ALL SELECT surface, own FROM (
+        SELECT node_id, bool_or(own) AS own FROM (SELECT node_id, true AS own FROM former_node UNION ALL SELECT from_node, false FROM met_edge UNION ALL SELECT to_node, false FROM met_edge UNION ALL SELECT node_id, false FROM followed) n
+        GROUP BY node_id) n, LATERAL (SELECT surface FROM %1$I.intersection i WHERE i.node_id = n.node_id LIMIT 1) i),
+beside AS MATERIALIZED (
+    SELECT DISTINCT e.axis_id FROM (SELECT DISTINCT s.edge_id FROM ground g JOIN %1$I.section s ON ST_DWithin(s.surface, g.surface, 1) AND (g.own OR s.contested_area > 0)) s,
+        LATERAL (SELECT e.axis_id FROM %1$I.edge e WHERE e.edge_id = s.edge_id LIMIT 1) e),
 former_place AS (
-    SELECT n.geom, true AS met FROM followed JOIN %1$I.node n USING (node_id)
-    UNION ALL SELECT n.geom, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) AND (g.own OR i.contested_area > 0) JOIN %1$I.node n USING (node_id)),
+    SELECT geom, bool_or(met) AS met FROM (
+        SELECT node_id, true AS met FROM followed
+        UNION ALL SELECT i.node_id, false FROM ground g JOIN %1$I.intersection i ON ST_DWithin(i.surface, g.surface, 1) AND (g.own OR i.contested_area > 0)) p,
+        LATERAL (SELECT geom FROM %1$I.node n WHERE n.node_id = p.node_id LIMIT 1) n GROUP BY p.node_id, geom),
 result AS MATERIALIZED (
     SELECT s.* FROM setting, (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
