@@ -2,6 +2,7 @@
 // StreetGen paper, sections 2.4 and 2.5; docs/geometry.md shows each step.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,6 +32,7 @@ struct StreetAxis {
   double speed = 50;     // km/h
   bool changed = true;   // false: as it was when the streets about it were computed
   bool beside = false;   // unchanged, but its roadway meets ground that changed axes left
+  bool outer = false;    // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -151,7 +153,8 @@ struct Roadway {
 struct FormerEdge {
   std::int64_t axis_id = 0;
   Line line;
-  bool crossed = false;  // its limits
+  // Of its limits, from start to end: wanted and settled abscissas, metres.
+  std::array<double, 4> limits{};
 };
 struct FormerPlace {
   Point point;

@@ -43,7 +43,7 @@ result AS MATERIALIZED (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($3) ORDER BY axis_id) AS changed, array_agg(axis_id IN (SELECT b.axis_id FROM beside b) ORDER BY axis_id) AS beside,
+               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($%8$s) ORDER BY axis_id) AS changed, array_agg(NOT axis_id = ANY ($1) ORDER BY axis_id) AS outer_axis, array_agg(axis_id IN (SELECT b.axis_id FROM beside b) ORDER BY axis_id) AS beside,
                array_agg(lanes_forward ORDER BY axis_id) AS lanes_forward, array_agg(lanes_backward ORDER BY axis_id) AS lanes_backward,
                array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
                array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
@@ -65,8 +65,10 @@ result AS MATERIALIZED (
                coalesce(array_agg(kind ORDER BY turn_restriction_id), '{}') AS kind, coalesce(array_agg(coalesce(turn, '') ORDER BY turn_restriction_id), '{}') AS turn
         FROM %1$I.turn_restriction WHERE from_axis = ANY ($2)) b, (
         SELECT coalesce(array_agg(ST_X(geom)), '{}') AS x, coalesce(array_agg(ST_Y(geom)), '{}') AS y, coalesce(array_agg(met), '{}') AS met FROM former_place) p, (
-        SELECT coalesce(array_agg(e.axis_id), '{}') AS axis_id, coalesce(array_agg(ST_Force2D(e.geom)::bytea), '{}') AS geom, coalesce(array_agg(s.method = 'crossed_limits'), '{}') AS crossed
-        FROM %1$I.edge e JOIN %1$I.section s USING (edge_id) WHERE e.axis_id IN (SELECT unnest($2) UNION SELECT unnest($3))) f,
+        SELECT coalesce(array_agg(e.axis_id), '{}') AS axis_id, coalesce(array_agg(ST_Force2D(e.geom)::bytea), '{}') AS geom, coalesce(array_agg(s.wanted_abscissa), '{}') AS wanted_start,
+               coalesce(array_agg(s.abscissa), '{}') AS start, coalesce(array_agg(t.wanted_abscissa), '{}') AS wanted_end, coalesce(array_agg(t.abscissa), '{}') AS "end"
+        FROM %1$I.edge e JOIN %1$I.section_limit s ON (s.edge_id, s.which) = (e.edge_id, 'start') JOIN %1$I.section_limit t ON (t.edge_id, t.which) = (e.edge_id, 'end')
+        WHERE e.axis_id IN (SELECT unnest($1))) f,
     LATERAL streetgen._streets(u.axis_id, u.geom, u.width, u.width_end, u.radius, u.importance, u.level, %2$s,
         (v ->> 'tolerance')::float8, v ->> 'crossing', (v ->> 'max_arc_distance')::float8, (v ->> 'radius_minimal')::float8,
         (v ->> 'transition_length')::float8, v ->> 'transition_kind', v ->> 'radius_rule', v ->> 'dead_end' = 'round', (v ->> 'max_hole_area')::float8,
@@ -74,12 +76,12 @@ result AS MATERIALIZED (
         u.lanes_forward, u.lanes_backward, u.kind_forward, u.kind_backward, u.lane_width_forward, u.lane_width_backward, u.turn_forward, u.turn_backward,
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
-        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.crossed, p.x, p.y, p.met,
-        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius) s
+        u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.wanted_start, f.start, f.wanted_end, f."end", p.x, p.y, p.met,
+        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius, u.outer_axis) s
     WHERE %7$s),
 -- The axes whose rows come out, and those that are gone.
 asked_axis AS MATERIALIZED (
-    SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),
+    SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($%8$s)),
 new_edge AS MATERIALIZED (
     SELECT row_index, start_b AS asked, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %3$s AS geom
     FROM result WHERE relation = 'edge' AND of_axis IN (SELECT axis_id FROM asked_axis)),
@@ -270,11 +272,13 @@ SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::b
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'),
         -- Between quotes.
         replace(quote_ident(model), '''', ''''''),
-        CASE WHEN few THEN 'relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')' ELSE 'true' END);
+        CASE WHEN few THEN 'relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')' ELSE 'true' END,
+        -- Of many nothing is asked that has not changed: it costs more than it saves.
+        CASE WHEN few THEN 3 ELSE 1 END);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(name, boolean) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. few: the planner is to expect few rows, by a condition that always holds. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
@@ -286,10 +290,10 @@ BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     -- Of the whole model every axis is asked.
     RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model, few => false), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model, few => false) END
-        USING written, gathered, changed;
+        USING written, gathered, '{}'::bigint[];
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what those changed can change.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or those written, with those gathered around them.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -309,3 +313,19 @@ END $body$ $sql$, model, streetgen._upsert_statement(model, few => true));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- More axes than this are worth a plan of their own.
+    most_planned constant integer := 400;
+BEGIN
+    IF cardinality(written) > most_planned THEN
+        RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered);
+    ELSE
+        RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many.';

@@ -5,8 +5,6 @@ CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT 
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- More axes than this are worth a plan of their own.
-    most_planned constant integer := 200;
     asked bigint[] := axes;
     claimed record;
     skipped_axes bigint := 0;
@@ -21,7 +19,7 @@ BEGIN
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
     IF axes IS NULL AND streetgen._enter(model, wait, alone => true) THEN
-        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL, NULL) u;
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL) u;
     ELSE
         IF asked IS NULL THEN
             -- Another session edits: go on axis by axis with the places that are free.
@@ -44,13 +42,8 @@ BEGIN
             skipped_axes := skipped_axes + cardinality(asked);
             SELECT '{}'::bigint[] AS changed, '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO claimed;
         END IF;
-        IF cardinality(claimed.written) > most_planned THEN
-            RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, u.hard
-                FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed) u;
-        ELSE
-            RETURN QUERY EXECUTE format($sql$SELECT relation, inserted, updated, deleted, unchanged, CASE WHEN relation = 'edge' THEN $4 ELSE 0 END, hard FROM %I._upsert($1, $2, $3)$sql$, model)
-                USING claimed.written, claimed.gathered, claimed.changed, skipped_axes;
-        END IF;
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, u.hard
+            FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed) u;
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
 EXCEPTION WHEN lock_not_available THEN

@@ -1,6 +1,6 @@
 -- From any line table to axes: the mapping, the cleaning, the upsert that follows the source.
 
-CREATE OR REPLACE FUNCTION streetgen._clean_axes(model name, axes bigint[]) RETURNS bigint
+CREATE OR REPLACE FUNCTION streetgen._clean_parts(model name, source text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -9,26 +9,33 @@ BEGIN
     -- A vertex that another axis has within the tolerance stays: a node may be there.
     EXECUTE format($sql$
 WITH setting AS (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
+neighbour AS MATERIALIZED (
+    SELECT DISTINCT ON (a.axis_id) a.geom FROM _import_part p CROSS JOIN LATERAL (
+        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT (v ->> 'tolerance')::float8 FROM setting)) OFFSET 0) a
+    WHERE NOT EXISTS (SELECT FROM _import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
+line AS (
+    SELECT p.ctid AS part, p.line AS geom FROM _import_part p
+    UNION ALL SELECT NULL, geom FROM neighbour),
 point AS MATERIALIZED (
-    SELECT axis_id, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
-    FROM %1$I.axis a, ST_DumpPoints(a.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
+    SELECT part, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y, t
+    FROM line l, ST_DumpPoints(l.geom) d, (SELECT (v ->> 'tolerance')::float8 AS t FROM setting) s),
 shared AS (
     -- A join by cell, which can be hashed: a lateral look at each neighbour is quadratic.
-    SELECT DISTINCT p.axis_id, p.i
-    FROM (SELECT p.*, p.x + dx AS near_x, p.y + dy AS near_y FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy WHERE p.axis_id = ANY ($1)) p
-    JOIN point q ON q.x = p.near_x AND q.y = p.near_y AND q.axis_id <> p.axis_id AND ST_DWithin(p.geom, q.geom, p.t)),
+    SELECT DISTINCT p.part, p.i
+    FROM (SELECT p.*, p.x + dx AS near_x, p.y + dy AS near_y FROM point p, generate_series(-1, 1) dx, generate_series(-1, 1) dy WHERE p.part IS NOT NULL) p
+    JOIN point q ON q.x = p.near_x AND q.y = p.near_y AND q.part IS DISTINCT FROM p.part AND ST_DWithin(p.geom, q.geom, p.t)),
 kept AS (
-    SELECT p.axis_id, array_agg(s.i IS NOT NULL ORDER BY p.i) AS keep
-    FROM point p LEFT JOIN shared s USING (axis_id, i) WHERE p.axis_id = ANY ($1) GROUP BY p.axis_id),
+    SELECT p.part, array_agg(s.i IS NOT NULL ORDER BY p.i) AS keep
+    FROM point p LEFT JOIN shared s USING (part, i) WHERE p.part IS NOT NULL GROUP BY p.part),
 cleaned AS (
-    SELECT a.axis_id, streetgen.clean(a.geom, k.keep, (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8) AS geom
-    FROM %1$I.axis a JOIN kept k USING (axis_id), setting WHERE ST_NPoints(a.geom) > 2)
-UPDATE %1$I.axis a SET geom = c.geom FROM cleaned c WHERE a.axis_id = c.axis_id AND a.geom::bytea <> c.geom::bytea
-$sql$, model) USING axes;
+    SELECT p.ctid AS part, streetgen.clean(p.line, k.keep, (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8) AS geom
+    FROM _import_part p JOIN kept k ON k.part = p.ctid, setting WHERE ST_NPoints(p.line) > 2)
+UPDATE _import_part p SET cleaned = c.geom FROM cleaned c WHERE p.ctid = c.part AND p.line::bytea <> c.geom::bytea
+$sql$, model) USING source;
     GET DIAGNOSTICS cleaned = ROW_COUNT;
     RETURN cleaned;
 END $$;
-COMMENT ON FUNCTION streetgen._clean_axes(name, bigint[]) IS 'Cleans axes by the filters of streetgen.clean, keeping every vertex that another axis shares; returns how many changed.';
+COMMENT ON FUNCTION streetgen._clean_parts(name, text) IS 'Cleans the parts of the import by the filters of streetgen.clean, keeping every vertex that another part shares, or an axis that stays; returns how many changed.';
 
 CREATE OR REPLACE FUNCTION streetgen._mend_heights() RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -100,8 +107,15 @@ EXCEPTION WHEN internal_error THEN
 END $$;
 COMMENT ON FUNCTION streetgen._suspects(name) IS 'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis within clean_epsilon of another axis of its level.';
 
-CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
-    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+CREATE OR REPLACE FUNCTION streetgen._refuse_twin(source_ref text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'source_ref % stands in more than one source row', source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_twin(text) IS 'Raises 22023 for a source_ref that two rows of a source have.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_rows(model name) RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -109,11 +123,7 @@ DECLARE
     flat boolean := (SELECT dimension = 2 FROM streetgen.model m WHERE m.name = model);
     missing record;
     bad record;
-    changed bigint[];
-    number bigint;
 BEGIN
-    PERFORM streetgen._check_settings(model);
-    EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
     -- Not every source knows of single lanes.
@@ -144,7 +154,7 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
+    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE NOT EXISTS (SELECT FROM spatial_ref_sys s WHERE s.srid = ST_SRID(i.geom)) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', coalesce(bad.source_ref, '?'), CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
@@ -185,46 +195,91 @@ BEGIN
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, d.geom AS line, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.source_ref, i.geom, target_srid)) d;
+        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.source_ref, i.geom, target_srid)) d;
     UPDATE _import_part SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
         source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
     DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
+    ANALYZE _import_part (source_ref, line);
     SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref HAVING count(*) > 1 LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source_ref % stands in more than one source row', bad.source_ref USING ERRCODE = '22023', HINT = 'Map a column that is unique, or leave source_ref out.';
+        PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
 
     PERFORM streetgen._check_scale('SELECT ''source row '' || coalesce(source_ref, ''?'') AS label, line AS geom FROM _import_part');
+END $$;
+COMMENT ON FUNCTION streetgen._take_rows(name) IS 'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._drop_vanished(model name, source text, among text[] DEFAULT NULL) RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
     RETURN QUERY EXECUTE format($sql$
-WITH gone AS (
-    DELETE FROM %1$I.axis a WHERE a.source = $1 AND EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL)
-        AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) RETURNING a.source_ref, a.source_geom),
+WITH among AS MATERIALIZED (SELECT a.axis_id, a.source_ref, a.source_geom FROM %1$I.axis a WHERE a.source = $1 AND a.source_ref = ANY ($2)),
+gone AS (
+    DELETE FROM %1$I.axis a WHERE a.source = $1 AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) %2$s RETURNING a.source_ref, a.source_geom),
 -- Where a piece goes that was cut off by hand, the rest is taken whole again.
-rest AS (UPDATE %1$I.axis a SET source_geom = NULL WHERE a.source = $1 AND a.source_geom::bytea IN (SELECT source_geom::bytea FROM gone))
-SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model) USING source;
+rest AS (UPDATE %1$I.axis a SET source_geom = NULL FROM gone g WHERE a.source = $1 AND a.geom && g.source_geom AND a.source_geom::bytea = g.source_geom::bytea
+    AND EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref))
+SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model,
+        CASE WHEN among IS NOT NULL THEN format($sql$ AND a.axis_id IN (
+        SELECT axis_id FROM among
+        UNION ALL SELECT p.axis_id FROM among w JOIN %1$I.axis p ON p.geom && w.source_geom AND p.source = $1 AND p.source_geom::bytea = w.source_geom::bytea
+            AND (p.source_ref IS NULL OR starts_with(p.source_ref, w.source_ref || '_'))) $sql$, model) END) USING source, among;
+END $$;
+COMMENT ON FUNCTION streetgen._drop_vanished(name, text, text[]) IS 'Deletes the axes of a source that no part of the import stands for: all, or those of some source_refs with the pieces that were cut off them by hand; reports them.';
+
+CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean boolean DEFAULT true) RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    number bigint;
+BEGIN
     EXECUTE format($sql$
-WITH upsert AS (
-    INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom)
-    SELECT line, width, width_end, lane_count, coalesce(direction, 'both'), speed, importance, name, coalesce(level, 0), class, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, $1, source_ref, line FROM _import_part ORDER BY source_ref
-    ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction,
-        speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom
-    WHERE (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
-        IS DISTINCT FROM (excluded.source_geom::bytea, excluded.width, excluded.width_end, excluded.lane_count, excluded.direction, excluded.speed, excluded.importance, excluded.name, excluded.level, excluded.kind, excluded.radius, excluded.lanes_forward, excluded.lanes_backward, excluded.kind_forward, excluded.kind_backward, excluded.lane_width_forward, excluded.lane_width_backward, excluded.turn_forward, excluded.turn_backward)
-    RETURNING axis_id)
-SELECT array_agg(axis_id) FROM upsert $sql$, model) INTO changed USING source;
-    RETURN QUERY SELECT 'new or changed', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[];
-    EXECUTE format('ANALYZE %I.axis', model);
+DELETE FROM _import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref
+    AND (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
+        IS NOT DISTINCT FROM (p.line::bytea, p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward) $sql$, model) USING source;
     IF clean THEN
-        number := streetgen._clean_axes(model, coalesce(changed, '{}'));
-        RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
+        number := streetgen._clean_parts(model, source);
     END IF;
+    EXECUTE format($sql$
+INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom)
+SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line FROM _import_part p ORDER BY p.source_ref
+ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom $sql$, model) USING source;
+    RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM _import_part;
+    RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
+END $$;
+COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS 'Upserts the parts of the import that are new or changed into axis, by source and source_ref, cleaned if asked to; reports how many.';
+
+CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    changed bigint;
+BEGIN
+    PERFORM streetgen._check_settings(model);
+    EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
+    RETURN QUERY SELECT * FROM streetgen._take_rows(model);
+    IF EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL) THEN
+        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
+    EXECUTE format('ANALYZE %I.axis', model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
+    changed := (SELECT count(*) FROM _import_part);
     DROP TABLE _import, _import_part, _import_class;
-    RETURN QUERY SELECT 'generate is due', NULL::text, coalesce(cardinality(changed), 0)::bigint, NULL::text[] WHERE changed IS NOT NULL;
+    RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. left_out says why a row is not wanted, unread names its values that mean nothing. Bad rows: 22023, and the model as it was.';
+
+CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM %I.axis_class', model);
+END $$;
+COMMENT ON FUNCTION streetgen._copy_classes(name) IS 'Copies the classes of a model to where the rows of the import are taken.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -232,13 +287,22 @@ CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
 BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._pause();
-    EXECUTE format('CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM %I.axis_class', model);
+    PERFORM streetgen._copy_classes(model);
 END $$;
-COMMENT ON FUNCTION streetgen._take_classes(name) IS 'Copies the classes of the model for the import of this transaction.';
+COMMENT ON FUNCTION streetgen._take_classes(name) IS 'Begins the import of this transaction: the streets wait for generate, the classes of the model are copied.';
 
-CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, mapping jsonb)
-    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._refuse_number(source_ref text, value text, column_name text, target text) RETURNS float8
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', coalesce(source_ref, '?'), value, column_name,
+        CASE WHEN target IN ('lane_count', 'importance', 'level', 'lanes_forward', 'lanes_backward') THEN 'whole number' ELSE 'number' END, target USING ERRCODE = '22023',
+        HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_number(text, text, text, text) IS 'Raises 22023 for a value of a source row that is no number, for a column of axis that takes one.';
+
+CREATE OR REPLACE FUNCTION streetgen._mapped(source regclass, mapping jsonb) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     target record;
@@ -248,10 +312,10 @@ DECLARE
     number_pattern constant text := '^\s*([-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?|nan|[-+]?inf(inity)?)\s*$';
     whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.\d*)?\s*$';
     pattern text;
-    bad record;
+    reference text;
+    expression text;
     expressions text[] := '{}';
 BEGIN
-    PERFORM streetgen._take_classes(model);
     IF jsonb_typeof(mapping) <> 'object' THEN
         RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023', HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
     END IF;
@@ -261,6 +325,7 @@ BEGIN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name USING ERRCODE = '22023',
             HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward or source_ref';
     END IF;
+    reference := CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' THEN format('%I::text', mapping ->> 'source_ref') ELSE 'NULL::text' END;
     FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
             ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'), ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'), ('source_ref', 'text')) t(name, type)
     LOOP
@@ -289,20 +354,23 @@ BEGIN
         IF target.type = 'geometry' AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = column_name AND atttypid = 'geometry'::regtype) THEN
             RAISE EXCEPTION 'column "%" of % is no geometry', column_name, source USING ERRCODE = '22023', HINT = 'Map "geom" to the column that holds the lines.';
         END IF;
+        expression := format(CASE target.type WHEN 'geometry' THEN '%I' WHEN 'text' THEN '%I::text' WHEN 'integer' THEN '%I::text::float8::integer' ELSE '%I::text::float8' END, column_name);
         IF pattern IS NOT NULL THEN
-            EXECUTE format('SELECT %s AS source_ref, %I::text AS value FROM %s WHERE %2$I::text !~* $1 LIMIT 1',
-                CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' AND EXISTS (SELECT FROM pg_attribute
-                         WHERE attrelid = source AND attname = mapping ->> 'source_ref' AND attnum > 0 AND NOT attisdropped)
-                     THEN format('%I::text', mapping ->> 'source_ref') ELSE '''?''::text' END, column_name, source) INTO bad USING pattern;
-            IF bad.value IS NOT NULL THEN
-                RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', bad.source_ref, bad.value, column_name,
-                    CASE target.type WHEN 'integer' THEN 'whole number' ELSE 'number' END, target.name USING ERRCODE = '22023',
-                    HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
-            END IF;
+            expression := format('CASE WHEN %1$I::text !~* %2$L THEN streetgen._refuse_number(%3$s, %1$I::text, %1$L, %4$L)::%5$s ELSE %6$s END',
+                column_name, pattern, reference, target.name, target.type, expression);
         END IF;
-        expressions := expressions || format(CASE target.type WHEN 'geometry' THEN '%1$I AS %2$I' WHEN 'text' THEN '%1$I::text AS %2$I' WHEN 'integer' THEN '%1$I::text::float8::integer AS %2$I' ELSE '%1$I::text::' || target.type || ' AS %2$I' END,
-            column_name, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
+        expressions := expressions || format('%s AS %I', expression, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s, NULL::text AS left_out, NULL::text[] AS unread FROM %s', array_to_string(expressions, ', '), source));
+    RETURN array_to_string(expressions, ', ') || ', NULL::text AS left_out, NULL::text[] AS unread';
+END $$;
+COMMENT ON FUNCTION streetgen._mapped(regclass, jsonb) IS 'The columns of the import from those of a source, as SQL, by a checked mapping; a number that is none is refused when it is read.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._take_classes(model);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source));
 END $$;
 COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class and what was not believed. A missing column: 42703; bad rows: 22023; then the model stays as it was.';

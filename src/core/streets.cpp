@@ -271,7 +271,18 @@ class Pipeline {
     }
   }
 
-  // The nodes at which something moved, or may have.
+  std::array<double, 4> limits_of(int e) const {
+    const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
+    return {start.wanted_abscissa, start.abscissa, end.wanted_abscissa, end.abscissa};
+  }
+
+  void mark_near(const Point& place, std::vector<bool>& nodes) const {
+    for (std::size_t n = 0; n < around_.size(); ++n)
+      if (distance(out_.network.nodes[n].point, place) <= 3 * settings_.tolerance) nodes[n] = true;
+  }
+
+  // The nodes at which an edge came, went or got another line; those at which only a limit moved
+  // are asked.
   std::vector<bool> met_nodes() {
     const auto& edges = out_.network.edges;
     const auto same = [](const Line& a, const Line& b) {
@@ -281,36 +292,33 @@ class Pipeline {
     std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
     for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
     std::vector<bool> met(around_.size());
-    for (const Edge& edge : edges) {
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const Edge& edge = edges[e];
+      if (axis_of(e).outer) continue;
       auto& lines = former[edge.axis_id];
       const auto kept = std::find_if(lines.begin(), lines.end(), [&](const FormerEdge* old) {
         return same(old->line, edge.line);
       });
-      if (kept != lines.end() && !axes_.at(edge.axis_id)->changed)
-        lines.erase(kept);
-      else
+      if (kept == lines.end() || axis_of(e).changed) {
         met[edge.from_node] = met[edge.to_node] = true;
+        continue;
+      }
+      const auto before = (*kept)->limits, now = limits_of(e);
+      lines.erase(kept);
+      if (before == now) continue;
+      // Lanes of crossed limits end at the other one's.
+      const bool crossed = before[1] >= before[3] || limits_crossed(out_, e);
+      if (crossed || before[0] != now[0] || before[1] != now[1])
+        out_.asked_nodes[edge.from_node] = true;
+      if (crossed || before[2] != now[2] || before[3] != now[3])
+        out_.asked_nodes[edge.to_node] = true;
+      out_.asked_edges[e] = true;
     }
-    const auto near = [&](const Point& place, std::vector<bool>& nodes) {
-      for (std::size_t n = 0; n < around_.size(); ++n)
-        if (distance(out_.network.nodes[n].point, place) <= 3 * settings_.tolerance)
-          nodes[n] = true;
-    };
     for (const auto& [axis_id, gone] : former)
       for (const FormerEdge* edge : gone)
-        for (const Point& end : {edge->line.front(), edge->line.back()}) near(end, met);
+        for (const Point& end : {edge->line.front(), edge->line.back()}) mark_near(end, met);
     for (const FormerPlace& place : former_.places)
-      near(place.point, place.met ? met : out_.asked_nodes);
-    for (const FormerEdge& edge : former_.edges) {
-      if (!edge.crossed) continue;
-      std::vector<bool> ends(around_.size());
-      near(edge.line.front(), ends);
-      near(edge.line.back(), ends);
-      bool moved = false;
-      for (std::size_t n = 0; n < ends.size(); ++n) moved = moved || (ends[n] && met[n]);
-      for (std::size_t n = 0; n < ends.size(); ++n)
-        if (moved && ends[n]) out_.asked_nodes[n] = true;
-    }
+      mark_near(place.point, place.met ? met : out_.asked_nodes);
     return met;
   }
 
@@ -319,19 +327,17 @@ class Pipeline {
     const auto& edges = out_.network.edges;
     out_.asked_edges.resize(edges.size());
     out_.asked_nodes.resize(around_.size());
-    const std::vector<bool> met = met_nodes();
-    std::vector<bool> concerned = met;
+    std::vector<bool> met = met_nodes();
+    const std::vector<bool> moved = met;
     for (std::size_t n = 0; n < around_.size(); ++n)
       for (const int node : around_[n].followed)
-        if (met[node]) concerned[n] = true;
+        if (moved[node]) met[n] = true;
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       const int from = edges[e].from_node, to = edges[e].to_node;
-      if (!concerned[from] && !concerned[to] && !axis_of(e).beside) continue;
-      out_.asked_edges[e] = true;
-      // The limits of an edge move together where they cross.
-      const bool both = !axis_of(e).beside && limits_crossed(out_, e);
+      if (axis_of(e).outer) continue;
+      if (met[from] || met[to] || axis_of(e).beside) out_.asked_edges[e] = true;
       for (const int node : {from, to})
-        if (both || concerned[node]) out_.asked_nodes[node] = true;
+        if (met[node]) out_.asked_nodes[node] = true;
     }
   }
 
@@ -423,13 +429,22 @@ class Pipeline {
     claim.axis_id = std::min(claim.axis_id, axis.axis_id);
   }
 
+  bool outer(int node) const {
+    const auto& ends = around_[node].ends;
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](const EdgeEnd& end) { return axis_of(end.edge).outer; });
+  }
+
   void ask(std::vector<Claim>& claims, int claim) {
     const int sections = static_cast<int>(out_.sections.size());
     claims[claim].wanted = true;
-    if (claim < sections)
-      out_.asked_edges[out_.sections[claim].edge] = true;
-    else
-      out_.asked_nodes[out_.intersections[claim - sections].node] = true;
+    if (claim < sections) {
+      const int edge = out_.sections[claim].edge;
+      if (!axis_of(edge).outer) out_.asked_edges[edge] = true;
+    } else {
+      const int node = out_.intersections[claim - sections].node;
+      if (!outer(node)) out_.asked_nodes[node] = true;
+    }
   }
 
   // What claims the same ground as they do.
@@ -437,8 +452,8 @@ class Pipeline {
     std::vector<bool> asked;
     for (const Claim& claim : claims) asked.push_back(claim.wanted);
     for (const auto& [i, j] : pairs) {
-      if (asked[i]) ask(claims, j);
-      if (asked[j]) ask(claims, i);
+      if (asked[i] && !asked[j]) ask(claims, j);
+      if (asked[j] && !asked[i]) ask(claims, i);
     }
   }
 

@@ -118,23 +118,25 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->beside = column(&axes, 54, "beside", BOOLOID);
   call->former_axis = column(&former_edges, 55, "former_axis", INT8OID);
   call->former_geom = bytes_column(&former_edges, 56, "former_geom");
-  call->former_crossed = column(&former_edges, 57, "former_crossed", BOOLOID);
+  for (int i = 0; i < 4; ++i)
+    call->former_limits[i] = column(&former_edges, 57 + i, "former_limits", FLOAT8OID);
   call->former_edge_count = former_edges.count;
-  call->former_x = column(&former_places, 58, "former_x", FLOAT8OID);
-  call->former_y = column(&former_places, 59, "former_y", FLOAT8OID);
-  call->former_met = column(&former_places, 60, "former_met", BOOLOID);
+  call->former_x = column(&former_places, 61, "former_x", FLOAT8OID);
+  call->former_y = column(&former_places, 62, "former_y", FLOAT8OID);
+  call->former_met = column(&former_places, 63, "former_met", BOOLOID);
   call->former_place_count = former_places.count;
-  call->override_line = bytes_column(&overrides, 61, "override_line");
-  call->limit_axis = column(&limits, 62, "limit_axis", INT8OID);
-  call->limit_abscissa = column(&limits, 63, "limit_abscissa", FLOAT8OID);
-  call->limit_which = column(&limits, 64, "limit_which", TEXTOID);
+  call->override_line = bytes_column(&overrides, 64, "override_line");
+  call->limit_axis = column(&limits, 65, "limit_axis", INT8OID);
+  call->limit_abscissa = column(&limits, 66, "limit_abscissa", FLOAT8OID);
+  call->limit_which = column(&limits, 67, "limit_which", TEXTOID);
   call->limit_count = limits.count;
-  call->corner_a = column(&corners, 65, "corner_a", INT8OID);
-  call->corner_b = column(&corners, 66, "corner_b", INT8OID);
-  call->corner_x = column(&corners, 67, "corner_x", FLOAT8OID);
-  call->corner_y = column(&corners, 68, "corner_y", FLOAT8OID);
-  call->corner_radius = column(&corners, 69, "corner_radius", FLOAT8OID);
+  call->corner_a = column(&corners, 68, "corner_a", INT8OID);
+  call->corner_b = column(&corners, 69, "corner_b", INT8OID);
+  call->corner_x = column(&corners, 70, "corner_x", FLOAT8OID);
+  call->corner_y = column(&corners, 71, "corner_y", FLOAT8OID);
+  call->corner_radius = column(&corners, 72, "corner_radius", FLOAT8OID);
   call->corner_count = corners.count;
+  call->outer = column(&axes, 73, "outer", BOOLOID);
 }
 
 }  // namespace streetgen::pg

@@ -30,9 +30,9 @@ struct StreetsCall {
   bool u_turn;
   const char *trajectory;
   double trajectory_tolerance, trajectory_radius;
-  Datum *changed, *beside;
+  Datum *changed, *beside, *outer;
   int former_edge_count, former_place_count;
-  Datum *former_axis, *former_geom, *former_crossed;
+  Datum *former_axis, *former_geom, *former_limits[4];
   Datum *former_x, *former_y, *former_met;
   int limit_count;
   Datum *limit_axis, *limit_abscissa, *limit_which;

@@ -72,6 +72,7 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.speed = in_range(DatumGetFloat8(call.speed[i]), 0, 1000, "speed" + of_axis);
     axis.changed = DatumGetBool(call.changed[i]);
     axis.beside = DatumGetBool(call.beside[i]);
+    axis.outer = DatumGetBool(call.outer[i]);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));
@@ -214,7 +215,10 @@ Former former_of(const StreetsCall& call) {
   for (int i = 0; i < call.former_edge_count; ++i)
     former.edges.push_back({DatumGetInt64(call.former_axis[i]),
                             read_line(bytes_of(call.former_geom[i]), "a former edge").line,
-                            DatumGetBool(call.former_crossed[i])});
+                            {DatumGetFloat8(call.former_limits[0][i]),
+                             DatumGetFloat8(call.former_limits[1][i]),
+                             DatumGetFloat8(call.former_limits[2][i]),
+                             DatumGetFloat8(call.former_limits[3][i])}});
   for (int i = 0; i < call.former_place_count; ++i)
     former.places.push_back({{finite(DatumGetFloat8(call.former_x[i]), "x of a former place"),
                               finite(DatumGetFloat8(call.former_y[i]), "y of a former place"), 0},

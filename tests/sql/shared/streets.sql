@@ -12,6 +12,6 @@ CREATE FUNCTION test.streets(given text) RETURNS text LANGUAGE sql AS $$
         ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
         ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
         ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3'),
-        ('changed', '''{t,t}'''), ('beside', '''{f,f}'''), ('former_axis', '''{7}'''), ('former_geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea]'), ('former_crossed', '''{f}'''), ('former_x', '''{}'''), ('former_y', '''{}'''), ('former_met', '''{}'''),
+        ('changed', '''{t,t}'''), ('beside', '''{f,f}'''), ('former_axis', '''{7}'''), ('former_geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea]'), ('former_wanted_start', '''{0}'''), ('former_start', '''{0}'''), ('former_wanted_end', '''{50}'''), ('former_end', '''{50}'''), ('former_x', '''{}'''), ('former_y', '''{}'''), ('former_met', '''{}'''),
         ('override_line', 'ARRAY[''LINESTRING(0 1,50 1)''::geometry::bytea]'), ('limit_axis', '''{7}'''), ('limit_abscissa', '''{9}'''), ('limit_which', '''{start}'''),
-        ('corner_a', '''{7}'''), ('corner_b', '''{8}'''), ('corner_x', '''{0}'''), ('corner_y', '''{0}'''), ('corner_radius', '''{4}''')) v(name, value) $$;
+        ('corner_a', '''{7}'''), ('corner_b', '''{8}'''), ('corner_x', '''{0}'''), ('corner_y', '''{0}'''), ('corner_radius', '''{4}'''), ('outer_axis', '''{f,f}''')) v(name, value) $$;

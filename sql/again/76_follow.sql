@@ -1,0 +1,122 @@
+-- A model in step with a user's own table: statement triggers on it import the rows concerned.
+
+CREATE OR REPLACE FUNCTION streetgen._follower(source text) RETURNS name
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ('_follow_' || md5(source))::name $$;
+COMMENT ON FUNCTION streetgen._follower(text) IS 'Name of the trigger function in the schema of a model that follows a source.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- A few rows among many.
+    SET jit = off SET enable_seqscan = off
+    AS $$
+DECLARE
+    among text[];
+    bad record;
+BEGIN
+    PERFORM streetgen._copy_classes(model);
+    PERFORM streetgen._take_rows(model);
+    -- A line of several parts was as many axes.
+    among := ARRAY(SELECT source_ref FROM _import_former UNION SELECT source_ref || '/' || nth FROM _import_former, generate_series(1, parts) nth WHERE parts > 1);
+    SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NULL LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023', HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
+    END IF;
+    EXECUTE format('SELECT p.source_ref FROM _import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
+    IF bad.source_ref IS NOT NULL THEN
+        PERFORM streetgen._refuse_twin(bad.source_ref);
+    END IF;
+    PERFORM streetgen._drop_vanished(model, source, among), streetgen._write_axes(model, source);
+    DROP TABLE _import, _import_part, _import_class, _import_former;
+END $$;
+COMMENT ON FUNCTION streetgen._import_change(name, text) IS 'Brings the axes of a source up to date with rows of it that changed: what they are in _import, what they were in _import_former.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_follower(model name, source regclass, mapping jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    follower constant name := streetgen._follower(source::text);
+    -- What rows are made of, as text: not every type can be compared.
+    was text;
+    is_now text;
+    event text;
+BEGIN
+    SELECT string_agg(format('o.%I::text', name), ', '), string_agg(format('n.%I::text', name), ', ') INTO was, is_now
+        FROM (SELECT value #>> '{}' AS name FROM jsonb_each(mapping) WHERE jsonb_typeof(value) = 'string' UNION SELECT coalesce(mapping ->> 'geom', 'geom')) c;
+    EXECUTE format('CREATE FUNCTION %I.%I() RETURNS trigger LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT AS %L', model, follower, format($body$
+#variable_conflict use_column
+BEGIN
+    IF TG_OP = 'TRUNCATE' THEN
+        DELETE FROM %1$I.axis WHERE source = %2$L;
+        RETURN NULL;
+    ELSIF TG_OP = 'INSERT' THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n;
+        CREATE TEMPORARY TABLE _import_former (source_ref text, parts integer) ON COMMIT DROP;
+    ELSIF TG_OP = 'DELETE' THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM old_row o WHERE false;
+        CREATE TEMPORARY TABLE _import_former ON COMMIT DROP AS SELECT %4$s FROM old_row o;
+    ELSIF EXISTS (SELECT FROM new_row n WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text))
+        OR EXISTS (SELECT FROM old_row o WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text)) THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text);
+        CREATE TEMPORARY TABLE _import_former ON COMMIT DROP AS SELECT %4$s FROM old_row o WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text);
+    ELSE
+        RETURN NULL;
+    END IF;
+    PERFORM streetgen._import_change(%1$L, %2$L);
+    RETURN NULL;
+END $body$, model, source, streetgen._mapped(source, mapping),
+        format('o.%I::text AS source_ref, coalesce(ST_NumGeometries(o.%I), 0) AS parts', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')), was, is_now));
+    PERFORM streetgen._own_function(model, format('%I()', follower), 'After an edit of ' || source || ': the axes follow');
+    FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete', 'truncate'] LOOP
+        EXECUTE format('CREATE TRIGGER %I AFTER %s ON %s %s FOR EACH STATEMENT EXECUTE FUNCTION %I.%I()', format('follow_%s_%s', event, model), event, source,
+            CASE event WHEN 'insert' THEN 'REFERENCING NEW TABLE AS new_row' WHEN 'update' THEN 'REFERENCING OLD TABLE AS old_row NEW TABLE AS new_row' WHEN 'delete' THEN 'REFERENCING OLD TABLE AS old_row' END, model, follower);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_follower(name, regclass, jsonb) IS 'Makes the trigger function in the schema of a model that follows a source, and its triggers.';
+
+CREATE OR REPLACE FUNCTION streetgen.follow(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+DECLARE
+    relation record;
+    nameless boolean;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    SELECT c.relkind, n.nspname IN (SELECT name FROM streetgen.model) AS derived, relispartition OR EXISTS (SELECT FROM pg_inherits WHERE inhrelid = c.oid OR inhparent = c.oid) AS shared
+        INTO relation FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace WHERE c.oid = source;
+    IF relation.relkind IS DISTINCT FROM 'r' OR relation.shared THEN
+        RAISE EXCEPTION '% cannot be followed: it is no table of its own', source USING ERRCODE = '42809', HINT = 'Follow the ordinary table that holds the rows; import_axes reads views and partitions too.';
+    ELSIF relation.derived THEN
+        RAISE EXCEPTION '% cannot be followed: it is a table of a model', source USING ERRCODE = '42809', HINT = 'Follow a table outside of the schemas of models.';
+    END IF;
+    PERFORM streetgen._mapped(source, mapping);
+    IF jsonb_typeof(mapping -> 'source_ref') IS DISTINCT FROM 'string' THEN
+        RAISE EXCEPTION 'the mapping names no column for source_ref' USING ERRCODE = '22023', HINT = 'Map it to the column that tells the rows apart, for example {"source_ref": "id"}.';
+    END IF;
+    EXECUTE format('DROP FUNCTION IF EXISTS %I.%I() CASCADE', model, streetgen._follower(source::text));
+    -- Before the import: from here on nobody else writes the source.
+    PERFORM streetgen._make_follower(model, source, mapping);
+    EXECUTE format('SELECT EXISTS (SELECT FROM %s WHERE %I IS NULL)', source, mapping ->> 'source_ref') INTO nameless;
+    IF nameless THEN
+        RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023', HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen.import_axes(model, source, mapping);
+END $$;
+COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS 'Imports a line table as import_axes does, then keeps the model in step with it by triggers: each statement that inserts, updates, deletes or truncates imports the rows concerned, and the streets follow. mapping as in import_axes; source_ref must name a column that tells the rows apart. Called again it takes the new mapping. Generate is due after it, once. pg_dump keeps it, adopt_model does not bring it back. Needs the rights of the owner of the model and TRIGGER and SELECT on the table (42501); a view, partition or table of a model: 42809; bad rows: 22023, here and in later statements on the table, which are refused then.';
+
+CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+DECLARE
+    follower regprocedure;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    SELECT p.oid INTO follower FROM pg_trigger t JOIN pg_proc p ON p.oid = t.tgfoid
+        WHERE t.tgrelid = source AND p.pronamespace = quote_ident(model)::regnamespace AND p.proname LIKE '\_follow\_%' LIMIT 1;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION 'model "%" does not follow %', model, source USING ERRCODE = '42704', HINT = format('SELECT * FROM streetgen.follow(%L, %L, …) makes it do so.', model, source);
+    END IF;
+    EXECUTE format('DROP FUNCTION %s CASCADE', follower);
+END $$;
+COMMENT ON FUNCTION streetgen.unfollow(name, regclass) IS 'Takes follow back: the triggers go, the axes stay. Needs the rights of the owner of the model (42501), not of the table; a table that is not followed: 42704.';
