@@ -174,6 +174,8 @@ DECLARE
     model_key constant integer := hashtext('streetgen.' || model);
     wanted integer[];
     missed integer[] := '{}';
+    -- Stale axes at places that others hold.
+    inside bigint[];
     reach record;
     cell integer;
 BEGIN
@@ -218,6 +220,12 @@ BEGIN
     IF missed <> '{}' THEN
         axes := streetgen._outside(model, axes, missed);
         reach := streetgen._reach_of(model, axes);
+        -- Stale axes lead on from one to the next, and may lead there.
+        inside := ARRAY(SELECT unnest(reach.asked) EXCEPT SELECT unnest(streetgen._outside(model, reach.asked, missed)));
+        IF inside <> '{}' THEN
+            axes := ARRAY(SELECT a FROM unnest(axes) a WHERE NOT (streetgen._reach_of(model, ARRAY[a])).asked && inside);
+            reach := streetgen._reach_of(model, axes);
+        END IF;
     END IF;
     asked := axes;
     changed := reach.asked;

@@ -44,8 +44,10 @@ BEGIN
         EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
             USING NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level;
     ELSE
-        EXECUTE format('UPDATE %I.axis SET axis_id = $2, geom = $3, width = $4, lane_count = $5, direction = $6, speed = $7, importance = $8, name = $9, level = $10 WHERE axis_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.axis_id, NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level;
+        -- What this edit leaves alone another session may be changing.
+        EXECUTE format('UPDATE %I.axis a SET %s WHERE axis_id = ($2).axis_id', TG_TABLE_SCHEMA,
+            (SELECT string_agg(format('%1$I = CASE WHEN ($1).%1$I IS DISTINCT FROM ($2).%1$I THEN ($1).%1$I ELSE a.%1$I END', attname), ', ') FROM pg_attribute WHERE attrelid = TG_RELID AND attnum > 0))
+            USING NEW, OLD;
         GET DIAGNOSTICS written = ROW_COUNT;
         IF written = 0 THEN
             RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
@@ -54,6 +56,15 @@ BEGIN
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_axis() IS 'Trigger of axis_editing: writes the axis. What the model would not take: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._enter_edit(model);
+    EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
+END $$;
+COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before their lines are read to be written anew: the model first, as every edit.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_vertex(line geometry, abscissas float8[], place geometry, tolerance float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -83,6 +94,7 @@ BEGIN
         RETURN NEW;
     END IF;
     PERFORM streetgen._check_edit_geometry('node ' || OLD.node_id, NEW.geom);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE %s IN (from_node, to_node)', TG_TABLE_SCHEMA, OLD.node_id));
     EXECUTE format($sql$
 SELECT array_agg(axis_id ORDER BY axis_id), array_agg(streetgen._with_vertex(geom, abscissas, $2, $3) ORDER BY axis_id)
 FROM %1$I.axis JOIN (
@@ -129,6 +141,7 @@ BEGIN
     END IF;
     subject := 'edge ' || OLD.edge_id;
     PERFORM streetgen._check_edit_line(subject, NEW.geom, tolerance);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('VALUES (%s)', OLD.axis_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
     EXECUTE format('SELECT streetgen._with_piece(geom, $2, $3, $4, $5) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO line
         USING edge.axis_id, edge.start_abscissa, edge.end_abscissa, NEW.geom, tolerance;
