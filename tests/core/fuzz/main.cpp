@@ -35,20 +35,25 @@ int main(int count_of_arguments, char** arguments) {
   const std::uint64_t first = std::strtoull(arguments[1], nullptr, 10),
                       count = std::strtoull(arguments[2], nullptr, 10);
   int failed = 0;
+  std::uint64_t checks = 0;
+  const auto check = [&](const char* what, std::uint64_t seed, auto faults_of) {
+    failed += count_faults(what, seed, faults_of);
+    ++checks;
+  };
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     if (tiling) {
-      failed += count_faults("tiling", seed, tiling_faults);
+      check("tiling", seed, tiling_faults);
       continue;
     }
-    failed += count_faults("town", seed, town_faults);
-    failed += count_faults("overrides", seed, override_faults);
-    failed += count_faults("lanes", seed, lane_faults);
-    failed += count_faults("interconnections", seed, interconnection_faults);
-    failed += count_faults("primitives", seed, primitive_faults);
-    failed += count_faults("door", seed, door_faults);
+    check("town", seed, town_faults);
+    // Four towns each: most of the time would go here.
+    if (seed % 4 == 0) check("overrides", seed, override_faults);
+    check("lanes", seed, lane_faults);
+    check("interconnections", seed, interconnection_faults);
+    check("primitives", seed, primitive_faults);
+    check("door", seed, door_faults);
   }
   std::fprintf(stderr, "\n");
-  std::printf("%llu checks, %d failed\n",
-              static_cast<unsigned long long>(tiling ? count : 6 * count), failed);
+  std::printf("%llu checks, %d failed\n", static_cast<unsigned long long>(checks), failed);
   return failed == 0 ? 0 : 1;
 }
