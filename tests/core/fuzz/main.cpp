@@ -46,7 +46,7 @@ int main(int count_of_arguments, char** arguments) {
       continue;
     }
     check("town", seed, town_faults);
-    // Four towns each: most of the time would go here.
+    // Four towns each.
     if (seed % 4 == 0) check("overrides", seed, override_faults);
     check("lanes", seed, lane_faults);
     check("interconnections", seed, interconnection_faults);
