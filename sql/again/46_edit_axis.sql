@@ -64,7 +64,7 @@ BEGIN
     PERFORM streetgen._enter_edit(model);
     EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
 END $$;
-COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before their lines are read to be written anew: the model first, as every edit.';
+COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before what an edit goes by is read, so that of two editors of one thing the second sees the first: the model first, as every edit.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_vertex(line geometry, abscissas float8[], place geometry, tolerance float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
