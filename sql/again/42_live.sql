@@ -92,6 +92,8 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     AS $body$
 BEGIN
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
+        -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+        LOCK TABLE %1$I.override_place IN ACCESS SHARE MODE;
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;
