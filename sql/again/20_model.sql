@@ -336,9 +336,21 @@ CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
 BEGIN
     PERFORM streetgen._check_owner(model);
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
-    PERFORM streetgen._forget_models();
+    PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
 END $$;
-COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A table of somebody else could run his trigger with the rights of the caller.
+    IF EXISTS (SELECT FROM pg_class c JOIN pg_roles r ON r.oid = relowner JOIN pg_attribute ON attrelid = c.oid WHERE c.oid = to_regclass('public.layer_styles') AND relkind = 'r'
+               AND (r.rolsuper OR r.rolname = current_user) AND has_table_privilege(c.oid, 'SELECT') AND has_table_privilege(c.oid, 'DELETE') AND attname = 'f_table_schema' AND NOT attisdropped) THEN
+        EXECUTE 'DELETE FROM public.layer_styles WHERE f_table_schema = $1' USING model;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._forget_styles(name) IS 'Deletes the styles of the layers of a model from the table that QGIS keeps them in.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp

@@ -162,6 +162,20 @@ SELECT 'tables that are no model are 3F000 and named', test.state($q$SELECT stre
 SELECT 'and are not registered', NOT EXISTS (SELECT FROM streetgen.model WHERE name = 'half');
 SELECT 'an unknown model is 3F000: ' || call, test.state('SELECT * FROM streetgen.' || call) = '3F000' FROM unnest(ARRAY['setting(''no such'')', 'summary(''no such'')', 'check_model(''no such'')', 'svg(''no such'')', 'adopt_model(''no such'')']) call;
 
+-- Styles that QGIS keeps for the layers of a model go with it; a table of somebody else is not touched.
+CREATE TABLE public.layer_styles (f_table_catalog name, f_table_schema name, f_table_name name, stylename text);
+INSERT INTO public.layer_styles SELECT current_database(), m, 'axis', 'axis' FROM unnest('{model_a,styled}'::name[]) m;
+SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled') \g /dev/null
+SELECT 'styles go with their model', array_agg(f_table_schema) = '{model_a}' FROM public.layer_styles;
+INSERT INTO public.layer_styles VALUES (current_database(), 'styled', 'axis', 'axis');
+ALTER TABLE public.layer_styles OWNER TO streetgen_test_reader;
+SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled') \g /dev/null
+SELECT 'but not from a table of somebody else', count(*) = 2 FROM public.layer_styles;
+DROP TABLE public.layer_styles;
+CREATE TABLE public.layer_styles (what text);
+SELECT 'nor from one that is something else', test.state($q$SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled')$q$) = 'none';
+DROP TABLE public.layer_styles;
+
 -- The extension goes and comes: tables stay, views come back with their comments and readers.
 DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
 CREATE TABLE before AS SELECT test.content('model_a') AS content;
