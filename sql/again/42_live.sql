@@ -120,7 +120,9 @@ BEGIN
         changed := ARRAY(SELECT axis_id FROM (SELECT o.axis_id FROM old_axis o LEFT JOIN new_axis n USING (axis_id) WHERE o IS DISTINCT FROM n
                                               UNION SELECT n.axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
     END IF;
-    IF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
+    IF changed = '{}' THEN
+        RETURN NULL;
+    ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
         PERFORM streetgen._drop_results(%2$L, changed);
     ELSIF live THEN
         IF TG_OP <> 'DELETE' THEN
