@@ -26,7 +26,7 @@ check_files() {
   for file in "$@"; do
     case $file in
       *.gpkg) ;;
-      *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} (layers: ${layers[*]})" ;;
+      *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
       *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each" ;;
     esac
     folder=$(dirname "$file")
