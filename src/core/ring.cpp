@@ -38,8 +38,10 @@ Point kerb_at_node(const Arm& arm, int side) {
   return kerb_line(arm.line, 0, 0, arm.half_start, arm.half_end, side).line.front();
 }
 
+// An arc that starts where a border line ends starts at that end.
 void append_corner(Ring& ring, const CornerArc& corner) {
-  ring.push_back(corner.arc.start);
+  if (ring.empty() || distance(ring.back(), corner.arc.start) > same_place)
+    ring.push_back(corner.arc.start);
   if (corner.radius > 0) {
     // Clockwise about its centre, but for the slight outside of a nearly straight pair.
     const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
@@ -299,6 +301,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     outline.reach(arms[i].border[0]);
     append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
   }
+  outline.reach(arms.front().border[1]);
   outline.ring = closed(std::move(outline.ring));
   std::vector<Line> borders;
   for (const Arm& arm : arms) borders.push_back(arm.border);

@@ -164,6 +164,16 @@ TEST(IntersectionRing, KeepsTheArcsTrue) {
     EXPECT_NEAR(distance(ring[i].arc.end, ring[(i + 1) % ring.size()].arc.start), 0, 1e-9);
 }
 
+// Corners of 3 m and half widths of 3 m: every arc starts or ends where a border line does, but for
+// what the angles lack to 90 degrees.
+TEST(IntersectionRing, IsOnePieceWhereArcsEndAtBorderLines) {
+  const Point node{6567398.268, 5575409.416, 0};
+  const std::vector<Line> axes = {{node, {6567382.343, 5575246.92, 0}},
+                                  {node, {6567405.124, 5575479.371, 0}},
+                                  {node, {6567199.767, 5575428.87, 0}}};
+  EXPECT_FALSE(intersection_ring(axes, {6, 6, 6}, {3, 3, 3}).empty());
+}
+
 TEST(IntersectionSurface, RefusesListsOfDifferentLength) {
   EXPECT_THROW(intersection_surface({ray(0, 5), ray(2, 5)}, {7}, {5, 5}), Error);
 }
