@@ -32,13 +32,15 @@ struct CityOptions {
   double length_ratio = 0.45;
   double length_drawn = 0.5;
   double spacing_ratio = 0.12;
-  double spacing_least = 180;
+  double spacing_least = 220;
+  double scatter = 0.7;
   double start_gap = 40;
   double right_angles = 0.8;
   double angle_least = 45;
   double clearance = 20;
   double node_gap = 15;
-  double transit = 8;
+  double transit = 6;
+  double fade = 0.9;
   double bend = 0;
   double roundabouts = 0;
   double roundabout_radius = 20;

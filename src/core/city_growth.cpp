@@ -66,35 +66,54 @@ class Growth {
     double last = 0;
     for (int place = 0; place < places; ++place) {
       Random random = Random::part(streets_[main].key, static_cast<std::uint64_t>(place));
-      const double abscissa = length * ((place + random.uniform()) / places);
-      const bool started = outgoing_road(main, abscissa, last, most, random);
-      if (started) last = abscissa;
+      const double in_place = 0.5 + options_.scatter * random.uniform(-0.5, 0.5);
+      const double abscissa = length * ((place + in_place) / places);
+      if (abscissa - last >= options_.start_gap && length - abscissa >= options_.start_gap &&
+          outgoing_road(main, abscissa, most, random))
+        last = abscissa;
     }
   }
 
-  bool outgoing_road(int main, double abscissa, double last, double most, Random& random) {
+  // To one side, or to the other where that is built up.
+  bool outgoing_road(int main, double abscissa, double most, Random& random) {
     const CityStreet& from = streets_[main];
-    if (abscissa - last < options_.start_gap || from.length() - abscissa < options_.start_gap)
-      return false;
     CityStreet street = street_of(main, from.level + 1, random.next());
     std::size_t piece = 1;
     while (from.abscissas[piece] < abscissa) ++piece;
     const Point along = portable::unit(from.line[piece] - from.line[piece - 1]);
     const Point start = portable::to_millimetre(from.line[piece - 1] +
                                                 along * (abscissa - from.abscissas[piece - 1]));
-    if (city_density(start, extent_, options_) <
-        random.uniform(options_.threshold[0], options_.threshold[1]))
-      return false;
+    const double threshold = random.uniform(options_.threshold[0], options_.threshold[1]);
     street.to_left = random.chance(0.5);
     const double angle = random.chance(options_.right_angles)
                              ? 90
                              : random.uniform(options_.angle_least, 180 - options_.angle_least);
     const double wanted = most * random.uniform(options_.length_drawn, 1);
-    if (ground_.occupied(start, street.width, main)) return false;
-    grow(street, start, portable::turned(along, street.to_left ? angle : -angle), wanted, random);
-    if (street.length() < options_.start_gap) return false;
-    add(std::move(street), abscissa);
-    return true;
+    if (city_density(start, extent_, options_) < threshold ||
+        ground_.occupied(start, street.width, main))
+      return false;
+    for (int side = 0; side < 2; ++side, street.to_left = !street.to_left) {
+      const Point direction = portable::turned(along, street.to_left ? angle : -angle);
+      const bool leaves =
+          leaving_ < options_.transit && wanted > to_border(start, direction) && random.chance(0.4);
+      grow(street, start, direction,
+           leaves ? wanted : inside_city(start, direction, wanted, options_.fade * threshold),
+           random);
+      if (street.length() < options_.start_gap) continue;
+      add(std::move(street), abscissa);
+      return true;
+    }
+    return false;
+  }
+
+  // Metres of a road until the density falls below `least`.
+  double inside_city(const Point& start, const Point& direction, double wanted,
+                     double least) const {
+    const double step = std::max(options_.start_gap, 1e-3 * longest(0));
+    double at = 0;
+    while (at < wanted && city_density(start + direction * at, extent_, options_) >= least)
+      at += step;
+    return std::min(at, wanted);
   }
 
   CityStreet street_of(int main, int level, std::uint64_t key) const {
@@ -111,6 +130,7 @@ class Growth {
             Random& random) {
     street.line = {start};
     street.abscissas = {0};
+    street.end = CityEnd::blind_alley;
     double turned = 0, turn = 0;
     while (street.end == CityEnd::blind_alley && street.length() + on_spot < wanted) {
       const double left = wanted - street.length();
@@ -136,6 +156,7 @@ class Growth {
     if (way.meets && join(street, from, from + direction * *way.meets, way.piece)) return false;
     const double free = way.meets || way.free < step ? std::min(way.free, step) : step;
     if (border <= free) {
+      if (street.length() + border < options_.start_gap) return false;
       if (street.main < 0 || leaving_ < options_.transit) {
         append(street, from + direction * border);
         street.end = CityEnd::border;
@@ -167,11 +188,13 @@ class Growth {
         nearest = &*node;
     if (nearest != nullptr) at = nearest->point;
     if (portable::distance(from, at) < on_spot ||
+        street.length() + portable::distance(from, at) < options_.start_gap ||
         !ground_.may_join(from, at, street.width, street.main))
       return false;
     if (nearest == nullptr) road.nodes.insert(after, {abscissa, at});
     append(street, at);
     street.end = CityEnd::road;
+    street.ends_on = across.street;
     return true;
   }
 

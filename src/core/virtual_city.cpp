@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "city_axes.hpp"
 #include "city_growth.hpp"
 #include "portable_math.hpp"
 #include "streetgen/error.hpp"
@@ -25,36 +26,6 @@ double city_density(const Point& at, const CityExtent& extent, const CityOptions
 }
 
 namespace {
-
-// The line of a street with a vertex at each of its nodes.
-Line noded_line(const CityStreet& street) {
-  Line line;
-  std::size_t bend = 0;
-  for (const CityNode& node : street.nodes) {
-    for (; bend < street.line.size() && street.abscissas[bend] < node.abscissa; ++bend)
-      line.push_back(street.line[bend]);
-    if (bend < street.line.size() && street.abscissas[bend] == node.abscissa) ++bend;
-    line.push_back(node.point);
-  }
-  return line;
-}
-
-std::string name_of(const CityStreet& street, std::size_t number) {
-  static const char* const kinds[] = {"Main Road", "Avenue", "Street", "Lane"};
-  return std::string(kinds[std::min(street.level, 3)]) + " " + std::to_string(number + 1);
-}
-
-CityAxis axis_of(const CityStreet& street, std::size_t number, const CityOptions& options) {
-  CityAxis axis;
-  axis.line = noded_line(street);
-  axis.level = street.level;
-  axis.width = street.width;
-  axis.lane_count = static_cast<int>(at_level(options.lanes, street.level));
-  axis.importance = std::min(street.level + 1, 5);
-  axis.speed = at_level(options.speed, street.level);
-  axis.name = name_of(street, number);
-  return axis;
-}
 
 void check(const CityExtent& extent, const CityOptions& options) {
   const double widest =
@@ -84,15 +55,77 @@ void check(const CityExtent& extent, const CityOptions& options) {
                 "Give two numbers for each centre, [[x, y], ...].");
 }
 
+std::vector<CityAxis> drawn(const CityExtent& extent, std::uint64_t seed,
+                            const CityOptions& options) {
+  check(extent, options);
+  std::vector<CityAxis> axes = street_axes(grown_streets(extent, seed, options), options);
+  make_roundabouts(axes, seed, options);
+  return axes;
+}
+
+// Scales the extent until it holds the wanted number of axes.
+class Fit {
+ public:
+  Fit(const CityExtent& extent, std::uint64_t seed, const CityOptions& options)
+      : extent_(extent), seed_(seed), options_(options) {}
+
+  std::vector<CityAxis> run() {
+    // Two levels fewer give a like city, from which the area for each axis is learnt soon.
+    int levels = 0;
+    while (options_.axes * shrunk(levels + 1) > few) ++levels;
+    for (; levels > 0; --levels) draw(shrunk(levels) * options_.axes);
+    for (int attempt = 0; drawn_ < most_drawn(); ++attempt) {
+      // A city of few axes leaps as it grows: places beside the expected one are tried too.
+      const double beside = 1 + 0.02 * (attempt / 4) * (attempt % 2 == 0 ? 1 : -1);
+      std::vector<CityAxis> axes = draw(options_.axes * beside);
+      if (std::fabs(static_cast<double>(axes.size()) - options_.axes) <= 0.05 * options_.axes)
+        return axes;
+    }
+    throw Error(
+        ErrorKind::invalid_input,
+        "no scale of the extent draws " + text_of(options_.axes) + " axes",
+        "The nearest found is " + text_of(nearest_) + "; ask for it, or take another seed.");
+  }
+
+ private:
+  static constexpr double few = 1000;
+  double most_drawn() const { return 8 * options_.axes + 40000; }
+
+  // Share of the area that a city of so many times two levels fewer has.
+  double shrunk(int times) const {
+    double share = 1;
+    for (int i = 0; i < 4 * times; ++i) share *= options_.length_ratio;
+    return share;
+  }
+
+  std::vector<CityAxis> draw(double wanted) {
+    const double scale = std::sqrt(wanted * area_ / (extent_.width * extent_.height));
+    CityExtent scaled = extent_;
+    scaled.width = std::round(extent_.width * scale * 1000) / 1000;
+    scaled.height = std::round(extent_.height * scale * 1000) / 1000;
+    std::vector<CityAxis> axes = drawn(scaled, seed_, options_);
+    const double count = static_cast<double>(axes.size());
+    if (std::fabs(count - options_.axes) < std::fabs(nearest_ - options_.axes)) nearest_ = count;
+    drawn_ += count + 1;
+    area_ = scaled.width * scaled.height / count;
+    return axes;
+  }
+
+  CityExtent extent_;
+  std::uint64_t seed_;
+  const CityOptions& options_;
+  double area_ = 1.4e5;  // m2 for each axis, as far as is known
+  double nearest_ = 0;
+  double drawn_ = 0;
+};
+
 }  // namespace
 
 std::vector<CityAxis> virtual_city(const CityExtent& extent, std::int64_t seed,
                                    const CityOptions& options) {
-  check(extent, options);
-  std::vector<CityAxis> axes;
-  const std::vector<CityStreet> streets =
-      grown_streets(extent, static_cast<std::uint64_t>(seed), options);
-  for (std::size_t i = 0; i < streets.size(); ++i) axes.push_back(axis_of(streets[i], i, options));
+  const auto key = static_cast<std::uint64_t>(seed);
+  std::vector<CityAxis> axes =
+      options.axes > 0 ? Fit(extent, key, options).run() : drawn(extent, key, options);
   const Point corner = portable::to_millimetre({extent.x, extent.y, 0});
   for (CityAxis& axis : axes)
     for (Point& p : axis.line) p = portable::to_millimetre(p + corner);
