@@ -215,11 +215,18 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
 }
 
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
-// the flat end of a wide arm reaches past its neighbours' axes, their kerbs hold.
+// the flat end of an arm reaches past its neighbours' axes, their kerbs hold; beyond a limit, the
+// section there.
 bool covers(const Ring& ring, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const auto held = [&](std::size_t arm, const Point& p) {
     if (inside(p, {ring})) return true;
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      const double abscissa = nearest_abscissa(p, arms[k].line);
+      if (k != arm && abscissa >= arms[k].limit &&
+          distance_to_line(p, arms[k].line) <= half_at(arms[k], abscissa))
+        return true;
+    }
     const std::size_t at = sector(arms, p);
     return at != arm && (at + 1) % arms.size() != arm;
   };
