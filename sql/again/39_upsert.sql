@@ -289,6 +289,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], g
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
     SET enable_nestloop = off
+    -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
+    SET application_name = 'streetgen: reading or writing rows'
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
