@@ -284,7 +284,7 @@ $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), repla
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(name, boolean) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. few: the planner is to expect few rows, by a condition that always holds. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], bare boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
@@ -294,14 +294,22 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], g
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
+    statement text := streetgen._upsert_statement(model, few => false);
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    -- Of the whole model every axis is asked.
-    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model, few => false), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model, few => false) END
+    IF written IS NULL THEN
+        -- Of the whole model every axis is asked.
+        statement := regexp_replace(statement, '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
+    END IF;
+    IF bare THEN
+        -- No row is there to meet.
+        statement := regexp_replace(statement, 'ON CONFLICT.*?RETURNING xmax = 0 AS fresh', 'RETURNING true AS fresh', 'g');
+    END IF;
+    RETURN QUERY EXECUTE statement
         USING written, gathered, '{}'::bigint[];
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or those written, with those gathered around them.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
