@@ -235,7 +235,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model), streetgen._make_edit_indexes(model, srid);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 
@@ -346,7 +346,6 @@ BEGIN
     PERFORM streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model);
     PERFORM streetgen._make_edit_log(model);
-    PERFORM streetgen._make_cluster_table(model);
     PERFORM streetgen._comment_model(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
@@ -404,7 +403,6 @@ BEGIN
     PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._make_edit_views(schema);
     PERFORM streetgen._make_edit_log(schema);
-    PERFORM streetgen._make_cluster_table(schema);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
     PERFORM streetgen._follow_again(schema);
