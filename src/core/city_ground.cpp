@@ -92,7 +92,7 @@ CityWay CityGround::way(const Point& from, const Point& to, double width, int ma
   const double length = portable::distance(from, to);
   const Point direction = portable::unit(to - from);
   const double reach = (width + widest_) / 2 + clearance_;
-  double free = length, meets = never, blocked = never;
+  double free = never, meets = never, blocked = never;
   int met = -1;
   const int steps = static_cast<int>(std::ceil(length / longest_box));
   struct Beside {
