@@ -150,7 +150,7 @@ class Growth {
     const double border = to_border(from, direction);
     const CityWay way = ground_.way(from, from + direction * std::min(border, step + further),
                                     street.width, street.main);
-    if (way.meets && (last || way.free < step) &&
+    if (way.meets && (last || way.free < step || *way.meets < step) &&
         join(street, from, from + direction * *way.meets, way.piece))
       return false;
     const double free = std::min(way.free, step);
@@ -237,7 +237,7 @@ class Growth {
   std::uint64_t key_;
   CityGround ground_;
   std::vector<CityStreet> streets_;
-  double leaving_ = 0;
+  double leaving_ = 1;  // ends on the border; the first road's start is one
 };
 
 }  // namespace

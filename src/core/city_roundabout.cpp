@@ -16,6 +16,8 @@ namespace {
 
 // The ring has a vertex each so many degrees, apart from those where its arms begin.
 constexpr double step = 15;
+// But none so near to an arm, m.
+constexpr double beside_arm = 2;
 // Of the ring, km/h.
 constexpr double ring_speed = 30;
 // A ring is wider than its lanes, m.
@@ -35,7 +37,8 @@ struct Vertex {
 };
 
 struct Arm {
-  Point direction;  // unit, away from the crossing
+  Point at;         // where it meets the ring
+  Point direction;  // unit, from the crossing to there
   double width;
 };
 
@@ -97,7 +100,8 @@ class Roundabouts {
         if (v.index + static_cast<std::size_t>(way) >= axis.line.size()) continue;
         // Room for a ring at the other end too.
         if (!free_of_nodes(v, way, 2 * radius + options_.node_gap)) return {};
-        arms.push_back({portable::unit(leaves_ring(v, way).point - centre), axis.width});
+        const Point at = leaves_ring(v, way).point;
+        arms.push_back({at, portable::unit(at - centre), axis.width});
       }
     }
     ring.width = ring.lane_count * options_.lane_width + wider;
@@ -157,31 +161,25 @@ class Roundabouts {
     });
   }
 
-  Point on_ring(const Point& centre, const Point& direction) const {
-    return portable::to_millimetre(centre + direction * options_.roundabout_radius);
-  }
-
   // Counter-clockwise, closed, from its first arm.
   Line ring_line(const Point& centre, const std::vector<Arm>& arms) const {
-    std::vector<Point> directions;
-    for (const Arm& arm : arms) directions.push_back(arm.direction);
-    for (double angle = -180; angle < 180; angle += step) {
-      const Point direction = portable::turned({1, 0, 0}, angle);
-      if (std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
-            return portable::distance(arm.direction, direction) > 0.1;
-          }))
-        directions.push_back(direction);
-    }
-    std::sort(directions.begin(), directions.end(), turns_before);
-    std::rotate(directions.begin(),
-                std::find_if(directions.begin(), directions.end(),
-                             [&](const Point& d) {
-                               return portable::distance(d, arms.front().direction) == 0;
-                             }),
-                directions.end());
     Line ring;
-    for (const Point& direction : directions) ring.push_back(on_ring(centre, direction));
-    ring.push_back(ring.front());
+    for (const Arm& arm : arms) ring.push_back(arm.at);
+    for (double degrees = -180; degrees < 180; degrees += step) {
+      const Point at = portable::to_millimetre(centre + portable::turned({1, 0, 0}, degrees) *
+                                                            options_.roundabout_radius);
+      if (std::all_of(arms.begin(), arms.end(),
+                      [&](const Arm& arm) { return portable::distance(arm.at, at) > beside_arm; }))
+        ring.push_back(at);
+    }
+    const Point first = arms.front().at;
+    std::sort(ring.begin(), ring.end(),
+              [&](const Point& a, const Point& b) { return turns_before(a - centre, b - centre); });
+    std::rotate(ring.begin(),
+                std::find_if(ring.begin(), ring.end(),
+                             [&](const Point& p) { return portable::distance(p, first) == 0; }),
+                ring.end());
+    ring.push_back(first);
     return ring;
   }
 
