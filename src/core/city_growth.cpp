@@ -17,6 +17,8 @@ constexpr double chord = 25;
 // It turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
 
+constexpr double same_side = 0.15;
+
 class Growth {
  public:
   Growth(const CityExtent& extent, std::uint64_t seed, const CityOptions& options)
@@ -64,18 +66,21 @@ class Growth {
     const double spacing = std::max(options_.spacing_least, options_.spacing_ratio * most);
     const int places = static_cast<int>(length / spacing);
     double last = 0;
+    // To the left and to the right in turn, now and then twice to one side.
+    bool to_left = Random(streets_[main].key).chance(0.5);
     for (int place = 0; place < places; ++place) {
       Random random = Random::part(streets_[main].key, static_cast<std::uint64_t>(place));
       const double in_place = 0.5 + options_.scatter * random.uniform(-0.5, 0.5);
       const double abscissa = length * ((place + in_place) / places);
       if (abscissa - last >= options_.start_gap && length - abscissa >= options_.start_gap &&
-          outgoing_road(main, abscissa, most, random))
+          outgoing_road(main, abscissa, most, to_left, random))
         last = abscissa;
+      to_left = to_left == random.chance(same_side);
     }
   }
 
   // To one side, or to the other where that is built up.
-  bool outgoing_road(int main, double abscissa, double most, Random& random) {
+  bool outgoing_road(int main, double abscissa, double most, bool to_left, Random& random) {
     const CityStreet& from = streets_[main];
     CityStreet street = street_of(main, from.level + 1, random.next());
     std::size_t piece = 1;
@@ -84,7 +89,7 @@ class Growth {
     const Point start = portable::to_millimetre(from.line[piece - 1] +
                                                 along * (abscissa - from.abscissas[piece - 1]));
     const double threshold = random.uniform(options_.threshold[0], options_.threshold[1]);
-    street.to_left = random.chance(0.5);
+    street.to_left = to_left;
     const double angle = random.chance(options_.right_angles)
                              ? 90
                              : random.uniform(options_.angle_least, 180 - options_.angle_least);

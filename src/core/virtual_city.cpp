@@ -145,7 +145,7 @@ class Fit {
   CityExtent extent_;
   std::uint64_t key_;
   const CityOptions& options_;
-  double area_each_ = 1.4e5;  // m2 for each axis, as far as is known
+  double area_each_ = 1.45e5;  // m2 for each axis, as far as is known
   double best_area_ = 0;      // of the nearest number so far
   double nearest_ = 0;
   double drawn_ = 0;
