@@ -19,7 +19,7 @@
 namespace streetgen {
 namespace {
 
-constexpr CityExtent town{0, 0, 8000, 5000};
+constexpr CityExtent town{0, 0, 5000, 3500};
 constexpr CityExtent paper{6560000, 5570000, 20000, 10000};
 
 double longest(const CityExtent& extent, const CityOptions& options, int level) {
@@ -56,7 +56,10 @@ std::vector<CityOptions> kinds() {
   wild.spacing_least = 60;
   wild.clearance = 10;
   wild.node_gap = 1;
-  return {CityOptions{}, bent, full, wild};
+  CityOptions rings = wild;
+  rings.bend = 20;
+  rings.roundabouts = 1;
+  return {CityOptions{}, bent, full, wild, rings};
 }
 
 Network network_of(const std::vector<CityAxis>& axes) {
@@ -133,11 +136,11 @@ TEST(VirtualCity, IsTheSameAgain) {
 
 TEST(VirtualCity, LiesOnWholeMillimetresInItsExtent) {
   for (const CityOptions& options : kinds())
-    for (const CityAxis& axis : virtual_city({500000.25, 100, 8000, 5000}, 3, options))
+    for (const CityAxis& axis : virtual_city({500000.25, 100, 5000, 3500}, 3, options))
       for (const Point& p : axis.line) {
         EXPECT_NEAR(p.x * 1000, std::round(p.x * 1000), 1e-5);
         EXPECT_NEAR(p.y * 1000, std::round(p.y * 1000), 1e-5);
-        EXPECT_TRUE(p.x >= 500000.25 && p.x <= 508000.25 && p.y >= 100 && p.y <= 5100);
+        EXPECT_TRUE(p.x >= 500000.25 && p.x <= 505000.25 && p.y >= 100 && p.y <= 3600);
       }
 }
 
