@@ -243,7 +243,7 @@ class Builder {
             trajectory({in.place - in.direction, in.place}, {out.place, out.place + out.direction},
                        streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
                        settings_.least_radius);
-        if (kerbs.crossed_by(path.line, movement.from, movement.to)) {
+        if (kerbs.stop(path.line, movement.from, movement.to)) {
           auto late = late_turn(to_node(from.in[i], in, from, movement.from),
                                 to_node(to.out[o], out, to, movement.to), settings_.rule,
                                 settings_.tolerance, kerbs);

@@ -26,6 +26,12 @@ bool cross_each_other(const Point& a, const Point& b, const Point& c, const Poin
   return cross(ab, c - a) * cross(ab, d - a) < 0 && cross(cd, a - c) * cross(cd, b - c) < 0;
 }
 
+// Of segments that do not cross: one's end is nearest to the other.
+bool nearer_than(double reach, const Point& a, const Point& b, const Point& c, const Point& d) {
+  return reach > 0 && (distance_to_segment(a, c, d) < reach || distance_to_segment(b, c, d) < reach ||
+                       distance_to_segment(c, a, b) < reach || distance_to_segment(d, a, b) < reach);
+}
+
 }  // namespace
 
 Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_lines) {
@@ -36,14 +42,17 @@ Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_l
                            border_along(ring[i - 1], ring[i], border_lines)});
 }
 
-bool Kerbs::crossed_by(const Line& path, int border_in, int border_out) const {
+bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearance) const {
   Box around;
   for (const Point& p : path) around.add(p);
   for (const Piece& piece : pieces_) {
     if (piece.border >= 0 && (piece.border == border_in || piece.border == border_out)) continue;
-    if (!piece.box.meets(around, 0)) continue;
+    const double apart = piece.border < 0 ? clearance : 0;
+    if (!piece.box.meets(around, apart)) continue;
     for (std::size_t i = 1; i < path.size(); ++i)
-      if (cross_each_other(path[i - 1], path[i], piece.start, piece.end)) return true;
+      if (cross_each_other(path[i - 1], path[i], piece.start, piece.end) ||
+          nearer_than(apart, path[i - 1], path[i], piece.start, piece.end))
+        return true;
   }
   return false;
 }

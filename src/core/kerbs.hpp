@@ -15,8 +15,9 @@ class Kerbs {
   // border_lines: two points each.
   Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_lines);
 
-  // Whether the path crosses a kerb, or a border line other than the two at these places in the list.
-  bool crossed_by(const Line& path, int border_in, int border_out) const;
+  // Whether the path crosses a kerb, or a border line other than the two at these places in the
+  // list, or comes nearer to a kerb than `clearance`.
+  bool stop(const Line& path, int border_in, int border_out, double clearance = 0) const;
 
  private:
   struct Piece {

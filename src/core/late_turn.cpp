@@ -10,7 +10,8 @@ namespace streetgen {
 
 namespace {
 
-constexpr int halvings = 7;  // of the range in which the tangents' length is sought
+constexpr double half_car = 0.9;  // metres
+constexpr int halvings = 7;       // of the range in which the tangents' length is sought
 
 // Both end where they first cross.
 void end_at_crossing(Line& in, Line& out) {
@@ -49,6 +50,7 @@ Trajectory turn_at(const LaneToNode& in, const LaneToNode& out, double reach, Tr
   const Line rest = reversed(kept(out.line));
   whole.insert(whole.end(), rest.begin(), rest.end());
   path.line = distinct(whole);
+  if (path.line.size() < 2) path.line.push_back(out.end.place);
   return path;
 }
 
@@ -72,17 +74,20 @@ Line lane_to_node(const Line& axis, double half_start, double half_end, double a
 std::optional<Trajectory> late_turn(LaneToNode in, LaneToNode out, TrajectoryRule rule,
                                     double tolerance, const Kerbs& kerbs) {
   end_at_crossing(in.line, out.line);
-  std::optional<Trajectory> widest;
-  double fits = 0, reach = std::max(length(in.line), length(out.line)), fails = reach;
-  for (int i = 0; i <= halvings; ++i) {
-    Trajectory path = turn_at(in, out, reach, rule, tolerance);
-    const bool crosses = kerbs.crossed_by(path.line, in.border, out.border);
-    (crosses ? fails : fits) = reach;
-    if (!crosses) widest = std::move(path);
-    if (fits == fails) break;
-    reach = (fits + fails) / 2;
+  for (const double clearance : {half_car, 0.0}) {
+    std::optional<Trajectory> widest;
+    double fits = 0, reach = std::max(length(in.line), length(out.line)), fails = reach;
+    for (int i = 0; i <= halvings; ++i) {
+      Trajectory path = turn_at(in, out, reach, rule, tolerance);
+      const bool stopped = kerbs.stop(path.line, in.border, out.border, clearance);
+      (stopped ? fails : fits) = reach;
+      if (!stopped) widest = std::move(path);
+      if (fits == fails) break;
+      reach = (fits + fails) / 2;
+    }
+    if (widest) return widest;
   }
-  return widest;
+  return std::nullopt;
 }
 
 }  // namespace streetgen

@@ -23,7 +23,8 @@ struct LaneToNode {
 };
 
 // The path leaves the lane in and comes upon the lane out as far from the place where they cross, or
-// reach the node, as the kerbs allow; tangent to both.  None where even a sharp turn crosses a kerb.
+// reach the node, as the kerbs allow; tangent to both.  It leaves room for a car beside it, or where
+// there is none only stays on the roadway.  None where even a sharp turn crosses a kerb.
 std::optional<Trajectory> late_turn(LaneToNode in, LaneToNode out, TrajectoryRule rule,
                                     double tolerance, const Kerbs& kerbs);
 
