@@ -352,6 +352,13 @@ class Choice {
                        [&](const Verdict& v) { return v.plausible && &v != besides; });
   }
 
+  // Whether the lane takes the movement, to whichever lane.
+  static bool takes(const Way& way, int in) {
+    for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+      if (at(way, in, o).plausible) return true;
+    return false;
+  }
+
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
   using Cost = std::tuple<bool, bool, bool, double>;
 
@@ -370,7 +377,8 @@ class Choice {
 
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
-    return {verdict.reason == Reason::turn_lanes, turns_back(way), tight(way, in, out),
+    return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
+            tight(way, in, out),
             std::abs(way.angle) + importance_weight * astray(way, in, out)};
   }
 
