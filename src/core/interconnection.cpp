@@ -103,8 +103,7 @@ class Builder {
     const Line& axis = streets_.network.edges[lane.edge].line;
     const Roadway& roadway = streets_.roadways[lane.edge];
     const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
-    const double share =
-        lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
+    const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
     const Point along = place_at(axis, end_abscissa(lane, at_front)).direction;
     const Point direction = unit(along + left_normal(along) * (share * widening));
     const Line line = distinct(planar(lane.line));

@@ -28,8 +28,9 @@ bool cross_each_other(const Point& a, const Point& b, const Point& c, const Poin
 
 // Of segments that do not cross: one's end is nearest to the other.
 bool nearer_than(double reach, const Point& a, const Point& b, const Point& c, const Point& d) {
-  return reach > 0 && (distance_to_segment(a, c, d) < reach || distance_to_segment(b, c, d) < reach ||
-                       distance_to_segment(c, a, b) < reach || distance_to_segment(d, a, b) < reach);
+  return reach > 0 && box_of(a, b).meets(box_of(c, d), reach) &&
+         (distance_to_segment(a, c, d) < reach || distance_to_segment(b, c, d) < reach ||
+          distance_to_segment(c, a, b) < reach || distance_to_segment(d, a, b) < reach);
 }
 
 }  // namespace
@@ -49,10 +50,12 @@ bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearan
     if (piece.border >= 0 && (piece.border == border_in || piece.border == border_out)) continue;
     const double apart = piece.border < 0 ? clearance : 0;
     if (!piece.box.meets(around, apart)) continue;
-    for (std::size_t i = 1; i < path.size(); ++i)
-      if (cross_each_other(path[i - 1], path[i], piece.start, piece.end) ||
-          nearer_than(apart, path[i - 1], path[i], piece.start, piece.end))
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Point &from = path[i - 1], &to = path[i];
+      if (cross_each_other(from, to, piece.start, piece.end) ||
+          nearer_than(apart, from, to, piece.start, piece.end))
         return true;
+    }
   }
   return false;
 }

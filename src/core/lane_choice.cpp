@@ -378,8 +378,7 @@ class Choice {
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
     return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            tight(way, in, out),
-            std::abs(way.angle) + importance_weight * astray(way, in, out)};
+            tight(way, in, out), std::abs(way.angle) + importance_weight * astray(way, in, out)};
   }
 
   static bool may(const Way& way, const LaneEnd& in, const LaneEnd& out) {

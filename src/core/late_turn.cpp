@@ -1,6 +1,7 @@
 #include "late_turn.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "offset.hpp"
@@ -11,7 +12,7 @@ namespace streetgen {
 namespace {
 
 constexpr double half_car = 0.9;  // metres
-constexpr int halvings = 7;       // of the range in which the tangents' length is sought
+constexpr int halvings = 7;       // from the longest tangents to those of a sharp turn
 
 // Both end where they first cross.
 void end_at_crossing(Line& in, Line& out) {
@@ -38,7 +39,7 @@ LaneEnd parting(const LaneToNode& lane, double reach) {
 }
 
 Trajectory turn_at(const LaneToNode& in, const LaneToNode& out, double reach, TrajectoryRule rule,
-                double tolerance) {
+                   double tolerance) {
   const LaneEnd start = parting(in, reach), end = parting(out, reach);
   Trajectory path = tangent_trajectory({start.place - start.direction, start.place},
                                        {end.place, end.place - end.direction}, rule, tolerance);
@@ -62,9 +63,8 @@ Line lane_to_node(const Line& axis, double half_start, double half_end, double a
   const Point foot = place_at(axis, abscissa).point;
   const double half = half_start + (half_end - half_start) * (abscissa / total);
   const double share = dot(place - foot, left_normal(local_direction(axis, abscissa))) / half;
-  Line line = to_start
-                  ? offset_line(axis, 0, abscissa, share * half_start, share * half_end)
-                  : offset_line(axis, abscissa, total, share * half_start, share * half_end);
+  Line line = to_start ? offset_line(axis, 0, abscissa, share * half_start, share * half_end)
+                       : offset_line(axis, abscissa, total, share * half_start, share * half_end);
   if (to_start) line = reversed(std::move(line));
   line.front() = place;
   if (line.size() < 2) line.push_back(place);
@@ -74,20 +74,24 @@ Line lane_to_node(const Line& axis, double half_start, double half_end, double a
 std::optional<Trajectory> late_turn(LaneToNode in, LaneToNode out, TrajectoryRule rule,
                                     double tolerance, const Kerbs& kerbs) {
   end_at_crossing(in.line, out.line);
-  for (const double clearance : {half_car, 0.0}) {
-    std::optional<Trajectory> widest;
-    double fits = 0, reach = std::max(length(in.line), length(out.line)), fails = reach;
-    for (int i = 0; i <= halvings; ++i) {
-      Trajectory path = turn_at(in, out, reach, rule, tolerance);
-      const bool stopped = kerbs.stop(path.line, in.border, out.border, clearance);
-      (stopped ? fails : fits) = reach;
-      if (!stopped) widest = std::move(path);
-      if (fits == fails) break;
-      reach = (fits + fails) / 2;
+  const auto clear = [&](const Trajectory& path, double clearance) {
+    return !kerbs.stop(path.line, in.border, out.border, clearance);
+  };
+  const double most = std::max(length(in.line), length(out.line));
+  double fits = std::ldexp(most, -halvings), fails = most;
+  Trajectory widest = turn_at(in, out, fits, rule, tolerance);
+  if (!clear(widest, 0)) return std::nullopt;
+  const double clearance = clear(widest, half_car) ? half_car : 0;
+  for (double reach = most; fails - fits > fits / 8; reach = (fits + fails) / 2) {
+    Trajectory path = turn_at(in, out, reach, rule, tolerance);
+    if (clear(path, clearance)) {
+      widest = std::move(path);
+      fits = reach;
+    } else {
+      fails = reach;
     }
-    if (widest) return widest;
   }
-  return std::nullopt;
+  return widest;
 }
 
 }  // namespace streetgen

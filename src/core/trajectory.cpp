@@ -33,7 +33,8 @@ struct Passage {
     return {cross(chord, end_direction) / sine, cross(start_direction, chord) / sine};
   }
 
-  // Of the tangents, where it lies ahead of the start and behind the end, and the way does not turn back.
+  // Of the tangents, where it lies ahead of the start and behind the end, and the way does not turn
+  // back.
   std::optional<Point> crossing_ahead() const {
     const auto [ahead, behind] = reach();
     const double cosine = dot(start_direction, end_direction);
