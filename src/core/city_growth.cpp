@@ -7,6 +7,7 @@
 #include "portable_math.hpp"
 #include "random.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/error.hpp"
 
 namespace streetgen {
 
@@ -17,6 +18,8 @@ constexpr double chord = 25;
 // It turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
 
+// More would not fit into the memory of most machines.
+constexpr std::size_t most_streets = 6000000, most_pieces = 20000000;
 constexpr double same_side = 0.15;
 
 class Growth {
@@ -230,6 +233,10 @@ class Growth {
           [](const CityNode& node, double value) { return node.abscissa < value; });
       nodes.insert(after, {abscissa_of_start, street.line.front()});
     }
+    if (streets_.size() == most_streets || ground_.pieces() > most_pieces)
+      throw Error(ErrorKind::invalid_input,
+                  "the city has more than 6000000 streets or 20000000 bends",
+                  "Make its extent smaller, or spacing_least and clearance greater.");
     ground_.add(static_cast<int>(streets_.size()), street);
     streets_.push_back(std::move(street));
   }
