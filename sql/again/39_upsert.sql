@@ -279,22 +279,31 @@ $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), repla
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
     SET enable_nestloop = off
+    -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
+    SET application_name = 'streetgen: reading or writing rows'
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
+    statement text := streetgen._upsert_statement(model);
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    -- Of the whole model every axis is asked.
-    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model) END
-        USING written, gathered, changed;
+    IF written IS NULL THEN
+        -- Of the whole model every axis is asked.
+        statement := regexp_replace(statement, '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
+    END IF;
+    IF bare THEN
+        -- No row is there to meet.
+        statement := regexp_replace(statement, 'ON CONFLICT.*?RETURNING xmax = 0 AS fresh', 'RETURNING true AS fresh', 'g');
+    END IF;
+    RETURN QUERY EXECUTE statement USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -321,9 +330,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], 
     AS $$
 DECLARE
     -- More axes than this are worth a plan of their own.
-    most_planned constant integer := 4000;
+    most_planned constant integer := 400;
 BEGIN
-    IF cardinality(written) > most_planned THEN
+    IF cardinality(changed) > most_planned THEN
         RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
     ELSE
         RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;

@@ -262,4 +262,4 @@ BEGIN
         AND l.classid = (hashtext('streetgen.' || activity.model)::bigint & 4294967295)::oid
     GROUP BY l.pid, a.usename, a.application_name, a.xact_start, a.query ORDER BY a.xact_start, l.pid;
 END $$;
-COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model now: a row per session with what it holds and the sessions it waits for. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';
+COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model now: a row per session with what it holds and the sessions it waits for. Of a call that takes seconds, application says how far it is: the step that computes and the share of it that is done, or that rows are read or written. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';

@@ -13,6 +13,7 @@
 #include "polyline.hpp"
 #include "ring.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 #include "transition.hpp"
 #include "vicinity.hpp"
 
@@ -191,6 +192,7 @@ class Pipeline {
       const std::size_t degree = around.ends.size();
       if (degree < 2) continue;
       poll_cancel();
+      tell_progress("corners", n, around_.size());
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
         const auto by_hand = radii_by_hand_.find({n, i});
@@ -406,6 +408,7 @@ class Pipeline {
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
       if (ring[e] == far_away) continue;
       poll_cancel();
+      tell_progress("sections", e, edges.size());
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
@@ -429,6 +432,7 @@ class Pipeline {
       const Around& around = around_[n];
       if (around.ends.size() < 2 || ring[edges.size() + n] == far_away) continue;
       poll_cancel();
+      tell_progress("intersections", n, around_.size());
       const std::vector<Arm> arms = arms_of(n);
       Intersection intersection;
       intersection.node = n;
