@@ -490,6 +490,8 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     IF kind NOT IN ('reader', 'editor') THEN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
+    ELSIF role <> 'public' AND NOT EXISTS (SELECT FROM pg_roles WHERE rolname = role) THEN
+        RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704', HINT = 'SELECT rolname FROM pg_roles lists them; public is everybody.';
     END IF;
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
@@ -498,4 +500,4 @@ BEGIN
     END IF;
     PERFORM streetgen._grant_edit_views(model);
 END $$;
-COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor).';
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor); role public: everybody. An unknown role: 42704.';
