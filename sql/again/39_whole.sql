@@ -72,7 +72,7 @@ BEGIN
     IF streetgen._is_bare(model) THEN
         back := streetgen._take_off(model);
     END IF;
-    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, bare => back IS NOT NULL);
+    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back IS NOT NULL);
     FOR i IN 1 .. coalesce(cardinality(back), 0) LOOP
         EXECUTE back[i];
     END LOOP;

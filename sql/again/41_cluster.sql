@@ -35,7 +35,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.cluster(name, integer) IS 'Parts the axes of a model, by their centroids, in clusters 1 to k of equal size (or one axis more): K-means by bisection. A set is cut by a straight line across its longest extent, then as K-means does: each axis goes to the nearer centre as far as the sizes allow, and the centres follow, until nothing changes; each half is cut the same way. The same axes give the same clusters; clusters that follow each other are neighbours. Axes that are gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: 22023. Source: the StreetGen paper, figure 29.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 BEGIN
@@ -52,9 +52,9 @@ COMMENT ON COLUMN %1$I.cluster.setting_hash IS 'hash of the settings that the ru
 COMMENT ON COLUMN %1$I.cluster.began IS 'when a session took it; NULL: not computed yet';
 COMMENT ON COLUMN %1$I.cluster.ended IS 'when it was done; NULL: not computed yet';
 COMMENT ON COLUMN %1$I.cluster.session IS 'process of the session that computed it'
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+$sql$, model, srid);
 END $$;
-COMMENT ON FUNCTION streetgen._make_cluster_table(name) IS 'Makes the table by which a model is computed in clusters.';
+COMMENT ON FUNCTION streetgen._make_cluster_table(name, integer) IS 'Makes the table by which a model is computed in clusters.';
 
 CREATE OR REPLACE FUNCTION streetgen._setting_hash(model name) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

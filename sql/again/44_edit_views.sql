@@ -89,9 +89,9 @@ CREATE OR REPLACE FUNCTION streetgen._grant_edit_views(model name) RETURNS void
 DECLARE
     held record;
 BEGIN
-    FOR held IN SELECT grantee::regrole AS role, privilege_type AS privilege, v.name AS view
+    FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, privilege_type AS privilege, v.name AS view
         FROM pg_class c, aclexplode(c.relacl) JOIN streetgen._edit_view('m', 0) v ON true
-        WHERE c.oid = format('%I.axis', model)::regclass AND grantee NOT IN (0, c.relowner) AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
+        WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.view, held.role);
         EXECUTE format('GRANT SELECT ON %1$I.edit_log, %1$I.override_place TO %2$s', model, held.role);

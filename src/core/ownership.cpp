@@ -262,6 +262,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     for (const auto& [i, j] : disputes)
       if (winner[i] || winner[j]) wanted[i] = wanted[j] = true;
   }
+  for (std::size_t i = 0; i < claims.size(); ++i) claims[i].wanted = wanted[i];
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     whole[i] = area(*claims[i].surface);
