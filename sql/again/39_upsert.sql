@@ -300,8 +300,7 @@ BEGIN
         -- No row is there to meet.
         statement := regexp_replace(statement, 'ON CONFLICT.*?RETURNING xmax = 0 AS fresh', 'RETURNING true AS fresh', 'g');
     END IF;
-    RETURN QUERY EXECUTE statement
-        USING written, gathered, changed;
+    RETURN QUERY EXECUTE statement USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';
@@ -331,9 +330,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], 
     AS $$
 DECLARE
     -- More axes than this are worth a plan of their own.
-    most_planned constant integer := 4000;
+    most_planned constant integer := 400;
 BEGIN
-    IF cardinality(written) > most_planned THEN
+    IF cardinality(changed) > most_planned THEN
         RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
     ELSE
         RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
