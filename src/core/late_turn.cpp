@@ -80,8 +80,8 @@ std::optional<Trajectory> late_turn(LaneToNode in, LaneToNode out, TrajectoryRul
   double fits = most / sharpest, fails = most;
   Trajectory widest = turn_at(in, out, fits, rule, tolerance);
   while (!clear(widest, 0)) {
+    if (fits >= most) return std::nullopt;
     fits *= 4;
-    if (fits > most) return std::nullopt;
     widest = turn_at(in, out, fits, rule, tolerance);
   }
   const double clearance = clear(widest, half_car) ? half_car : 0;
