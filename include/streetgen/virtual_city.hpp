@@ -31,8 +31,8 @@ struct CityOptions {
   std::vector<double> speed = {70, 50, 50, 30};
   double length_ratio = 0.45;
   double length_drawn = 0.5;
-  double spacing_ratio = 0.12;
-  double spacing_least = 220;
+  double spacing_ratio = 0.14;
+  double spacing_least = 230;
   double scatter = 0.7;
   double start_gap = 40;
   double right_angles = 0.8;

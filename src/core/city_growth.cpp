@@ -17,6 +17,8 @@ constexpr double chord = 25;
 // It turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
 
+constexpr double same_side = 0.15;
+
 class Growth {
  public:
   Growth(const CityExtent& extent, std::uint64_t seed, const CityOptions& options)
@@ -53,8 +55,8 @@ class Growth {
     const Point to = wide ? Point{extent_.width, end * extent_.height, 0}
                           : Point{end * extent_.width, extent_.height, 0};
     CityStreet street = street_of(-1, 0, random.next());
-    grow(street, portable::to_millimetre(from), portable::unit(to - from),
-         2 * (extent_.width + extent_.height), random);
+    const double across = 2 * (extent_.width + extent_.height);
+    grow(street, portable::to_millimetre(from), portable::unit(to - from), across, across, random);
     add(std::move(street), -1);
   }
 
@@ -64,18 +66,21 @@ class Growth {
     const double spacing = std::max(options_.spacing_least, options_.spacing_ratio * most);
     const int places = static_cast<int>(length / spacing);
     double last = 0;
+    // To the left and to the right in turn, now and then twice to one side.
+    bool to_left = Random(streets_[main].key).chance(0.5);
     for (int place = 0; place < places; ++place) {
       Random random = Random::part(streets_[main].key, static_cast<std::uint64_t>(place));
       const double in_place = 0.5 + options_.scatter * random.uniform(-0.5, 0.5);
       const double abscissa = length * ((place + in_place) / places);
       if (abscissa - last >= options_.start_gap && length - abscissa >= options_.start_gap &&
-          outgoing_road(main, abscissa, most, random))
+          outgoing_road(main, abscissa, most, to_left, random))
         last = abscissa;
+      to_left = to_left == random.chance(same_side);
     }
   }
 
   // To one side, or to the other where that is built up.
-  bool outgoing_road(int main, double abscissa, double most, Random& random) {
+  bool outgoing_road(int main, double abscissa, double most, bool to_left, Random& random) {
     const CityStreet& from = streets_[main];
     CityStreet street = street_of(main, from.level + 1, random.next());
     std::size_t piece = 1;
@@ -84,7 +89,7 @@ class Growth {
     const Point start = portable::to_millimetre(from.line[piece - 1] +
                                                 along * (abscissa - from.abscissas[piece - 1]));
     const double threshold = random.uniform(options_.threshold[0], options_.threshold[1]);
-    street.to_left = random.chance(0.5);
+    street.to_left = to_left;
     const double angle = random.chance(options_.right_angles)
                              ? 90
                              : random.uniform(options_.angle_least, 180 - options_.angle_least);
@@ -97,7 +102,7 @@ class Growth {
       const bool leaves =
           leaving_ < options_.transit && wanted > to_border(start, direction) && random.chance(0.4);
       grow(street, start, direction,
-           leaves ? wanted : inside_city(start, direction, wanted, options_.fade * threshold),
+           leaves ? wanted : inside_city(start, direction, wanted, options_.fade * threshold), most,
            random);
       if (street.length() < options_.start_gap) continue;
       add(std::move(street), abscissa);
@@ -125,49 +130,53 @@ class Growth {
     return street;
   }
 
-  // Draws a street until it meets a road, leaves the extent or is long enough.
-  void grow(CityStreet& street, const Point& start, Point direction, double wanted,
+  // Draws a street until it meets a road, leaves the extent or is as long as wanted.
+  void grow(CityStreet& street, const Point& start, Point direction, double wanted, double most,
             Random& random) {
     street.line = {start};
     street.abscissas = {0};
     street.end = CityEnd::blind_alley;
+    const double piece = options_.bend > 0 ? chord : wanted;
     double turned = 0, turn = 0;
-    while (street.end == CityEnd::blind_alley && street.length() + on_spot < wanted) {
-      const double left = wanted - street.length();
-      const double step = options_.bend > 0 ? std::min(left, chord) : left;
-      const bool last = step == left;
-      if (!advance(street, direction, step, last ? options_.start_gap : 0)) break;
-      if (options_.bend > 0) {
-        const double before = turned;
-        turn = 0.8 * turn + random.uniform(-1, 1) * options_.bend * (chord / 100) - 0.02 * turned;
-        turned = std::min(std::max(turned + turn, -most_turned), most_turned);
-        direction = portable::turned(direction, turned - before);
-      }
+    for (double left = wanted; left > on_spot; left = wanted - street.length()) {
+      const double step = std::min(left, piece);
+      const double further = std::min(ground_.ahead(), most - street.length() - step);
+      if (!advance(street, direction, step, std::max(further, 0.0), step == left)) break;
+      const double before = turned;
+      turn = 0.8 * turn + random.uniform(-1, 1) * options_.bend * (chord / 100) - 0.02 * turned;
+      turned = std::min(std::max(turned + turn, -most_turned), most_turned);
+      if (options_.bend > 0) direction = portable::turned(direction, turned - before);
     }
   }
 
-  // One straight piece; a road that is met up to `further` metres beyond its end is still
-  // reached.  False where the street ends.
-  bool advance(CityStreet& street, const Point& direction, double step, double further) {
+  // One straight piece, the last one even further if there is a road.  False where the street ends.
+  bool advance(CityStreet& street, const Point& direction, double step, double further, bool last) {
     const Point from = street.line.back();
     const double border = to_border(from, direction);
-    const Point to = from + direction * std::min(border, step + further);
-    const CityWay way = ground_.way(from, to, street.width, street.main);
-    if (way.meets && join(street, from, from + direction * *way.meets, way.piece)) return false;
-    const double free = way.meets || way.free < step ? std::min(way.free, step) : step;
+    const CityWay way = ground_.way(from, from + direction * std::min(border, step + further),
+                                    street.width, street.main);
+    if (way.meets && (last || way.free < step || *way.meets < step) &&
+        join(street, from, from + direction * *way.meets, way.piece))
+      return false;
+    const double free = std::min(way.free, step);
     if (border <= free) {
-      if (street.length() + border < options_.start_gap) return false;
-      if (street.main < 0 || leaving_ < options_.transit) {
-        append(street, from + direction * border);
-        street.end = CityEnd::border;
-        ++leaving_;
-      } else if (border > 2 * options_.start_gap) {
-        append(street, from + direction * (border * 0.7));
-      }
+      leave(street, from, direction, border);
       return false;
     }
     if (free > on_spot) append(street, from + direction * free);
     return free == step;
+  }
+
+  // Ends the street on the border, or before where enough roads leave already.
+  void leave(CityStreet& street, const Point& from, const Point& direction, double border) {
+    if (street.length() + border < options_.start_gap) return;
+    if (street.main < 0 || leaving_ < options_.transit) {
+      append(street, from + direction * border);
+      street.end = CityEnd::border;
+      ++leaving_;
+    } else if (border > 2 * options_.start_gap) {
+      append(street, from + direction * (border * 0.7));
+    }
   }
 
   // Ends the street on the road it meets, in a node of that road if one is near.
@@ -233,7 +242,7 @@ class Growth {
   std::uint64_t key_;
   CityGround ground_;
   std::vector<CityStreet> streets_;
-  double leaving_ = 0;
+  double leaving_ = 1;  // ends on the border; the first road's start is one
 };
 
 }  // namespace

@@ -16,8 +16,12 @@ namespace {
 
 // The ring has a vertex each so many degrees, apart from those where its arms begin.
 constexpr double step = 15;
+// But none so near to an arm, m.
+constexpr double beside_arm = 2;
 // Of the ring, km/h.
 constexpr double ring_speed = 30;
+// A ring is wider than its lanes, m.
+constexpr double wider = 2;
 // Kerbs of neighbouring arms are so far apart where they meet the ring.
 constexpr double between_arms = 4;
 
@@ -33,7 +37,8 @@ struct Vertex {
 };
 
 struct Arm {
-  Point direction;  // unit, away from the crossing
+  Point at;         // where it meets the ring
+  Point direction;  // unit, from the crossing to there
   double width;
 };
 
@@ -91,15 +96,16 @@ class Roundabouts {
       ring.level = std::max(ring.level, axis.level);
       ring.importance = std::min(ring.importance, axis.importance);
       ring.lane_count = std::max(ring.lane_count, axis.lane_count >= 4 ? 2 : 1);
-      for (const std::size_t next : {v.index - 1, v.index + 1}) {
-        if (next >= axis.line.size()) continue;
+      for (const int way : {-1, 1}) {
+        if (v.index + static_cast<std::size_t>(way) >= axis.line.size()) continue;
         // Room for a ring at the other end too.
-        if (portable::distance(centre, axis.line[next]) < 2 * radius + options_.node_gap) return {};
-        arms.push_back({portable::unit(axis.line[next] - centre), axis.width});
+        if (!free_of_nodes(v, way, 2 * radius + options_.node_gap)) return {};
+        const Point at = leaves_ring(v, way).point;
+        arms.push_back({at, portable::unit(at - centre), axis.width});
       }
     }
-    ring.width = (ring.lane_count + 1) * options_.lane_width;
-    if (arms.size() < 3 || built_up(centre, radius + ring.width / 2 + options_.clearance))
+    ring.width = ring.lane_count * options_.lane_width + wider;
+    if (arms.size() < 3 || built_up(vertices, centre, radius + ring.width / 2 + options_.clearance))
       return {};
     std::sort(arms.begin(), arms.end(),
               [](const Arm& a, const Arm& b) { return turns_before(a.direction, b.direction); });
@@ -115,41 +121,65 @@ class Roundabouts {
     return ring;
   }
 
-  // Whether a road that does not come to the crossing is that near.
-  bool built_up(const Point& centre, double reach) const {
-    return index_.any_near(box_of(centre, centre), reach, [&](int i) {
-      const Vertex& end = segments_[static_cast<std::size_t>(i)];
-      const Point a = line(end)[end.index - 1], b = line(end)[end.index];
-      const bool comes = portable::distance(a, centre) == 0 || portable::distance(b, centre) == 0;
-      return !comes && portable::distance_to_segment(centre, a, b) < reach;
-    });
+  // Whether the axis has no node and does not end within `reach` of its vertex v.
+  bool free_of_nodes(const Vertex& v, int way, double reach) const {
+    const Point centre = line(v)[v.index];
+    std::size_t k = v.index;
+    do {
+      k += static_cast<std::size_t>(way);
+      if (k >= line(v).size()) return false;
+      if (portable::distance(centre, line(v)[k]) >= reach) return true;
+    } while (vertices_.at(place_key(line(v)[k])).size() == 1);
+    return false;
   }
 
-  Point on_ring(const Point& centre, const Point& direction) const {
-    return portable::to_millimetre(centre + direction * options_.roundabout_radius);
+  struct Exit {
+    Point point;
+    std::size_t outside;  // the first vertex beyond it
+  };
+  // Where an axis leaves the ring about its vertex v.
+  Exit leaves_ring(const Vertex& v, int way) const {
+    const Point centre = line(v)[v.index];
+    std::size_t k = v.index;
+    do k += static_cast<std::size_t>(way);
+    while (portable::distance(centre, line(v)[k]) < options_.roundabout_radius);
+    const Point inside = line(v)[k - static_cast<std::size_t>(way)];
+    const Point direction = portable::unit(line(v)[k] - inside), off = inside - centre;
+    const double radius = options_.roundabout_radius, along = dot(off, direction);
+    const double t = std::sqrt(along * along - dot(off, off) + radius * radius) - along;
+    return {portable::to_millimetre(inside + direction * t), k};
+  }
+
+  // Whether a road that does not come to the crossing is that near.
+  bool built_up(const std::vector<Vertex>& vertices, const Point& centre, double reach) const {
+    return index_.any_near(box_of(centre, centre), reach, [&](int i) {
+      const Vertex& end = segments_[static_cast<std::size_t>(i)];
+      const bool comes = std::any_of(vertices.begin(), vertices.end(),
+                                     [&](const Vertex& v) { return v.axis == end.axis; });
+      return !comes && portable::distance_to_segment(centre, line(end)[end.index - 1],
+                                                     line(end)[end.index]) < reach;
+    });
   }
 
   // Counter-clockwise, closed, from its first arm.
   Line ring_line(const Point& centre, const std::vector<Arm>& arms) const {
-    std::vector<Point> directions;
-    for (const Arm& arm : arms) directions.push_back(arm.direction);
-    for (double angle = -180; angle < 180; angle += step) {
-      const Point direction = portable::turned({1, 0, 0}, angle);
-      if (std::all_of(arms.begin(), arms.end(), [&](const Arm& arm) {
-            return portable::distance(arm.direction, direction) > 0.1;
-          }))
-        directions.push_back(direction);
-    }
-    std::sort(directions.begin(), directions.end(), turns_before);
-    std::rotate(directions.begin(),
-                std::find_if(directions.begin(), directions.end(),
-                             [&](const Point& d) {
-                               return portable::distance(d, arms.front().direction) == 0;
-                             }),
-                directions.end());
     Line ring;
-    for (const Point& direction : directions) ring.push_back(on_ring(centre, direction));
-    ring.push_back(ring.front());
+    for (const Arm& arm : arms) ring.push_back(arm.at);
+    for (double degrees = -180; degrees < 180; degrees += step) {
+      const Point at = portable::to_millimetre(centre + portable::turned({1, 0, 0}, degrees) *
+                                                            options_.roundabout_radius);
+      if (std::all_of(arms.begin(), arms.end(),
+                      [&](const Arm& arm) { return portable::distance(arm.at, at) > beside_arm; }))
+        ring.push_back(at);
+    }
+    const Point first = arms.front().at;
+    std::sort(ring.begin(), ring.end(),
+              [&](const Point& a, const Point& b) { return turns_before(a - centre, b - centre); });
+    std::rotate(ring.begin(),
+                std::find_if(ring.begin(), ring.end(),
+                             [&](const Point& p) { return portable::distance(p, first) == 0; }),
+                ring.end());
+    ring.push_back(first);
     return ring;
   }
 
@@ -157,25 +187,31 @@ class Roundabouts {
   void cut_axes() {
     std::vector<CityAxis> pieces;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-      CityAxis& axis = axes_[i];
-      std::sort(cut_[i].begin(), cut_[i].end());
-      const Line whole = axis.line;
-      std::vector<std::size_t> ends = cut_[i];
-      if (ends.empty() || ends.front() != 0) ends.insert(ends.begin(), 0);
-      if (ends.back() != whole.size() - 1) ends.push_back(whole.size() - 1);
-      for (std::size_t k = 1; k < ends.size(); ++k) {
-        const std::size_t from = ends[k - 1], to = ends[k];
-        axis.line.assign(whole.begin() + static_cast<std::ptrdiff_t>(from),
-                         whole.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-        const auto is_cut = [&](std::size_t at) {
-          return std::binary_search(cut_[i].begin(), cut_[i].end(), at);
-        };
-        if (is_cut(from))
-          axis.line.front() = on_ring(whole[from], portable::unit(whole[from + 1] - whole[from]));
-        if (is_cut(to))
-          axis.line.back() = on_ring(whole[to], portable::unit(whole[to - 1] - whole[to]));
-        pieces.push_back(axis);
+      std::vector<std::size_t>& cuts = cut_[i];
+      std::sort(cuts.begin(), cuts.end());
+      CityAxis piece = axes_[i];
+      const std::size_t last = axes_[i].line.size() - 1;
+      std::size_t from = 0;
+      piece.line.clear();
+      for (const std::size_t cut : cuts) {
+        const Vertex v{static_cast<int>(i), cut};
+        if (cut > 0) {
+          const Exit entry = leaves_ring(v, -1);
+          for (; from <= entry.outside; ++from) piece.line.push_back(axes_[i].line[from]);
+          piece.line.push_back(entry.point);
+          pieces.push_back(piece);
+        }
+        if (cut == last) {
+          from = last + 1;
+          break;
+        }
+        const Exit exit = leaves_ring(v, 1);
+        piece.line = {exit.point};
+        from = exit.outside;
       }
+      if (from > last) continue;
+      for (; from <= last; ++from) piece.line.push_back(axes_[i].line[from]);
+      pieces.push_back(piece);
     }
     axes_ = std::move(pieces);
   }
