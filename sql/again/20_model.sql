@@ -231,6 +231,14 @@ $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_edit_indexes(model, srid);
+END $$;
+COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
+
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -329,15 +337,16 @@ BEGIN
     END LOOP;
     PERFORM streetgen._make_lane_tables(model, srid);
     PERFORM streetgen._make_interconnection_tables(model, srid);
-    PERFORM streetgen._make_override_tables(model, srid);
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
     EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._register_model(model, srid, dimension);
+    PERFORM streetgen._add_tables(model, srid);
     PERFORM streetgen._make_views(model);
     PERFORM streetgen._make_functions(model);
     PERFORM streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model);
     PERFORM streetgen._make_edit_log(model);
+    PERFORM streetgen._make_cluster_table(model);
     PERFORM streetgen._comment_model(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
@@ -348,9 +357,21 @@ CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
 BEGIN
     PERFORM streetgen._check_owner(model);
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
-    PERFORM streetgen._forget_models();
+    PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
 END $$;
-COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A table of somebody else could run his trigger with the rights of the caller.
+    IF EXISTS (SELECT FROM pg_class c JOIN pg_roles r ON r.oid = relowner JOIN pg_attribute ON attrelid = c.oid WHERE c.oid = to_regclass('public.layer_styles') AND relkind = 'r'
+               AND (r.rolsuper OR r.rolname = current_user) AND has_table_privilege(c.oid, 'SELECT') AND has_table_privilege(c.oid, 'DELETE') AND attname = 'f_table_schema' AND NOT attisdropped) THEN
+        EXECUTE 'DELETE FROM public.layer_styles WHERE f_table_schema = $1' USING model;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._forget_styles(name) IS 'Deletes the styles of the layers of a model from the table that QGIS keeps them in.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
@@ -377,14 +398,16 @@ BEGIN
         RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its table axis has no column geom with an SRID.';
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
-    PERFORM streetgen._make_override_tables(schema, srid);
+    PERFORM streetgen._add_tables(schema, srid);
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._make_functions(schema);
     PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._make_edit_views(schema);
     PERFORM streetgen._make_edit_log(schema);
+    PERFORM streetgen._make_cluster_table(schema);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
+    PERFORM streetgen._follow_again(schema);
     -- Who may read or write the axes may do so with what was lost or is new.
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
         EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, %1$I.roadway, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
@@ -393,7 +416,7 @@ BEGIN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])

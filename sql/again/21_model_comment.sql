@@ -73,7 +73,7 @@ BEGIN
         ('edge', 'speed', 'speed that was used, km/h'),
         ('edge', 'importance', 'importance that was used'),
         ('edge', 'estimated', 'which of these values were estimated'),
-        ('edge', 'input_hash', 'hash of the axis and the values used: check_model sees what changed since'),
+        ('edge', 'input_hash', 'hash of the axis and the values used: check_model sees what changed since; 0: what is said of its turns, or a neighbour, did'),
         ('edge', 'setting_hash', 'hash of the settings used'),
         ('section_limit', 'section_limit_id', 'key'),
         ('section_limit', 'edge_id', 'the edge'),

@@ -8,6 +8,7 @@
 #include "lane_choice.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 
 namespace streetgen {
 
@@ -66,6 +67,7 @@ class Builder {
     for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
       if (!streets_.asked_nodes[n]) continue;
       poll_cancel();
+      tell_progress("interconnections", n, legs_.size());
       join(n);
     }
     return std::move(out_);

@@ -11,6 +11,7 @@
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 
 namespace streetgen {
 
@@ -228,6 +229,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
   };
   const auto judge = [&](int i, int j) {
     poll_cancel();
+    tell_progress("owners", i, claims.size());
     const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
     const MultiPolygon ground = geos.polygons(shared.get());
     if (area(ground) <= negligible) return;
@@ -260,6 +262,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     for (const auto& [i, j] : disputes)
       if (winner[i] || winner[j]) wanted[i] = wanted[j] = true;
   }
+  for (std::size_t i = 0; i < claims.size(); ++i) claims[i].wanted = wanted[i];
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     whole[i] = area(*claims[i].surface);

@@ -8,8 +8,8 @@
 
 namespace streetgen {
 
-double norm(const Point& a) { return std::hypot(a.x, a.y); }
-double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+double distance(const Point& a, const Point& b) { return norm(a - b); }
 Point planar(const Point& a) { return {a.x, a.y, 0}; }
 Point unit(const Point& a) {
   const double n = norm(a);
