@@ -1,6 +1,7 @@
 #include "geos.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "polyline.hpp"
@@ -23,6 +24,15 @@ double coarse_grid(GEOSContextHandle_t handle, const GEOSGeometry* geometry) {
   double min_x = 0, min_y = 0, max_x = 0, max_y = 0;
   GEOSGeom_getExtent_r(handle, geometry, &min_x, &min_y, &max_x, &max_y);
   return std::max({1e-6, -1e-13 * min_x, -1e-13 * min_y, 1e-13 * max_x, 1e-13 * max_y});
+}
+
+// Metres, of vertices made where lines meet: less than a tenth of a micrometre, and a power of two
+// that doubles of this size hold, so that the same place has the same coordinates in every call.
+double fine_grid(const std::vector<Line>& lines) {
+  double farthest = 0;
+  for (const Line& line : lines)
+    for (const Point& p : line) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+  return std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
 }
 
 // An overlay that is interrupted once tries again by other means: it is interrupted each time.
@@ -48,12 +58,16 @@ Geos::Geometry Geos::own(GEOSGeometry* geometry) {
   return Geometry(geometry, Free{handle_});
 }
 
-Geos::Geometry Geos::ring(const Ring& ring) {
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, ring.size(), 2);
+GEOSCoordSequence* Geos::sequence(const Line& line) {
+  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, line.size(), 2);
   if (sequence == nullptr) throw std::bad_alloc();
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    GEOSCoordSeq_setXY_r(handle_, sequence, i, ring[i].x, ring[i].y);
-  return own(GEOSGeom_createLinearRing_r(handle_, sequence));
+  for (std::size_t i = 0; i < line.size(); ++i)
+    GEOSCoordSeq_setXY_r(handle_, sequence, i, line[i].x, line[i].y);
+  return sequence;
+}
+
+Geos::Geometry Geos::ring(const Ring& ring) {
+  return own(GEOSGeom_createLinearRing_r(handle_, sequence(ring)));
 }
 
 Geos::Geometry Geos::polygon(const Polygon& polygon) {
@@ -113,40 +127,46 @@ bool Geos::valid(const GEOSGeometry* geometry) {
   return valid;
 }
 
-Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
-                             const GEOSGeometry* b) {
-  if (GEOSGeometry* result = exact(handle_, a, b)) return own(result);
-  poll_cancel();
-  return on_grid(snapped, a, b);
-}
-
-Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b) {
-  // Made valid, a surface may hold lines too, which no overlay takes.
-  const auto areal = [&](const GEOSGeometry* g) {
-    return surface(polygons(own(GEOSMakeValid_r(handle_, g)).get()));
+MultiPolygon Geos::faces(const std::vector<Line>& lines) {
+  std::vector<Geometry> all;
+  std::vector<Point> vertices;
+  const double grid = fine_grid(lines);
+  for (const Line& line : lines) {
+    all.push_back(own(GEOSGeom_createLineString_r(handle_, sequence(line))));
+    vertices.insert(vertices.end(), line.begin(), line.end());
+  }
+  const Geometry together = collection(GEOS_MULTILINESTRING, std::move(all));
+  const Geometry noded = own(GEOSUnaryUnionPrec_r(handle_, together.get(), grid));
+  const GEOSGeometry* const one = noded.get();
+  MultiPolygon faces = polygons(own(GEOSPolygonize_r(handle_, &one, 1)).get());
+  const auto before_on_grid = [&](const Point& a, const Point& b) {
+    const auto step = [&](double x) { return std::round(x / grid); };
+    return std::pair(step(a.x), step(a.y)) < std::pair(step(b.x), step(b.y));
   };
-  const Geometry of_a = areal(a), of_b = areal(b);
-  const double grid = coarse_grid(handle_, a);
-  if (GEOSGeometry* result = snapped(handle_, of_a.get(), of_b.get(), grid)) return own(result);
+  std::stable_sort(vertices.begin(), vertices.end(), before_on_grid);
+  for (Polygon& face : faces)
+    for (Ring& ring : face)
+      for (Point& p : ring) {
+        const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), p, before_on_grid);
+        if (vertex != vertices.end() && !before_on_grid(p, *vertex)) p = planar(*vertex);
+      }
+  return faces;
+}
+
+MultiPolygon Geos::joined(const MultiPolygon& faces) {
+  if (faces.size() < 2) return faces;
+  if (GEOSGeometry* whole = GEOSCoverageUnion_r(handle_, surface(faces).get()))
+    return polygons(own(whole).get());
   poll_cancel();
-  // Where both fail together, each may be put on the grid by itself.
-  const auto rounded = [&](const Geometry& g) {
-    return own(GEOSGeom_setPrecision_r(handle_, g.get(), grid, 0));
-  };
-  const Geometry rounded_a = rounded(of_a), rounded_b = rounded(of_b);
-  return own(snapped(handle_, rounded_a.get(), rounded_b.get(), grid));
+  return polygons(unite({faces}).get());
 }
 
-Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return overlay(GEOSIntersection_r, GEOSIntersectionPrec_r, a, b);
-}
-
-Geos::Geometry Geos::difference(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return overlay(GEOSDifference_r, GEOSDifferencePrec_r, a, b);
-}
-
-Geos::Geometry Geos::difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return on_grid(GEOSDifferencePrec_r, a, b);
+Point Geos::place_inside(const Polygon& face) {
+  const Geometry place = own(GEOSPointOnSurface_r(handle_, polygon(face).get()));
+  Point p;
+  GEOSGeomGetX_r(handle_, place.get(), &p.x);
+  GEOSGeomGetY_r(handle_, place.get(), &p.y);
+  return p;
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {

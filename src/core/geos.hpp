@@ -31,22 +31,20 @@ class Geos {
   MultiPolygon polygons(const GEOSGeometry* geometry);
 
   bool valid(const GEOSGeometry* geometry);
-  Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
-  Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
-  // On a grid of a micrometre: exact overlay may drop parts beside edges that nearly coincide.
-  Geometry difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b);
+  // The bounded faces that the lines make, where they cross or touch, noded once on a grid finer
+  // than a micrometre: neighbours share vertices.  Those of the lines stay where they are; of two in one
+  // place of the grid the first holds for both.
+  MultiPolygon faces(const std::vector<Line>& lines);
+  MultiPolygon joined(const MultiPolygon& faces);  // of one making
+  Point place_inside(const Polygon& polygon);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
   Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 
  private:
-  using Overlay = decltype(&GEOSDifference_r);
-  using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
-  Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
-                   const GEOSGeometry* b);
   Geometry collection(int type, std::vector<Geometry> parts);
   Geometry united(std::vector<Geometry> parts);
-  Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
+  GEOSCoordSequence* sequence(const Line& line);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;
