@@ -32,7 +32,7 @@ double fine_grid(const std::vector<Line>& lines) {
   double farthest = 0;
   for (const Line& line : lines)
     for (const Point& p : line) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
-  return std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
+  return std::ldexp(1, std::max(-24, std::ilogb(farthest) - 48));
 }
 
 // An overlay that is interrupted once tries again by other means: it is interrupted each time.
