@@ -1,7 +1,6 @@
 #include "geos.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "polyline.hpp"
@@ -24,15 +23,6 @@ double coarse_grid(GEOSContextHandle_t handle, const GEOSGeometry* geometry) {
   double min_x = 0, min_y = 0, max_x = 0, max_y = 0;
   GEOSGeom_getExtent_r(handle, geometry, &min_x, &min_y, &max_x, &max_y);
   return std::max({1e-6, -1e-13 * min_x, -1e-13 * min_y, 1e-13 * max_x, 1e-13 * max_y});
-}
-
-// Metres, of vertices made where lines meet: less than a tenth of a micrometre, and a power of two
-// that doubles of this size hold, so that the same place has the same coordinates in every call.
-double fine_grid(const std::vector<Line>& lines) {
-  double farthest = 0;
-  for (const Line& line : lines)
-    for (const Point& p : line) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
-  return std::ldexp(1, std::max(-24, std::ilogb(farthest) - 48));
 }
 
 // An overlay that is interrupted once tries again by other means: it is interrupted each time.
@@ -58,16 +48,12 @@ Geos::Geometry Geos::own(GEOSGeometry* geometry) {
   return Geometry(geometry, Free{handle_});
 }
 
-GEOSCoordSequence* Geos::sequence(const Line& line) {
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, line.size(), 2);
-  if (sequence == nullptr) throw std::bad_alloc();
-  for (std::size_t i = 0; i < line.size(); ++i)
-    GEOSCoordSeq_setXY_r(handle_, sequence, i, line[i].x, line[i].y);
-  return sequence;
-}
-
 Geos::Geometry Geos::ring(const Ring& ring) {
-  return own(GEOSGeom_createLinearRing_r(handle_, sequence(ring)));
+  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, ring.size(), 2);
+  if (sequence == nullptr) throw std::bad_alloc();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    GEOSCoordSeq_setXY_r(handle_, sequence, i, ring[i].x, ring[i].y);
+  return own(GEOSGeom_createLinearRing_r(handle_, sequence));
 }
 
 Geos::Geometry Geos::polygon(const Polygon& polygon) {
@@ -125,48 +111,6 @@ bool Geos::valid(const GEOSGeometry* geometry) {
   const bool valid = GEOSisValid_r(handle_, geometry) == 1;
   poll_cancel();
   return valid;
-}
-
-MultiPolygon Geos::faces(const std::vector<Line>& lines) {
-  std::vector<Geometry> all;
-  std::vector<Point> vertices;
-  const double grid = fine_grid(lines);
-  for (const Line& line : lines) {
-    all.push_back(own(GEOSGeom_createLineString_r(handle_, sequence(line))));
-    vertices.insert(vertices.end(), line.begin(), line.end());
-  }
-  const Geometry together = collection(GEOS_MULTILINESTRING, std::move(all));
-  const Geometry noded = own(GEOSUnaryUnionPrec_r(handle_, together.get(), grid));
-  const GEOSGeometry* const one = noded.get();
-  MultiPolygon faces = polygons(own(GEOSPolygonize_r(handle_, &one, 1)).get());
-  const auto before_on_grid = [&](const Point& a, const Point& b) {
-    const auto step = [&](double x) { return std::round(x / grid); };
-    return std::pair(step(a.x), step(a.y)) < std::pair(step(b.x), step(b.y));
-  };
-  std::stable_sort(vertices.begin(), vertices.end(), before_on_grid);
-  for (Polygon& face : faces)
-    for (Ring& ring : face)
-      for (Point& p : ring) {
-        const auto vertex = std::lower_bound(vertices.begin(), vertices.end(), p, before_on_grid);
-        if (vertex != vertices.end() && !before_on_grid(p, *vertex)) p = planar(*vertex);
-      }
-  return faces;
-}
-
-MultiPolygon Geos::joined(const MultiPolygon& faces) {
-  if (faces.size() < 2) return faces;
-  if (GEOSGeometry* whole = GEOSCoverageUnion_r(handle_, surface(faces).get()))
-    return polygons(own(whole).get());
-  poll_cancel();
-  return polygons(unite({faces}).get());
-}
-
-Point Geos::place_inside(const Polygon& face) {
-  const Geometry place = own(GEOSPointOnSurface_r(handle_, polygon(face).get()));
-  Point p;
-  GEOSGeomGetX_r(handle_, place.get(), &p.x);
-  GEOSGeomGetY_r(handle_, place.get(), &p.y);
-  return p;
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {

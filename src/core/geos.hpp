@@ -31,12 +31,6 @@ class Geos {
   MultiPolygon polygons(const GEOSGeometry* geometry);
 
   bool valid(const GEOSGeometry* geometry);
-  // The bounded faces that the lines make, where they cross or touch, noded once on a grid finer
-  // than a micrometre: neighbours share vertices.  Those of the lines stay where they are; of two in one
-  // place of the grid the first holds for both.
-  MultiPolygon faces(const std::vector<Line>& lines);
-  MultiPolygon joined(const MultiPolygon& faces);  // of one making
-  Point place_inside(const Polygon& polygon);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
   Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 
@@ -44,7 +38,6 @@ class Geos {
   Geometry collection(int type, std::vector<Geometry> parts);
   Geometry united(std::vector<Geometry> parts);
   Geometry own(GEOSGeometry* geometry);
-  GEOSCoordSequence* sequence(const Line& line);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;

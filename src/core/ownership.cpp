@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "arrangement.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "rivalry.hpp"
@@ -91,11 +93,10 @@ class Settlement {
     };
     for (const int rival : rivals_[claim])
       append_border(std::min(claim, rival), std::max(claim, rival));
-    MultiPolygon faces = geos_.faces(lines);
+    std::optional<Arrangement> faces(lines);
     // Where lost ground may come back, it depends on the borders between rivals too.
     std::set<std::pair<int, int>> further;
-    for (const Polygon& face : faces) {
-      const Point place = geos_.place_inside(face);
+    for (const Point& place : faces->places()) {
       if (!ground.holds(place)) continue;
       const Contest contest = contest_at(claim, place);
       if (!contest.beaten(claim) || !contest.won(claim)) continue;
@@ -105,19 +106,16 @@ class Settlement {
     }
     const std::size_t before = lines.size();
     for (const auto& [i, j] : further) append_border(i, j);
-    if (lines.size() > before) faces = geos_.faces(lines);
-    MultiPolygon kept;
+    if (lines.size() > before) faces.emplace(lines);
+    std::vector<bool> kept;
     bool lost = false;
-    for (Polygon& face : faces) {
-      const Point place = geos_.place_inside(face);
-      if (!ground.holds(place)) continue;
-      if (owns(claim, contest_at(claim, place)))
-        kept.push_back(std::move(face));
-      else
-        lost = true;
+    for (const Point& place : faces->places()) {
+      const bool held = ground.holds(place);
+      kept.push_back(held && owns(claim, contest_at(claim, place)));
+      lost = lost || (held && !kept.back());
     }
     if (!lost) return surface;
-    MultiPolygon rest = geos_.joined(kept);
+    MultiPolygon rest = faces->joined(kept);
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
