@@ -150,11 +150,16 @@ class Settlement {
     }
   };
 
+  // Of the claim's level, and whatever of another level takes the place from it.
   Contest contest_at(int claim, const Point& place) {
     Contest contest;
     contest.parties.push_back(claim);
-    for (const int rival : rivals_[claim])
-      if (grounds_.at(rival).holds(place)) contest.parties.push_back(rival);
+    for (const int rival : rivals_[claim]) {
+      if (!grounds_.at(rival).holds(place)) continue;
+      const auto [i, j] = std::minmax(claim, rival);
+      const bool peer = claims_[rival].level == claims_[claim].level;
+      if (peer || rivalry(i, j).first_owns(place) == (i == rival)) contest.parties.push_back(rival);
+    }
     std::sort(contest.parties.begin(), contest.parties.end());
     each_pair(contest.parties, [&](int i, int j) {
       const Rivalry& between = rivalry(i, j);
