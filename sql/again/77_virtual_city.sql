@@ -85,4 +85,4 @@ BEGIN
     EXECUTE format('ANALYZE %I.axis', model);
     RETURN drawn;
 END $$;
-COMMENT ON FUNCTION streetgen.create_virtual_city(name, integer, float8, float8, float8, float8, bigint, jsonb) IS 'Makes a model and fills its axes with streetgen.virtual_city; returns how many. Its streets are for generate. Errors as of create_model and virtual_city, and 22023 where the projection is more than 1 % off in scale; then there is no model.';
+COMMENT ON FUNCTION streetgen.create_virtual_city(name, integer, float8, float8, float8, float8, bigint, jsonb) IS 'Makes a model and fills its axes with streetgen.virtual_city; returns how many. The streets are for streetgen.generate. Errors as of create_model and virtual_city, and 22023 where the projection is more than 1 % off in scale; then there is no model.';

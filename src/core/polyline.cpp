@@ -82,6 +82,15 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return distance(p, a + ab * t);
 }
 
+std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point ab = b - a, cd = d - c;
+  const double sine = cross(ab, cd);
+  if (sine == 0) return std::nullopt;
+  const double t = cross(c - a, cd) / sine, u = cross(c - a, ab) / sine;
+  if (t < 0 || t > 1 || u < 0 || u > 1) return std::nullopt;
+  return a + ab * t;
+}
+
 double distance_to_line(const Point& p, const Line& line) {
   poll_cancel();
   double best = distance(p, line.front());
