@@ -42,6 +42,8 @@ SELECT 'and their defaults are what is taken', NOT EXISTS (
 CREATE TABLE model AS SELECT seed, format('city_%s', seed) AS name, streetgen.create_virtual_city(format('city_%s', seed), 2177, 6560000, 5570000, 3000, 2000, seed,
     CASE WHEN seed % 2 = 0 THEN '{"bend": 10, "roundabouts": 0.4, "stretch": 400, "one_way_pairs": 1}'::jsonb ELSE '{}' END) AS drawn FROM generate_series(1, 10) seed;
 SELECT 'each draws a town', min(drawn) > 20 FROM model;
+SELECT 'its streets are for generate', NOT EXISTS (SELECT FROM city_1.edge) AND EXISTS (SELECT FROM streetgen.check_model('city_1') WHERE rule = 'not_generated');
+SELECT count(*) FROM model, streetgen.generate(name, wait => true) \g /dev/null
 CREATE TABLE found AS SELECT name, drawn, f.* FROM model, test.city(name) f;
 SELECT name || ': the model holds the axes', axes = drawn FROM found;
 SELECT format('%s: nothing is broken%s', name, ': ' || broken), broken IS NULL FROM found;
