@@ -75,6 +75,8 @@ class Roundabouts {
       if (std::optional<CityAxis> ring = ring_at(vertices)) {
         ring->name = "Roundabout " + std::to_string(rings.size() + 1);
         rings.push_back(std::move(*ring));
+        const Point& centre = line(vertices.front())[vertices.front().index];
+        centres_.add(box_of(centre, centre), static_cast<int>(rings.size()) - 1);
         for (const Vertex& v : vertices) cut_[static_cast<std::size_t>(v.axis)].push_back(v.index);
       }
     }
@@ -105,7 +107,9 @@ class Roundabouts {
       }
     }
     ring.width = ring.lane_count * options_.lane_width + wider;
-    if (arms.size() < 3 || built_up(vertices, centre, radius + ring.width / 2 + options_.clearance))
+    const double to_next = 2 * radius + ring.width + options_.clearance;
+    if (arms.size() < 3 || !centres_.near(box_of(centre, centre), to_next).empty() ||
+        built_up(vertices, centre, radius + ring.width / 2 + options_.clearance))
       return {};
     std::sort(arms.begin(), arms.end(),
               [](const Arm& a, const Arm& b) { return turns_before(a.direction, b.direction); });
@@ -224,6 +228,7 @@ class Roundabouts {
   std::vector<std::vector<std::size_t>> cut_;
   std::vector<Vertex> segments_;  // by their second vertex
   BoxIndex index_;
+  BoxIndex centres_;  // of the rings
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ SELECT 'UTM is taken', test.state($q$SELECT streetgen.create_model('model_utm', 
 -- All that a schema holds: itself, tables, views, columns, types, functions, triggers; sequences and keys belong to their columns.
 CREATE FUNCTION pg_temp.uncommented(schema name) RETURNS SETOF text LANGUAGE sql AS $$
   SELECT 'schema ' || nspname FROM pg_namespace WHERE nspname = schema AND obj_description(oid, 'pg_namespace') IS NULL
-  UNION ALL SELECT 'relation ' || relname FROM pg_class WHERE relnamespace = quote_ident(schema)::regnamespace AND relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND obj_description(oid, 'pg_class') IS NULL
+  UNION ALL SELECT 'relation ' || relname FROM pg_class WHERE relnamespace = quote_ident(schema)::regnamespace AND relkind IN ('r', 'v', 'm', 'p', 'f') AND obj_description(oid, 'pg_class') IS NULL
   UNION ALL SELECT format('column %s.%s', c.relname, a.attname) FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
     WHERE c.relnamespace = quote_ident(schema)::regnamespace AND c.relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND a.attnum > 0 AND NOT a.attisdropped AND col_description(c.oid, a.attnum) IS NULL
   -- The types of rows and arrays come with what they are made of.
