@@ -220,9 +220,9 @@ SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS no
 FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
 UNION ALL
 SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count, surface
-FROM %1$I.intersection i CROSS JOIN LATERAL (
+FROM %1$I.intersection i LEFT JOIN LATERAL (
     SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node THEN width_end END) AS width, lane_count
-    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first
+    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first ON true
 LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.roadway IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without overlap. An intersection is named after its first edge: the most important, then the widest, then that of the smallest axis_id'$sql$, model);
