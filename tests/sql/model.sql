@@ -118,6 +118,7 @@ DO $$ BEGIN
   PERFORM streetgen."grant"('model_a', 'streetgen_test_reader', 'reader');
   PERFORM streetgen."grant"('model_a', 'streetgen_test_editor', 'editor');
 END $$;
+SELECT 'an unknown role is refused with a hint: ' || quote_literal(role), (r).state = '42704' AND (r).hint <> '' FROM unnest('{"",no such}'::text[]) role, LATERAL (SELECT test.refusal(format($q$SELECT streetgen."grant"('model_a', %L, 'reader')$q$, role)) AS r) s;
 SELECT 'an unknown kind of right is refused', test.state($q$SELECT streetgen."grant"('model_a', 'streetgen_test_reader', 'owner')$q$) = '22023';
 SELECT 'a reader reads all', has_table_privilege('streetgen_test_reader', 'model_a.edge', 'SELECT')
        AND has_table_privilege('streetgen_test_reader', 'model_a.setting', 'SELECT');
