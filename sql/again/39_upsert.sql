@@ -249,7 +249,8 @@ set_interconnection AS (
     RETURNING xmax = 0 AS fresh),
 gone_interconnection AS (
     DELETE FROM %1$I.interconnection k USING (SELECT node_id FROM node_id_of WHERE asked UNION ALL SELECT node_id FROM left_node) n WHERE k.node_id = n.node_id
-        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_in AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_out AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
         AND NOT EXISTS (SELECT FROM new_interconnection c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom

@@ -124,13 +124,18 @@ BEGIN
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
 hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM line),
-near AS MATERIALIZED (
-    SELECT axis_id, a.geom FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3) UNION ALL SELECT axis_id, e.geom FROM hull h JOIN %1$I.edge e ON ST_DWithin(e.geom, h.geom, $3)
-    UNION ALL SELECT axis_id, geom FROM %1$I.axis WHERE axis_id = ANY ($2) UNION ALL SELECT axis_id, geom FROM %1$I.edge WHERE axis_id = ANY ($2)),
+beside AS MATERIALIZED (SELECT e.axis_id, e.from_node, e.to_node FROM hull h JOIN %1$I.edge e ON ST_DWithin(e.geom, h.geom, $3)),
+node AS MATERIALIZED (SELECT from_node AS node_id FROM beside UNION SELECT to_node FROM beside),
+id AS MATERIALIZED (
+    SELECT array_agg(axis_id) AS near FROM (
+        SELECT a.axis_id FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3) UNION SELECT axis_id FROM beside UNION SELECT unnest($2)
+        -- Of an edge the far end may move, however far it is.
+        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node)) UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
+near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near) UNION ALL SELECT e.geom FROM id JOIN %1$I.edge e ON axis_id = ANY (near)),
 box AS MATERIALIZED (
     SELECT DISTINCT floor((ST_XMin(geom) - margin) / $4)::bigint AS west, floor((ST_YMin(geom) - margin) / $4)::bigint AS south, floor((ST_XMax(geom) + margin) / $4)::bigint AS east, floor((ST_YMax(geom) + margin) / $4)::bigint AS north
     FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near) g)
-SELECT (SELECT array_agg(axis_id) FROM near),
+SELECT (SELECT near FROM id),
        (SELECT array_agg(DISTINCT cell ORDER BY cell) FROM box, streetgen._cell(west * $4, south * $4, east * $4, north * $4, $4) cell),
        (SELECT array_agg(DISTINCT key ORDER BY key) FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x, generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
             LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
@@ -265,7 +270,7 @@ BEGIN
             END IF;
         END IF;
     END LOOP;
-    PERFORM FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed);
+    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
     EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE cluster_id = $2', model) USING started, chosen.cluster_id;
     RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes), extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left FROM streetgen.progress(model) p;
 END $$;
