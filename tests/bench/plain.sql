@@ -60,3 +60,4 @@ WITH kerb AS (
         LATERAL (SELECT ST_MakeLine(ARRAY(SELECT ST_Point(x + radius * sin(from_azimuth + turn * i / 8), y + radius * cos(from_azimuth + turn * i / 8), ST_SRID(a.line)) FROM generate_series(0, 8) i)) AS arc) k
     WHERE degree > 1)
 SELECT node_id, ST_BuildArea(ST_UnaryUnion(ST_Collect(ARRAY[ST_Collect(kerb), ST_Collect(ST_MakeLine(left_end, right_end))]))) AS surface FROM kerb GROUP BY node_id;
+SELECT count(*) AS rows FROM plain.intersection \gset

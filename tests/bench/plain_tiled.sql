@@ -9,3 +9,4 @@ ANALYZE plain.surface;
 CREATE TABLE plain.tile AS
 SELECT a.surface_id, turn, key, CASE WHEN taken IS NULL THEN surface ELSE ST_Difference(surface, taken) END AS surface
 FROM plain.surface a, LATERAL (SELECT ST_Union(b.surface) AS taken FROM plain.surface b WHERE b.surface && a.surface AND b.surface_id < a.surface_id AND b.level = a.level) b;
+SELECT count(*) AS rows FROM plain.tile \gset
