@@ -27,7 +27,7 @@ LEFT JOIN LATERAL (
     SELECT d.geom AS centre
     FROM ST_Dump(ST_Intersection(ST_Boundary(ST_Buffer(line_a, half_a + radius, 'endcap=flat')), ST_Boundary(ST_Buffer(line_b, half_b + radius, 'endcap=flat')))) d,
          ST_Azimuth(ST_StartPoint(line_a), d.geom) azimuth
-    WHERE ST_Dimension(d.geom) = 0 AND CASE WHEN azimuth_a > azimuth THEN azimuth_a - azimuth ELSE azimuth_a - azimuth + 2 * pi() END < angle
+    WHERE ST_Dimension(d.geom) = 0 AND ST_DWithin(d.geom, ST_StartPoint(line_a), 60) AND CASE WHEN azimuth_a > azimuth THEN azimuth_a - azimuth ELSE azimuth_a - azimuth + 2 * pi() END < angle
     ORDER BY ST_Distance(d.geom, ST_StartPoint(line_a)) LIMIT 1) c ON degree > 1 AND angle < radians(175);
 ANALYZE plain.corner;
 
@@ -37,7 +37,7 @@ WITH wanted AS (
     SELECT edge_id, is_start, max(along) AS abscissa FROM (SELECT edge_a AS edge_id, start_a AS is_start, along_a AS along FROM plain.corner UNION ALL SELECT edge_b, start_b, along_b FROM plain.corner) e
     GROUP BY edge_id, is_start)
 SELECT node_id, place, edge_id, is_start, line, length, half, total, abscissa, ST_Point(x - half * cos(ahead), y + half * sin(ahead), ST_SRID(line)) AS left_end, ST_Point(x + half * cos(ahead), y - half * sin(ahead), ST_SRID(line)) AS right_end
-FROM (SELECT a.*, coalesce(least(w.abscissa, a.length), 0) AS abscissa FROM plain.arm a LEFT JOIN wanted w USING (edge_id, is_start)) u,
+FROM (SELECT a.*, least(coalesce(w.abscissa, 0), a.length) AS abscissa FROM plain.arm a LEFT JOIN wanted w USING (edge_id, is_start)) u,
     LATERAL (SELECT ST_LineInterpolatePoint(line, abscissa / length) AS point, ST_Azimuth(ST_LineInterpolatePoint(line, greatest(0, abscissa - 0.1) / length), ST_LineInterpolatePoint(line, least(length, abscissa + 0.1) / length)) AS ahead) p,
     LATERAL (SELECT ST_X(point) AS x, ST_Y(point) AS y) c;
 ANALYZE plain.section_limit;
