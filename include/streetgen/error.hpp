@@ -3,8 +3,10 @@
 // Messages are in PostgreSQL style: lower case, no full stop, the wrong value in them.
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace streetgen {
 
@@ -12,11 +14,22 @@ enum class ErrorKind { invalid_input, degenerate, unsupported, cancelled };
 
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  Error(ErrorKind kind, const std::string& message, std::string hint = "")
+      : std::runtime_error(message), kind_(kind), hint_(std::move(hint)) {}
   ErrorKind kind() const noexcept { return kind_; }
+  // The way out, a sentence; empty where the message says it.
+  const std::string& hint() const noexcept { return hint_; }
 
  private:
   ErrorKind kind_;
+  std::string hint_;
 };
+
+// A number as messages show it.
+inline std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
 
 }  // namespace streetgen

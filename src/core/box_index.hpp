@@ -1,4 +1,4 @@
-// Which boxes lie near a box: a packed R-tree.
+// Which boxes lie near a box: an R-tree, packed where all boxes are known at once.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,10 @@ class BoxIndex {
   using Extent = boost::geometry::model::box<Corner>;
   using Entry = std::pair<Extent, int>;
 
+  BoxIndex() = default;
   explicit BoxIndex(const std::vector<Box>& boxes) : tree_(entries(boxes)) {}
+
+  void add(const Box& box, int index) { tree_.insert({grown(box, 0), index}); }
 
   // Indices of the boxes that meet `box` grown by `margin`, ascending.
   std::vector<int> near(const Box& box, double margin) const {

@@ -1,17 +1,8 @@
 #include "argument.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace streetgen::pg {
-
-namespace {
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
-}
-}  // namespace
 
 double in_range(double value, double low, double high, const std::string& name) {
   if (!(value >= low && value <= high))

@@ -26,7 +26,8 @@ bool cancel_requested() noexcept { return QueryCancelPending || ProcDiePending; 
 void report(const Outcome& outcome) {
   if (outcome.sqlstate == 0) return;
   CHECK_FOR_INTERRUPTS();
-  ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message)));
+  ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message),
+                  outcome.hint[0] != '\0' ? errhint("%s", outcome.hint) : 0));
 }
 
 std::string_view bytes_of(Datum datum) {

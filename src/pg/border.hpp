@@ -60,6 +60,7 @@ Slot<T>* make_slot(MemoryContext owner) {
 struct Outcome {
   int sqlstate;  // 0: it went well
   char message[512];
+  char hint[1024];  // empty: none
 };
 static_assert(std::is_trivially_destructible_v<Outcome>);
 
@@ -69,15 +70,16 @@ bool cancel_requested() noexcept;
 template <class Work>
 Outcome compute(Work&& work) noexcept {
   Outcome outcome{};
-  const auto failed = [&](int sqlstate, const char* message) {
+  const auto failed = [&](int sqlstate, const char* message, const char* hint = "") {
     outcome.sqlstate = sqlstate;
     strlcpy(outcome.message, message, sizeof outcome.message);
+    strlcpy(outcome.hint, hint, sizeof outcome.hint);
   };
   set_cancel_check(cancel_requested);
   try {
     work();
   } catch (const Error& e) {
-    failed(sqlstate_of(e.kind()), e.what());
+    failed(sqlstate_of(e.kind()), e.what(), e.hint().c_str());
   } catch (const std::bad_alloc&) {
     failed(ERRCODE_OUT_OF_MEMORY, "out of memory");
   } catch (const std::exception& e) {
