@@ -326,6 +326,7 @@ BEGIN
     PERFORM streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model);
     PERFORM streetgen._make_edit_log(model);
+    PERFORM streetgen._make_cluster_table(model);
     PERFORM streetgen._comment_model(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
@@ -371,6 +372,7 @@ BEGIN
     PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._make_edit_views(schema);
     PERFORM streetgen._make_edit_log(schema);
+    PERFORM streetgen._make_cluster_table(schema);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
     -- Who may read or write the axes may do so with what was lost or is new.

@@ -1,0 +1,268 @@
+-- Clusters: a model computed part by part, each a transaction, by as many sessions as one likes.
+
+CREATE OR REPLACE FUNCTION streetgen._clusters(x float8[], y float8[], k integer) RETURNS integer[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 AS 'MODULE_PATHNAME', 'streetgen_clusters';
+COMMENT ON FUNCTION streetgen._clusters(float8[], float8[], integer) IS 'The cluster, 1 to k, of each point: K-means by bisection, of equal sizes. k beyond the number of points: 22023.';
+
+-- One place for all axes of the model, and for edges whose axis is gone.
+CREATE OR REPLACE FUNCTION streetgen._axis_centroids(model name) RETURNS TABLE(axis_id bigint, centroid geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format('SELECT axis_id, ST_Centroid(ST_Force2D(geom)) FROM %1$I.axis
+        UNION ALL (SELECT DISTINCT ON (axis_id) axis_id, ST_Centroid(ST_Force2D(geom)) FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = e.axis_id) ORDER BY axis_id, start_abscissa)', model);
+END $$;
+COMMENT ON FUNCTION streetgen._axis_centroids(name) IS 'The centroid of each axis of a model, and of each that is gone and has left edges behind.';
+
+CREATE OR REPLACE FUNCTION streetgen.cluster(model name, k integer) RETURNS TABLE(axis_id bigint, cluster integer)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    many bigint;
+BEGIN
+    PERFORM streetgen._check_model(model);
+    IF k IS NULL THEN
+        RAISE EXCEPTION 'the number of clusters of model "%" is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
+    END IF;
+    SELECT count(*) INTO many FROM streetgen._axis_centroids(model);
+    IF k < 1 OR k > greatest(many, 1) THEN
+        RAISE EXCEPTION 'model "%" cannot be parted in % clusters', model, k USING ERRCODE = '22023', DETAIL = format('It has %s axes.', many), HINT = 'At least 1, at most one an axis.';
+    END IF;
+    RETURN QUERY
+    SELECT c.axis_id, c.cluster FROM (
+        SELECT array_agg(a.axis_id ORDER BY a.axis_id) AS ids, streetgen._clusters(array_agg(ST_X(centroid) ORDER BY a.axis_id), array_agg(ST_Y(centroid) ORDER BY a.axis_id), k) AS numbers
+        FROM streetgen._axis_centroids(model) a HAVING count(*) > 0) f, unnest(ids, numbers) AS c(axis_id, cluster);
+END $$;
+COMMENT ON FUNCTION streetgen.cluster(name, integer) IS 'Parts the axes of a model, by their centroids, in clusters 1 to k of equal size (or one axis more): K-means by bisection. A set is cut by a straight line across its longest extent, then as K-means does: each axis goes to the nearer centre as far as the sizes allow, and the centres follow, until nothing changes; each half is cut the same way. The same axes give the same clusters; clusters that follow each other are neighbours. Axes that are gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: 22023. Source: the StreetGen paper, figure 29.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE TABLE IF NOT EXISTS %1$I.cluster (
+    cluster_id integer PRIMARY KEY, axes bigint[] NOT NULL, hull geometry(Geometry, %2$s) NOT NULL, setting_hash bigint NOT NULL,
+    began timestamptz, ended timestamptz, session integer);
+CREATE INDEX IF NOT EXISTS cluster_hull ON %1$I.cluster USING gist (hull);
+COMMENT ON TABLE %1$I.cluster IS 'The last run of the model by clusters, or the one under way: a row per cluster; streetgen.plan_clusters writes it, streetgen.generate_cluster ends its rows, streetgen.progress sums them up';
+COMMENT ON COLUMN %1$I.cluster.cluster_id IS 'number of the cluster, from 1; those that follow each other are neighbours';
+COMMENT ON COLUMN %1$I.cluster.axes IS 'its axes';
+COMMENT ON COLUMN %1$I.cluster.hull IS 'convex hull of the centroids of its axes';
+COMMENT ON COLUMN %1$I.cluster.setting_hash IS 'hash of the settings that the run was planned with';
+COMMENT ON COLUMN %1$I.cluster.began IS 'when a session took it; NULL: not computed yet';
+COMMENT ON COLUMN %1$I.cluster.ended IS 'when it was done; NULL: not computed yet';
+COMMENT ON COLUMN %1$I.cluster.session IS 'process of the session that computed it'
+$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+END $$;
+COMMENT ON FUNCTION streetgen._make_cluster_table(name) IS 'Makes the table by which a model is computed in clusters.';
+
+CREATE OR REPLACE FUNCTION streetgen._setting_hash(model name) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    hash bigint;
+BEGIN
+    EXECUTE format('SELECT setting_hash FROM %I.axis_used LIMIT 1', model) INTO hash;
+    RETURN coalesce(hash, 0);
+END $$;
+COMMENT ON FUNCTION streetgen._setting_hash(name) IS 'Hash of the settings of a model; 0 for one without axes.';
+
+CREATE OR REPLACE FUNCTION streetgen.plan_clusters(model name, clusters integer DEFAULT NULL, sessions integer DEFAULT 1) RETURNS integer
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Smaller ones spend more on their surroundings, larger ones more memory, and edits wait longer for them.
+    axes_of_cluster constant integer := 2500;
+    many bigint;
+    planned integer;
+    left_over integer;
+    hash bigint;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_settings(model);
+    IF clusters < 1 OR sessions IS NULL OR sessions < 1 THEN
+        RAISE EXCEPTION 'model "%" cannot be computed in % clusters by % sessions', model, coalesce(clusters::text, 'some'), coalesce(sessions::text, 'NULL') USING ERRCODE = '22023', HINT = 'At least one of each.';
+    END IF;
+    -- Beside sessions that compute a cluster, but not beside another plan.
+    EXECUTE format('LOCK TABLE %I.cluster IN SHARE UPDATE EXCLUSIVE MODE', model);
+    hash := streetgen._setting_hash(model);
+    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE ended IS NULL AND setting_hash = $1) FROM %I.cluster', model) INTO planned, left_over USING hash;
+    IF left_over > 0 THEN
+        -- What came since in no cluster is one more.
+        EXECUTE format($sql$INSERT INTO %1$I.cluster (cluster_id, axes, hull, setting_hash)
+            SELECT max(k.cluster_id) + 1, n.ids, n.hull, $1 FROM %1$I.cluster k, (
+                SELECT array_agg(a.axis_id) AS ids, ST_ConvexHull(ST_Collect(centroid)) AS hull FROM streetgen._axis_centroids(%2$L) a
+                WHERE NOT EXISTS (SELECT FROM %1$I.cluster c, unnest(c.axes) id WHERE id = a.axis_id)) n WHERE n.ids IS NOT NULL GROUP BY n.ids, n.hull$sql$, model, model) USING hash;
+        RAISE NOTICE 'model "%": % of % clusters are done, the run goes on', model, planned - left_over, planned;
+        EXECUTE format('SELECT count(*) FROM %I.cluster WHERE ended IS NULL', model) INTO left_over;
+        RETURN left_over;
+    END IF;
+    PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
+    SELECT count(*) INTO many FROM streetgen._axis_centroids(model);
+    planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
+    EXECUTE format('DELETE FROM %I.cluster', model);
+    IF planned > 0 THEN
+        EXECUTE format('INSERT INTO %I.cluster (cluster_id, axes, hull, setting_hash)
+            SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(centroid)), $1
+            FROM streetgen.cluster(%2$L, $2) c JOIN streetgen._axis_centroids(%2$L) a USING (axis_id) GROUP BY c.cluster', model, model) USING hash, planned;
+    END IF;
+    RETURN planned;
+END $$;
+COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster. Clusters are computed by streetgen.generate_cluster. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
+
+CREATE OR REPLACE FUNCTION streetgen._blocks(model name, asked bigint[], written bigint[]) RETURNS integer[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET enable_nestloop = off
+    AS $$
+DECLARE
+    blocks integer[];
+BEGIN
+    -- A block is five cells wide. Its key is under those of cells.
+    EXECUTE format($sql$
+WITH s AS (SELECT max(value::float8) FILTER (WHERE name = 'reach') AS reach, 5 * max(value::float8) FILTER (WHERE name = 'cell_size') AS size FROM %1$I.setting),
+line AS (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
+place AS (
+    SELECT geom, reach + 200 AS margin FROM line, s WHERE axis_id IN (SELECT unnest($1))
+    UNION ALL SELECT geom, 10 FROM line WHERE axis_id IN (SELECT unnest($2)))
+SELECT array_agg(DISTINCT -2 - (hashint8(x * 1000003 + y) & 1073741823))
+FROM (SELECT DISTINCT floor((ST_XMin(geom) - margin) / size) AS west, floor((ST_YMin(geom) - margin) / size) AS south, floor((ST_XMax(geom) + margin) / size) AS east, floor((ST_YMax(geom) + margin) / size) AS north FROM place, s) b,
+    generate_series(west::bigint, east::bigint) x, generate_series(south::bigint, north::bigint) y $sql$, model) INTO blocks USING asked, written;
+    RETURN coalesce(blocks, '{}');
+END $$;
+COMMENT ON FUNCTION streetgen._blocks(name, bigint[], bigint[]) IS 'Keys of the blocks of a model that a run for some axes reads or writes: what sessions that compute clusters lock against each other.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, axes bigint[], wait boolean, OUT free boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    model_key constant integer := hashtext('streetgen.' || model);
+    reach record := streetgen._reach_of(model, axes);
+    again record := reach;
+    blocks integer[];
+    key integer;
+BEGIN
+    blocks := ARRAY(SELECT unnest(streetgen._blocks(model, reach.asked, reach.written)) AS b ORDER BY b);
+    LOOP
+        free := true;
+        -- More than one look needs more locks: those taken here are given back first, as _claim does.
+        BEGIN
+            -- Edits of more than 64 places hold all.
+            IF wait THEN
+                PERFORM pg_advisory_xact_lock_shared(model_key, -1);
+            ELSE
+                free := pg_try_advisory_xact_lock_shared(model_key, -1);
+            END IF;
+            FOREACH key IN ARRAY blocks LOOP
+                EXIT WHEN NOT free;
+                IF wait THEN
+                    PERFORM pg_advisory_xact_lock(model_key, key);
+                ELSE
+                    free := pg_try_advisory_xact_lock(model_key, key);
+                END IF;
+            END LOOP;
+            -- Cells are hashed, so that clusters share them among each other; edits do not.
+            FOREACH key IN ARRAY reach.cells LOOP
+                EXIT WHEN NOT free;
+                IF wait THEN
+                    PERFORM pg_advisory_xact_lock_shared(model_key, key);
+                ELSE
+                    free := pg_try_advisory_xact_lock_shared(model_key, key);
+                END IF;
+            END LOOP;
+            IF NOT free THEN
+                RAISE SQLSTATE 'SG001';
+            END IF;
+            again := streetgen._reach_of(model, axes);
+            IF NOT (again.cells <@ reach.cells AND streetgen._blocks(model, again.asked, again.written) <@ blocks) THEN
+                blocks := ARRAY(SELECT unnest(blocks) AS b UNION SELECT unnest(streetgen._blocks(model, again.asked, again.written)) ORDER BY b);
+                reach := again;
+                RAISE SQLSTATE 'SG001';
+            END IF;
+        EXCEPTION
+            WHEN SQLSTATE 'SG001' THEN
+                EXIT WHEN NOT free;
+                CONTINUE;
+            WHEN lock_not_available THEN
+                RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+        END;
+        EXIT;
+    END LOOP;
+    changed := again.asked;
+    written := again.written;
+    gathered := again.gathered;
+END $$;
+COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the blocks and cells of a cluster for this transaction, in one order; gives what a run for it writes and gathers. Without wait: not free where another session holds any of them, and nothing is locked.';
+
+CREATE OR REPLACE FUNCTION streetgen.progress(model name)
+    RETURNS TABLE(clusters integer, ended integer, sessions integer, axes bigint, axes_ended bigint, began timestamptz, axes_per_second float8, time_left interval)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    RETURN QUERY EXECUTE format($sql$
+SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
+FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended, coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
+             coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended, min(k.began) AS began,
+             sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)), 0)::float8 AS rate_of_one FROM %I.cluster k) c,
+     -- Keys of blocks are negative.
+     (SELECT count(DISTINCT pid)::integer AS sessions FROM pg_locks l WHERE locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
+          AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid AND objid::bigint BETWEEN 2147483648 AND 4294967294) s,
+     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
+END $$;
+COMMENT ON FUNCTION streetgen.progress(name) IS 'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';
+
+CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer DEFAULT 1)
+    RETURNS TABLE(cluster integer, axes integer, seconds float8, ended integer, clusters integer, axes_per_second float8, time_left interval)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    chosen record;
+    claimed record;
+    free boolean := false;
+    tried integer[] := '{}';
+    wait boolean := false;
+    started timestamptz;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_settings(model);
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+    LOOP
+        BEGIN
+            EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id <> ALL ($1) ORDER BY cluster_id < $2, cluster_id LIMIT 1 FOR UPDATE SKIP LOCKED', model)
+                INTO chosen USING tried, coalesce(first, 1);
+            IF chosen.cluster_id IS NULL AND tried = '{}' THEN
+                -- All that is left is under way: should a session fail, its cluster is free again.
+                EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL ORDER BY cluster_id < $1, cluster_id LIMIT 1 FOR UPDATE', model) INTO chosen USING coalesce(first, 1);
+            END IF;
+            IF chosen.cluster_id IS NOT NULL THEN
+                IF chosen.setting_hash <> streetgen._setting_hash(model) THEN
+                    RAISE EXCEPTION 'settings of model "%" changed since its clusters were planned', model USING ERRCODE = '55000', HINT = format('SELECT streetgen.plan_clusters(%L) begins anew.', model);
+                END IF;
+                started := clock_timestamp();
+                claimed := streetgen._claim_cluster(model, chosen.axes, wait);
+                free := claimed.free;
+                IF NOT free THEN
+                    RAISE SQLSTATE 'SG001';
+                END IF;
+            END IF;
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            tried := tried || chosen.cluster_id;
+            CONTINUE;
+        END;
+        EXIT WHEN free;
+        IF tried <> '{}' THEN
+            -- Others work beside each cluster that is left.
+            wait := true;
+            tried := '{}';
+        ELSE
+            EXECUTE format('SELECT cluster_id FROM %I.cluster WHERE ended IS NULL LIMIT 1', model) INTO chosen;
+            IF chosen.cluster_id IS NULL THEN
+                RETURN;
+            END IF;
+        END IF;
+    END LOOP;
+    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE cluster_id = $2', model) USING started, chosen.cluster_id;
+    RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes), extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left FROM streetgen.progress(model) p;
+END $$;
+COMMENT ON FUNCTION streetgen.generate_cluster(name, integer) IS 'Computes the next cluster of a run planned by streetgen.plan_clusters that is free, from number first on, and gives how far the run is then; no row where none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it until there is no row. Rows shared with clusters computed before are finished, so that after the last one the model is as streetgen.generate makes it, but for keys. A session that ends takes nothing along: what it had not committed is computed by the next. Sessions keep apart by places; where only places beside others are left it waits for them, and for edits. Needs read committed (0A000) and the rights of the owner (42501). Settings that changed since the plan: 55000; lock_timeout that ends: 55P03.';
