@@ -111,7 +111,7 @@ END $$;
 COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster. Clusters are computed by streetgen.generate_cluster. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
 
 CREATE OR REPLACE FUNCTION streetgen._blocks(model name, asked bigint[], written bigint[]) RETURNS integer[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET enable_nestloop = off
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET enable_nestloop = off SET jit = off
     AS $$
 DECLARE
     blocks integer[];
