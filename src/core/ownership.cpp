@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "box_index.hpp"
+#include "cut.hpp"
 #include "nearest.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
@@ -101,23 +102,6 @@ void sample(const Claim& claim, const Box& within, double margin, bool first,
   }
 }
 
-// The part of `shared` that lies nearer to the first claim's axes than to the second's.
-MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second,
-                             const GEOSGeometry* shared, const Box& box) {
-  std::vector<Site> sites;
-  const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
-  // Of sites in one place the claim that comes before keeps it.
-  const bool first_wins = before(first, second);
-  sample(first_wins ? first : second, box, margin, first_wins, sites);
-  sample(first_wins ? second : first, box, margin, !first_wins, sites);
-  const auto count =
-      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
-  if (count == 0) return {};
-  if (count == static_cast<std::ptrdiff_t>(sites.size())) return geos.polygons(shared);
-  const Geos::Geometry ground = geos.surface(nearest_to_first(sites, 2 * margin));
-  return geos.polygons(geos.intersection(shared, ground.get()).get());
-}
-
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
                                                    const std::vector<Ground>& grounds) {
   std::vector<Box> boxes(claims.size());
@@ -148,7 +132,7 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
 }
 
 // On edges that nearly coincide GEOS may drop ground or leave it, without an error: areas tell.
-MultiPolygon without(Geos& geos, const MultiPolygon& surface, const MultiPolygon& ground) {
+MultiPolygon overlaid_without(Geos& geos, const MultiPolygon& surface, const MultiPolygon& ground) {
   const Geos::Geometry whole = geos.surface(surface), taken = geos.surface(ground);
   const MultiPolygon rest = geos.polygons(geos.difference(whole.get(), taken.get()).get());
   const double expected = area(surface) - area(ground), found = area(rest);
@@ -159,6 +143,45 @@ MultiPolygon without(Geos& geos, const MultiPolygon& surface, const MultiPolygon
   if (found < expected - negligible || (found > expected + negligible && left() > negligible))
     return geos.polygons(geos.difference_on_grid(whole.get(), taken.get()).get());
   return rest;
+}
+
+// A surface that nearly touches itself may fall into parts that do.
+bool valid(Geos& geos, const MultiPolygon& surface) {
+  return surface.empty() || geos.valid(geos.surface(surface).get());
+}
+
+MultiPolygon without(Geos& geos, const MultiPolygon& surface, const MultiPolygon& ground) {
+  std::optional<Cut> parts = cut(surface, ground);
+  if (parts && valid(geos, parts->rest)) return std::move(parts->rest);
+  return overlaid_without(geos, surface, ground);
+}
+
+MultiPolygon shared_ground(Geos& geos, const MultiPolygon& a, const MultiPolygon& b) {
+  std::optional<Cut> parts = cut(a, b);
+  if (parts && valid(geos, parts->shared)) return std::move(parts->shared);
+  const Geos::Geometry of_a = geos.surface(a), of_b = geos.surface(b);
+  return geos.polygons(geos.intersection(of_a.get(), of_b.get()).get());
+}
+
+// Contested ground by the claim whose axes are nearer: that of the first, that of the second.
+Cut by_distance(Geos& geos, const Claim& first, const Claim& second, const MultiPolygon& ground,
+                const Box& box) {
+  std::vector<Site> sites;
+  const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
+  // Of sites in one place the claim that comes before keeps it.
+  const bool first_wins = before(first, second);
+  sample(first_wins ? first : second, box, margin, first_wins, sites);
+  sample(first_wins ? second : first, box, margin, !first_wins, sites);
+  const auto count =
+      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
+  if (count == 0) return {{}, ground};
+  if (count == static_cast<std::ptrdiff_t>(sites.size())) return {ground, {}};
+  const MultiPolygon nearer = nearest_to_first(sites, 2 * margin);
+  std::optional<Cut> parts = cut(ground, nearer);
+  if (parts && valid(geos, parts->shared) && valid(geos, parts->rest)) return std::move(*parts);
+  MultiPolygon of_first = shared_ground(geos, ground, nearer);
+  MultiPolygon of_second = without(geos, ground, of_first);
+  return {std::move(of_first), std::move(of_second)};
 }
 
 // Ground won where axes cross.
@@ -216,20 +239,13 @@ std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
 
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes) {
-  std::map<int, Geos::Geometry> raw;
   // By rival, so that the ground goes in one order.
   std::map<int, std::map<int, MultiPolygon>> lost;
   std::map<int, double> whole;
   std::vector<Won> won;
-  const auto geometry = [&](int i) {
-    auto& slot = raw[i];
-    if (!slot) slot = geos.surface(*claims[i].surface);
-    return slot.get();
-  };
   const auto judge = [&](int i, int j) {
     poll_cancel();
-    const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
-    const MultiPolygon ground = geos.polygons(shared.get());
+    const MultiPolygon ground = shared_ground(geos, *claims[i].surface, *claims[j].surface);
     if (area(ground) <= negligible) return;
     const Box box = box_of(ground);
     if (skeletons_cross(claims[i], claims[j], box)) {
@@ -238,11 +254,9 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
       won.push_back({winner, loser, ground});
       return;
     }
-    const Geos::Geometry clean = geos.surface(ground);
-    const MultiPolygon ground_of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
-    const MultiPolygon ground_of_j = without(geos, ground, ground_of_i);
-    if (!ground_of_i.empty()) lost[j][i] = ground_of_i;
-    if (!ground_of_j.empty()) lost[i][j] = ground_of_j;
+    Cut parts = by_distance(geos, claims[i], claims[j], ground, box);
+    if (!parts.shared.empty()) lost[j][i] = std::move(parts.shared);
+    if (!parts.rest.empty()) lost[i][j] = std::move(parts.rest);
   };
   // What a winner gets back depends on the settled ground of all its rivals.
   std::vector<bool> wanted;
