@@ -41,10 +41,12 @@ class Cutter {
   std::optional<Cut> run() {
     if (!box_[0].meets(box_[1], 0)) return Cut{{}, *surface_[0]};
     name_vertices();
-    if (count_[0] * count_[1] > most_pairs || !split()) return std::nullopt;
+    if (count_[0] * count_[1] > most_pairs) return std::nullopt;
+    split();
     for (const int of : {0, 1})
       for (const Loop& loop : loops_[of])
         if (!add_pieces(loop, of)) return std::nullopt;
+    for (const int of : {0, 1}) close_slits(of);
     find_common();
     for (const int of : {0, 1})
       if (!place(of)) return std::nullopt;
@@ -61,8 +63,6 @@ class Cutter {
           rest.push_back({p.to, p.from, p.lies});
         }
     Cut cut;
-    close_slits(shared);
-    close_slits(rest);
     if (!link(shared, cut.shared) || !link(rest, cut.rest)) return std::nullopt;
     if (std::abs(area(cut.shared) + area(cut.rest) - area(*surface_[0])) > adds_up)
       return std::nullopt;
@@ -94,6 +94,7 @@ class Cutter {
           name[order[k]] = name[order[l]] = first;
         }
     in_.assign(size, 0);
+    named_ = size;
     int next = 0;
     for (const int of : {0, 1}) {
       for (const Polygon& polygon : *surface_[of])
@@ -113,7 +114,7 @@ class Cutter {
     }
   }
 
-  bool split() {
+  void split() {
     std::vector<Segment*> near;
     for (Loop& loop : loops_[1])
       for (Segment& segment : loop)
@@ -124,7 +125,6 @@ class Cutter {
         for (Segment* t : near)
           if (s.box.meets(t->box, on_it)) meet(s, *t);
       }
-    return true;
   }
 
   void meet(Segment& s, Segment& t) {
@@ -150,11 +150,23 @@ class Cutter {
         of_r * of_e > 0 || of_p * of_q > 0)
       return;
     const double share = of_p / (of_p - of_q);
-    const int vertex = static_cast<int>(vertices_.size());
-    vertices_.push_back(origin_ + p + u * share);
-    in_.push_back(3);
+    const int vertex = crossing(origin_ + p + u * share);
     s.splits.emplace_back(share, vertex);
     t.splits.emplace_back(of_r / (of_r - of_e), vertex);
+  }
+
+  // Crossings in one place are one.
+  int crossing(const Point& place) {
+    const auto found =
+        std::find_if(vertices_.begin() + named_, vertices_.end(), [&](const Point& p) {
+          return std::abs(p.x - place.x) <= on_it && distance(p, place) <= on_it;
+        });
+    if (found == vertices_.end()) {
+      vertices_.push_back(place);
+      in_.push_back(3);
+      return static_cast<int>(vertices_.size()) - 1;
+    }
+    return static_cast<int>(found - vertices_.begin());
   }
 
   bool add_pieces(const Loop& loop, int of) {
@@ -178,6 +190,32 @@ class Cutter {
     }
     pieces_[of].push_back(std::move(ring));
     return true;
+  }
+
+  // Parts that lie nearer to each other than can be told are one: what runs there and back goes.
+  void close_slits(int of) {
+    std::vector<Piece*> all;
+    for (std::vector<Piece>& ring : pieces_[of])
+      for (Piece& piece : ring) all.push_back(&piece);
+    const auto ends = [](const Piece* p) {
+      return std::pair(std::min(p->from, p->to), std::max(p->from, p->to));
+    };
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Piece* p, const Piece* q) { return ends(p) < ends(q); });
+    bool closed = false;
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      Piece &p = *all[k - 1], &q = *all[k];
+      if (p.from != q.to || p.to != q.from) continue;
+      in_[p.from] = in_[p.to] = 3;
+      p.to = p.from;
+      q.to = q.from;
+      closed = true;
+    }
+    if (!closed) return;
+    for (std::vector<Piece>& ring : pieces_[of])
+      ring.erase(
+          std::remove_if(ring.begin(), ring.end(), [](const Piece& p) { return p.from == p.to; }),
+          ring.end());
   }
 
   // Pieces of both boundaries, in one direction or against each other.
@@ -243,24 +281,6 @@ class Cutter {
       odd ^= inside(middle, polygon);
     }
     return odd ? Lies::inside : Lies::outside;
-  }
-
-  // Parts that lie nearer to each other than can be told are one: what runs there and back goes.
-  static void close_slits(std::vector<Piece>& pieces) {
-    const auto ends = [](const Piece& p) {
-      return std::pair(std::min(p.from, p.to), std::max(p.from, p.to));
-    };
-    std::vector<int> order(pieces.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return ends(pieces[i]) < ends(pieces[j]); });
-    for (std::size_t k = 1; k < order.size(); ++k) {
-      Piece &a = pieces[order[k - 1]], &b = pieces[order[k]];
-      if (a.from == b.to && a.to == b.from) a.from = a.to = b.from = b.to = -1;
-    }
-    pieces.erase(
-        std::remove_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.from < 0; }),
-        pieces.end());
   }
 
   // Rings of the pieces: where several go on, the one next to the ground on the left.
@@ -338,6 +358,7 @@ class Cutter {
   Box box_[2];
   Point origin_;
   std::vector<Point> vertices_;
+  int named_ = 0;  // of them; crossings come after
   std::vector<int>
       in_;  // by vertex: bit 0 on the boundary of the first surface, bit 1 of the second
   std::size_t count_[2] = {0, 0};
