@@ -1,5 +1,5 @@
 -- The extension as built now in a database of another build, as one transaction: the models keep their rows and get the
--- views of this build.  Objects of others that depend on the extension or its views stop it.
+-- views of this build, and the tables that came with it.  Objects of others that depend on the extension or its views stop it.
 CREATE FUNCTION pg_temp.columns_of(model name) RETURNS SETOF text LANGUAGE sql AS $$
     SELECT format('%s.%s (%s)', c.relname, a.attname, format_type(a.atttypid, a.atttypmod))
     FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
@@ -13,15 +13,15 @@ BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
         EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
-            FROM unnest(ARRAY['axis_used', 'intersection_group', 'conflict', 'override_place', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
+            FROM unnest(ARRAY['axis_used', 'intersection_group', 'conflict', 'roadway', 'override_place', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
                               'corner_editing', 'kerb_point_editing', 'lane_editing', 'interconnection_editing']) v);
         -- Of the model's own functions, those that go with the extension, and the triggers that call them or it.
         FOR part IN
             WITH called AS (SELECT d.objid AS oid, d.deptype FROM pg_depend d JOIN pg_extension e ON e.oid = d.refobjid
                             WHERE d.classid = 'pg_proc'::regclass AND d.refclassid = 'pg_extension'::regclass AND e.extname = 'streetgen' AND d.deptype IN ('e', 'x'))
             SELECT drop FROM (
-                SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid JOIN called ON called.oid = tgfoid
-                    WHERE relnamespace = quote_ident(known.name)::regnamespace AND NOT tgisinternal
+                SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid JOIN called ON called.oid = tgfoid JOIN pg_proc f ON f.oid = tgfoid
+                    WHERE quote_ident(known.name)::regnamespace IN (relnamespace, pronamespace) AND NOT tgisinternal
                 UNION ALL SELECT 2, format('DROP FUNCTION %s', p.oid::regprocedure) FROM pg_proc p JOIN called USING (oid) WHERE deptype = 'x' AND pronamespace = quote_ident(known.name)::regnamespace) d
             ORDER BY turn
         LOOP
@@ -31,6 +31,7 @@ BEGIN
     DROP EXTENSION streetgen;
     CREATE EXTENSION streetgen;
     FOR known IN SELECT * FROM known_model LOOP
+        PERFORM streetgen._add_tables(known.name, known.srid);
         PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
         SELECT string_agg(c, ', ') INTO missing FROM (SELECT pg_temp.columns_of('streetgen_renewed') EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         PERFORM streetgen.drop_model('streetgen_renewed');

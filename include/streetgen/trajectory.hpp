@@ -34,6 +34,11 @@ Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& ce
                       TrajectoryRule rule, double tolerance, double least_radius = 0,
                       const std::optional<Point>& control = {});
 
+// Tangent to both lanes: the Bezier curve about the crossing of the lanes' straight continuations
+// where it lies ahead and the path does not turn back, else, and by rule arcs, the arcs.
+Trajectory tangent_trajectory(const Line& lane_in, const Line& lane_out, TrajectoryRule rule,
+                              double tolerance);
+
 // The least radius of the circles through successive quarter points of the path; infinite for a
 // straight path or one without length.
 double quarter_radius(const Line& path);

@@ -30,8 +30,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('driving_side', 'right', NULL, 'side of the road that one drives on: right or left', NULL, NULL, ARRAY['right', 'left']),
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL, ARRAY['true', 'false']),
-    ('trajectory', 'bezier', NULL, 'path between two lanes: bezier, arcs or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
-    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper everywhere', 0, 100, NULL),
+    ('trajectory', 'bezier', NULL, 'path between two lanes: bezier or arcs, which follow the lanes towards the node where they would cross a kerb, or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
+    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper wherever its path stays on the roadway', 0, 100, NULL),
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10, NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
@@ -214,10 +214,30 @@ SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_i
 FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
 WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
 $sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
+SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind, importance, e.level, e.width, e.lane_count, surface
+FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+UNION ALL
+SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count, surface
+FROM %1$I.intersection i CROSS JOIN LATERAL (
+    SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node THEN width_end END) AS width, lane_count
+    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first
+LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.roadway IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without overlap. An intersection is named after its first edge: the most important, then the widest, then that of the smallest axis_id'$sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+END $$;
+COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -317,16 +337,15 @@ BEGIN
     END LOOP;
     PERFORM streetgen._make_lane_tables(model, srid);
     PERFORM streetgen._make_interconnection_tables(model, srid);
-    PERFORM streetgen._make_override_tables(model, srid);
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
     EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._register_model(model, srid, dimension);
+    PERFORM streetgen._add_tables(model, srid);
     PERFORM streetgen._make_views(model);
     PERFORM streetgen._make_functions(model);
     PERFORM streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model);
     PERFORM streetgen._make_edit_log(model);
-    PERFORM streetgen._make_cluster_table(model);
     PERFORM streetgen._comment_model(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
@@ -337,9 +356,21 @@ CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
 BEGIN
     PERFORM streetgen._check_owner(model);
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
-    PERFORM streetgen._forget_models();
+    PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
 END $$;
-COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it.';
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A table of somebody else could run his trigger with the rights of the caller.
+    IF EXISTS (SELECT FROM pg_class c JOIN pg_roles r ON r.oid = relowner JOIN pg_attribute ON attrelid = c.oid WHERE c.oid = to_regclass('public.layer_styles') AND relkind = 'r'
+               AND (r.rolsuper OR r.rolname = current_user) AND has_table_privilege(c.oid, 'SELECT') AND has_table_privilege(c.oid, 'DELETE') AND attname = 'f_table_schema' AND NOT attisdropped) THEN
+        EXECUTE 'DELETE FROM public.layer_styles WHERE f_table_schema = $1' USING model;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._forget_styles(name) IS 'Deletes the styles of the layers of a model from the table that QGIS keeps them in.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
@@ -366,24 +397,24 @@ BEGIN
         RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000', HINT = 'Its table axis has no column geom with an SRID.';
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
-    PERFORM streetgen._make_override_tables(schema, srid);
+    PERFORM streetgen._add_tables(schema, srid);
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._make_functions(schema);
     PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._make_edit_views(schema);
     PERFORM streetgen._make_edit_log(schema);
-    PERFORM streetgen._make_cluster_table(schema);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
+    PERFORM streetgen._follow_again(schema);
     -- Who may read or write the axes may do so with what was lost or is new.
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
-        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
+        EXECUTE format('GRANT SELECT ON %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, %1$I.roadway, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee <> relowner LOOP
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views back, with their comments and readers. A schema without the tables: 3F000; one of another role: 42501.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
@@ -459,6 +490,8 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     IF kind NOT IN ('reader', 'editor') THEN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
+    ELSIF role <> 'public' AND NOT EXISTS (SELECT FROM pg_roles WHERE rolname = role) THEN
+        RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704', HINT = 'SELECT rolname FROM pg_roles lists them; public is everybody.';
     END IF;
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
@@ -467,4 +500,4 @@ BEGIN
     END IF;
     PERFORM streetgen._grant_edit_views(model);
 END $$;
-COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor).';
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor); role public: everybody. An unknown role: 42704.';

@@ -22,8 +22,8 @@ COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END))::integer));
-COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower.';
+    RETURN CASE WHEN width BETWEEN 0 AND 1e6 AND lane_width BETWEEN 1e-3 AND 1e6 THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)))::integer) END;
+COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -45,7 +45,7 @@ CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus
     AS $$
     SELECT CASE WHEN bus OR by_list OR near_cycle OR far_cycle OR near_parking OR far_parking
                 THEN array_to_string(CASE driving_side WHEN 'right' THEN far_inwards || lanes || near ELSE near_inwards || lanes || far END, '|') END
-    FROM (SELECT string_to_array(buses, '|') AS said) b,
+    FROM (SELECT string_to_array(buses, '|') AS said WHERE driving BETWEEN 0 AND 40) b,
     LATERAL (SELECT coalesce(cardinality(said) = driving AND 'designated' = ANY (said), false) AS by_list, array_fill('general'::text, ARRAY[CASE WHEN driving > 1 THEN driving - 1 ELSE driving END]) AS beside_bus) y,
     LATERAL (SELECT CASE WHEN by_list THEN ARRAY(SELECT CASE word WHEN 'designated' THEN 'bus' ELSE 'general' END FROM unnest(said) WITH ORDINALITY w(word, i) ORDER BY i)
                          WHEN NOT bus THEN array_fill('general'::text, ARRAY[driving])
@@ -55,7 +55,7 @@ CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus
                     array_remove(ARRAY[CASE WHEN near_parking THEN 'parking' END, CASE WHEN near_cycle THEN 'cycle' END], NULL) AS near_inwards,
                     array_remove(ARRAY[CASE WHEN far_cycle THEN 'cycle' END, CASE WHEN far_parking THEN 'parking' END], NULL) AS far,
                     array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END], NULL) AS far_inwards) k $$;
-COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general.';
+COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general, or driving is not 0 to 40.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

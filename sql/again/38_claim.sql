@@ -178,6 +178,7 @@ DECLARE
     inside bigint[];
     reach record;
     cell integer;
+    seen pg_snapshot := pg_current_snapshot();
 BEGIN
     reach := streetgen._reach_of(model, axes);
     wanted := reach.cells;
@@ -204,7 +205,10 @@ BEGIN
                     END IF;
                 END LOOP;
             END IF;
-            reach := streetgen._reach_of(model, axes);
+            -- The same snapshot: nobody has committed meanwhile.
+            IF pg_current_snapshot()::text <> seen::text THEN
+                reach := streetgen._reach_of(model, axes);
+            END IF;
             IF NOT reach.cells <@ wanted THEN
                 wanted := ARRAY(SELECT DISTINCT c FROM unnest(wanted || reach.cells) c ORDER BY c);
                 missed := '{}';

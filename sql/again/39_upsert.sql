@@ -11,7 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name, few boolean) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -49,7 +49,7 @@ result AS MATERIALIZED (
         SELECT array_agg(axis_id ORDER BY axis_id) AS axis_id, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS geom,
                array_agg(width ORDER BY axis_id) AS width, array_agg(width_end ORDER BY axis_id) AS width_end,
                array_agg(radius ORDER BY axis_id) AS radius, array_agg(importance ORDER BY axis_id) AS importance,
-               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($%8$s) ORDER BY axis_id) AS changed, array_agg(NOT axis_id = ANY ($1) ORDER BY axis_id) AS outer_axis, array_agg(axis_id IN (SELECT b.axis_id FROM beside b) ORDER BY axis_id) AS beside,
+               array_agg(level ORDER BY axis_id) AS level, array_agg(speed ORDER BY axis_id) AS speed, array_agg(axis_id = ANY ($3) ORDER BY axis_id) AS changed, array_agg(NOT axis_id = ANY ($1) ORDER BY axis_id) AS outer_axis, array_agg(axis_id IN (SELECT b.axis_id FROM beside b) ORDER BY axis_id) AS beside,
                array_agg(lanes_forward ORDER BY axis_id) AS lanes_forward, array_agg(lanes_backward ORDER BY axis_id) AS lanes_backward,
                array_agg(coalesce(kind_forward, '') ORDER BY axis_id) AS kind_forward, array_agg(coalesce(kind_backward, '') ORDER BY axis_id) AS kind_backward,
                array_agg(coalesce(lane_width_forward, '') ORDER BY axis_id) AS lane_width_forward, array_agg(coalesce(lane_width_backward, '') ORDER BY axis_id) AS lane_width_backward,
@@ -83,11 +83,10 @@ result AS MATERIALIZED (
         o.axis_id, o.abscissa, o.ordinality, o.direction, o.width,
         v ->> 'lane_order', v ->> 'driving_side', (v ->> 'lane_width_minimal')::float8, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8, v ->> 'edge_line' = 'solid',
         u.speed, b.from_axis, b.to_axis, b.x, b.y, b.kind, b.turn, (v ->> 'u_turn')::boolean, CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs' ELSE 'bezier' END, (v ->> 'trajectory_tolerance')::float8, (v ->> 'trajectory_radius')::float8, u.changed, u.beside, f.axis_id, f.geom, f.wanted_start, f.start, f.wanted_end, f."end", p.x, p.y, p.met,
-        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius, u.outer_axis) s
-    WHERE %7$s),
+        o.line, l.axis_id, l.abscissa, l.which, c.axis_a, c.axis_b, c.x, c.y, c.radius, u.outer_axis) s),
 -- The axes whose rows come out, and those that are gone.
 asked_axis AS MATERIALIZED (
-    SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($%8$s)),
+    SELECT DISTINCT of_axis AS axis_id FROM result WHERE relation = 'edge' AND (start_a OR start_b) AND of_axis = ANY ($1) UNION SELECT unnest($3)),
 new_edge AS MATERIALIZED (
     SELECT row_index, start_b AS asked, of_axis AS axis_id, node_a, node_b, of_level AS level, measure_1 AS start_abscissa, measure_2 AS end_abscissa, %3$s AS geom
     FROM result WHERE relation = 'edge' AND of_axis IN (SELECT axis_id FROM asked_axis)),
@@ -95,7 +94,7 @@ new_node AS MATERIALIZED (
     SELECT row_index, start_a AS asked, %4$s AS geom, anchor_axis, anchor_abscissa FROM result
     WHERE relation = 'node' AND row_index IN (SELECT node_a FROM new_edge UNION SELECT node_b FROM new_edge)),
 -- Identity: an axis end is known by its side, a shared vertex by its abscissa.
-old_edge AS MATERIALIZED (SELECT * FROM %1$I.edge WHERE axis_id = ANY ($1) OR axis_id = ANY ($2)),
+old_edge AS MATERIALIZED (SELECT e.*, axis_id IN (SELECT axis_id FROM asked_axis) AS asked FROM %1$I.edge e WHERE axis_id = ANY ($1) OR axis_id = ANY ($2)),
 old_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM old_edge GROUP BY axis_id),
 old_anchor AS (
     SELECT DISTINCT o.axis_id, CASE WHEN start_abscissa = first THEN -1 ELSE round((start_abscissa * 100)::numeric) END AS place, from_node AS node_id FROM old_edge o JOIN old_span USING (axis_id)
@@ -121,7 +120,7 @@ edge_id_of AS MATERIALIZED (
             FROM new_edge e LEFT JOIN same_edge s USING (row_index) JOIN node_id_of a ON a.row_index = e.node_a JOIN node_id_of b ON b.row_index = e.node_b) e
           LEFT JOIN old_key o ON e.same_id IS NULL AND (o.axis_id, o.from_node, o.turn) = (e.axis_id, e.from_node, e.turn) ORDER BY e.row_index OFFSET 0) t),
 gone_edge AS (
-    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND o.axis_id IN (SELECT axis_id FROM asked_axis)
+    DELETE FROM %1$I.edge d USING old_edge o WHERE d.edge_id = o.edge_id AND o.asked
         AND NOT EXISTS (SELECT FROM edge_id_of n WHERE n.edge_id = o.edge_id) RETURNING d.edge_id, d.from_node, d.to_node),
 set_node AS (
     INSERT INTO %1$I.node AS t (node_id, geom) SELECT node_id, geom::geometry FROM node_id_of
@@ -129,7 +128,7 @@ set_node AS (
 -- LIMIT: asked of each node, and not joined.
 left_node AS MATERIALIZED (
     SELECT node_id FROM (
-        SELECT from_node AS node_id FROM old_edge WHERE axis_id IN (SELECT axis_id FROM asked_axis) UNION SELECT to_node FROM old_edge WHERE axis_id IN (SELECT axis_id FROM asked_axis) UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL
+        SELECT from_node AS node_id FROM old_edge WHERE asked UNION SELECT to_node FROM old_edge WHERE asked UNION SELECT node_id FROM %1$I.node WHERE $1 IS NULL
         EXCEPT SELECT node_id FROM node_id_of) o
     WHERE (SELECT true FROM %1$I.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
         AND (SELECT true FROM %1$I.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL),
@@ -248,12 +247,12 @@ set_interconnection AS (
     WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
         IS DISTINCT FROM (excluded.node_id, excluded.turn, excluded.angle, excluded.plausible, excluded.reason, excluded.connecting, excluded.control::bytea, excluded.geom::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
--- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch. An OR of both lanes could only be a nested loop.
+-- An OR of both lanes could only be a nested loop.
 gone_interconnection AS (
     DELETE FROM %1$I.interconnection k USING (SELECT node_id FROM node_id_of WHERE asked UNION ALL SELECT node_id FROM left_node) n WHERE k.node_id = n.node_id
         AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_in AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
         AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_out AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
-        AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
+        AND NOT EXISTS (SELECT FROM new_interconnection c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
     FROM result WHERE relation = 'report' AND of_axis IN (SELECT axis_id FROM asked_axis)),
@@ -278,29 +277,35 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'),
         -- Between quotes.
-        replace(quote_ident(model), '''', ''''''),
-        CASE WHEN few THEN 'relation = ANY (''{node,edge,section_limit,section,corner,intersection,report,lane,lane_separator,marking,interconnection}'')' ELSE 'true' END,
-        -- Of many nothing is asked that has not changed: it costs more than it saves.
-        CASE WHEN few THEN 3 ELSE 1 END);
+        replace(quote_ident(model), '''', ''''''));
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(name, boolean) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. few: the planner is to expect few rows, by a condition that always holds. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
     SET enable_nestloop = off
+    -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
+    SET application_name = 'streetgen: reading or writing rows'
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
+    statement text := streetgen._upsert_statement(model);
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    -- Of the whole model every axis is asked.
-    RETURN QUERY EXECUTE CASE WHEN written IS NULL THEN regexp_replace(streetgen._upsert_statement(model, few => false), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g') ELSE streetgen._upsert_statement(model, few => false) END
-        USING written, gathered, '{}'::bigint[];
+    IF written IS NULL THEN
+        -- Of the whole model every axis is asked.
+        statement := regexp_replace(statement, '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
+    END IF;
+    IF bare THEN
+        -- No row is there to meet.
+        statement := regexp_replace(statement, 'ON CONFLICT.*?RETURNING xmax = 0 AS fresh', 'RETURNING true AS fresh', 'g');
+    END IF;
+    RETURN QUERY EXECUTE statement USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[]) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or those written, with those gathered around them.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -316,7 +321,7 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, streetgen._upsert_statement(model, few => true));
+END $body$ $sql$, model, streetgen._upsert_statement(model));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';
@@ -329,8 +334,8 @@ DECLARE
     -- More axes than this are worth a plan of their own.
     most_planned constant integer := 400;
 BEGIN
-    IF cardinality(written) > most_planned THEN
-        RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered);
+    IF cardinality(changed) > most_planned THEN
+        RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
     ELSE
         RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
     END IF;

@@ -18,8 +18,10 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
+    -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
     IF axes IS NULL AND streetgen._enter(model, wait, alone => true) THEN
-        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_set(model, NULL, NULL) u;
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_whole(model) u;
     ELSE
         IF asked IS NULL THEN
             -- Another session edits: go on axis by axis with the places that are free.

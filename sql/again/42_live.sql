@@ -53,6 +53,20 @@ $sql$, model) USING gone, claimed.written;
 END $$;
 COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS 'Removes the results of axes that are gone and marks what is around them as stale.';
 
+CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF axes = '{}' THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+    -- All places: a run under way does not see what is written here.
+    PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+    EXECUTE format('UPDATE %I.edge SET input_hash = 0 WHERE axis_id = ANY ($1)', model) USING axes;
+END $$;
+COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS 'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections that nobody follows. Locks all places of the model until the transaction ends.';
+
 CREATE OR REPLACE FUNCTION streetgen._enter_edit(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -78,6 +92,8 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     AS $body$
 BEGIN
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
+        -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+        LOCK TABLE %1$I.override_place IN ACCESS SHARE MODE;
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;
@@ -104,7 +120,9 @@ BEGIN
         changed := ARRAY(SELECT axis_id FROM (SELECT o.axis_id FROM old_axis o LEFT JOIN new_axis n USING (axis_id) WHERE o IS DISTINCT FROM n
                                               UNION SELECT n.axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
     END IF;
-    IF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
+    IF changed = '{}' THEN
+        RETURN NULL;
+    ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
         PERFORM streetgen._drop_results(%2$L, changed);
     ELSIF live THEN
         IF TG_OP <> 'DELETE' THEN
@@ -119,9 +137,11 @@ CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 DECLARE
+    live constant boolean := streetgen._live(%2$L);
     changed jsonb[];
+    named bigint[];
 BEGIN
-    IF NOT streetgen._live(%2$L) THEN
+    IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override') THEN
         RETURN NULL;
     ELSIF TG_OP = 'TRUNCATE' THEN
         -- What goes is known only before: as if deleted.
@@ -134,8 +154,13 @@ BEGIN
     ELSE
         changed := ARRAY(SELECT to_jsonb(o) FROM (SELECT * FROM old_override EXCEPT SELECT * FROM new_override) o UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
     END IF;
-    PERFORM streetgen._follow(%2$L, ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) named
-        JOIN %1$I.axis a ON a.axis_id = (c ->> named)::bigint));
+    named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) role
+        JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint);
+    IF live THEN
+        PERFORM streetgen._follow(%2$L, named);
+    ELSE
+        PERFORM streetgen._mark_stale(%2$L, named);
+    END IF;
     RETURN NULL;
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
@@ -178,7 +203,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model);
+    PERFORM streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 
@@ -206,8 +231,9 @@ DECLARE
 BEGIN
     PERFORM streetgen._check_owner(model);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid
-        -- What deletes the results of an axis with it stays on.
-        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete') AND (tgenabled <> 'D') <> live
+        -- What deletes the results of an axis with it, or marks axes as stale, stays on.
+        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
+            AND (relname NOT IN ('turn_restriction', 'interconnection_override') OR live) AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE' ELSE 'DISABLE' END, trigger.name);
     END LOOP;
@@ -236,4 +262,4 @@ BEGIN
         AND l.classid = (hashtext('streetgen.' || activity.model)::bigint & 4294967295)::oid
     GROUP BY l.pid, a.usename, a.application_name, a.xact_start, a.query ORDER BY a.xact_start, l.pid;
 END $$;
-COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model now: a row per session with what it holds and the sessions it waits for. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';
+COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model now: a row per session with what it holds and the sessions it waits for. Of a call that takes seconds, application says how far it is: the step that computes and the share of it that is done, or that rows are read or written. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';

@@ -21,15 +21,17 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, l.geom
         FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what was decided by hand',
-        ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, a place at the corner'],
+        ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, the place on the kerb where the corner begins'],
         $sql$SELECT c.corner_id, c.node_id, c.radius,
             EXISTS (SELECT FROM %1$I.corner_override o WHERE (o.axis_a, o.axis_b) = (a.axis_id, b.axis_id) AND ST_DWithin(o.geom, n.geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance'))
                 AND (streetgen._on_side(o.geom, n.geom, of_a, of_b) OR NOT EXISTS (SELECT FROM %1$I.corner t JOIN %1$I.edge u ON u.edge_id = t.edge_a JOIN %1$I.edge v ON v.edge_id = t.edge_b
                     WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)))) AS by_hand,
-            coalesce(c.centre, ST_Translate(ST_Force2D(n.geom), reach * cos(w.towards), reach * sin(w.towards)))::geometry(Point, %2$s) AS geom
-        FROM %1$I.corner c JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
-        CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b, greatest(a.width, b.width) / 2 AS reach) d
-        CROSS JOIN LATERAL (SELECT of_a + CASE WHEN of_b > of_a THEN of_b - of_a ELSE of_b - of_a + 2 * pi() END / 2 AS towards) w$sql$),
+            c.geom
+        FROM (SELECT *, centre AS geom FROM %1$I.corner WHERE centre IS NOT NULL
+              UNION ALL SELECT k.*, CASE l.which WHEN 'start' THEN ST_StartPoint(l.border_line) ELSE ST_EndPoint(l.border_line) END::geometry(Point, %2$s)
+              FROM %1$I.corner k JOIN %1$I.section_limit l ON (l.edge_id, l.which) = (k.edge_a, k.end_a) WHERE k.centre IS NULL) c
+        JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
+        CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b) d$sql$),
     ('kerb_point_editing', 'Edit layer: drop a point on a kerb, and the width of the nearest axis follows; DELETE takes it back',
         ARRAY['key; NULL for a new point', 'the axis; NULL: the nearest', 'width of the axis that the point means, metres', 'the place on the kerb'],
         $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$),
@@ -44,6 +46,20 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             ST_MakeLine(ARRAY[ST_StartPoint(c.geom), coalesce(c.control, ST_LineInterpolatePoint(c.geom, 0.5)), ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
         FROM %1$I.interconnection c$sql$)) v(name, description, columns, query) $$;
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS 'The edit views of a model: their comments, those of their columns, and their queries.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_edit_indexes(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+BEGIN
+    -- On the very expressions of the views.
+    EXECUTE format($sql$
+CREATE INDEX IF NOT EXISTS corner_centre ON %1$I.corner USING gist (centre);
+CREATE INDEX IF NOT EXISTS section_limit_kerb ON %1$I.section_limit USING gist ((CASE which WHEN 'start' THEN ST_StartPoint(border_line) ELSE ST_EndPoint(border_line) END::geometry(Point, %2$s)));
+CREATE INDEX IF NOT EXISTS interconnection_handle ON %1$I.interconnection
+    USING gist ((ST_MakeLine(ARRAY[ST_StartPoint(geom), coalesce(control, ST_LineInterpolatePoint(geom, 0.5)), ST_EndPoint(geom)])::geometry(LineString, %2$s)))
+$sql$, model, srid);
+END $$;
+COMMENT ON FUNCTION streetgen._make_edit_indexes(name, integer) IS 'Makes the indexes by which a GIS finds rows of corner_editing and interconnection_editing in its window.';
 
 CREATE OR REPLACE FUNCTION streetgen._direction_from(line geometry, which text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -89,9 +105,9 @@ CREATE OR REPLACE FUNCTION streetgen._grant_edit_views(model name) RETURNS void
 DECLARE
     held record;
 BEGIN
-    FOR held IN SELECT grantee::regrole AS role, privilege_type AS privilege, v.name AS view
+    FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, privilege_type AS privilege, v.name AS view
         FROM pg_class c, aclexplode(c.relacl) JOIN streetgen._edit_view('m', 0) v ON true
-        WHERE c.oid = format('%I.axis', model)::regclass AND grantee NOT IN (0, c.relowner) AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
+        WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.view, held.role);
         EXECUTE format('GRANT SELECT ON %1$I.edit_log, %1$I.override_place TO %2$s', model, held.role);

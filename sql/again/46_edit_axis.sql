@@ -15,7 +15,6 @@ CREATE OR REPLACE FUNCTION streetgen._edit_axis() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    subject text;
     written bigint;
 BEGIN
     IF TG_OP = 'DELETE' THEN
@@ -25,18 +24,8 @@ BEGIN
     IF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
     END IF;
-    subject := CASE TG_OP WHEN 'INSERT' THEN 'the new axis' ELSE 'axis ' || OLD.axis_id END;
     NEW.direction := coalesce(NEW.direction, 'both');
     NEW.level := coalesce(NEW.level, 0);
-    PERFORM streetgen._check_edit_line(subject, NEW.geom, 0),
-            streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.001, 200, 'm', 'Leave it empty to have it estimated.'),
-            streetgen._check_edit_number('the number of lanes of ' || subject, NEW.lane_count, 1, 30, NULL, 'Leave it empty to have it estimated.'),
-            streetgen._check_edit_number('the speed of ' || subject, NEW.speed, 0.001, 400, 'km/h', 'Leave it empty to have it estimated.'),
-            streetgen._check_edit_number('the importance of ' || subject, NEW.importance, 1, 99, NULL, '1 is the highest; leave it empty to take that of the class.'),
-            streetgen._check_edit_number('the level of ' || subject, NEW.level, -50, 50, NULL, 'Leave it empty for the ground.');
-    IF NEW.direction NOT IN ('both', 'direct', 'reverse') THEN
-        RAISE EXCEPTION 'the direction of % cannot be "%"', subject, NEW.direction USING ERRCODE = '22023', DETAIL = 'Expected both, direct (that of the line) or reverse.', HINT = 'Leave it empty for both.';
-    END IF;
     IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL THEN
         EXECUTE format('INSERT INTO %I.axis (geom, width, lane_count, direction, speed, importance, name, level) VALUES ($1, $2, $3, $4, $5, $6, $7, $8) RETURNING axis_id', TG_TABLE_SCHEMA)
             INTO NEW.axis_id USING NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level;
@@ -50,12 +39,12 @@ BEGIN
             USING NEW, OLD;
         GET DIAGNOSTICS written = ROW_COUNT;
         IF written = 0 THEN
-            RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
+            RAISE EXCEPTION 'axis % is gone', OLD.axis_id USING ERRCODE = '22023', DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
         END IF;
     END IF;
     RETURN NEW;
 END $$;
-COMMENT ON FUNCTION streetgen._edit_axis() IS 'Trigger of axis_editing: writes the axis. What the model would not take: 22023.';
+COMMENT ON FUNCTION streetgen._edit_axis() IS 'Trigger of axis_editing: writes the axis. What the table does not take is refused by it (23514, 23502); an axis that another session deleted: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -64,7 +53,7 @@ BEGIN
     PERFORM streetgen._enter_edit(model);
     EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
 END $$;
-COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before their lines are read to be written anew: the model first, as every edit.';
+COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before what an edit goes by is read, so that of two editors of one thing the second sees the first: the model first, as every edit.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_vertex(line geometry, abscissas float8[], place geometry, tolerance float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

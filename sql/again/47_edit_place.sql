@@ -9,20 +9,23 @@ DECLARE
     other float8;
     place geometry;
     known bigint;
+    written bigint;
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Each edge has its two limits: move one of them.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.section_limit_id, NEW.edge_id, NEW.which) IS DISTINCT FROM (OLD.section_limit_id, OLD.edge_id, OLD.which) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or which', 'Only abscissa, geom and by_hand can be changed.');
     END IF;
     subject := format('section limit %s (%s of edge %s)', OLD.section_limit_id, OLD.which, OLD.edge_id);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s', TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
         EXECUTE format('DELETE FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND CASE $2 WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa <= $4 END', TG_TABLE_SCHEMA)
             USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
-        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN OLD.by_hand THEN OLD END;
-    ELSIF NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF (NEW.section_limit_id, NEW.edge_id, NEW.which) IS DISTINCT FROM (OLD.section_limit_id, OLD.edge_id, OLD.which) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or which', 'Only abscissa, geom and by_hand can be changed.');
+        GET DIAGNOSTICS written = ROW_COUNT;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
@@ -62,8 +65,13 @@ DECLARE
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Corners lie between the edges of a node: change the radius of one.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.corner_id, NEW.node_id) IS DISTINCT FROM (OLD.corner_id, OLD.node_id) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or node_id', 'Only radius, geom and by_hand can be changed.');
     END IF;
     subject := 'corner ' || OLD.corner_id;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.corner JOIN %1$I.edge ON edge_id IN (edge_a, edge_b) WHERE corner_id = %2$s', TG_TABLE_SCHEMA, OLD.corner_id));
     EXECUTE format($sql$
 SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b, CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width ELSE b.width_end END AS width_b,
        streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b,
@@ -79,10 +87,6 @@ WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axi
     IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
         EXECUTE format('DELETE FROM %I.corner_override WHERE corner_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
-    ELSIF NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF (NEW.corner_id, NEW.node_id) IS DISTINCT FROM (OLD.corner_id, OLD.node_id) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or node_id', 'Only radius, geom and by_hand can be changed.');
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
@@ -110,6 +114,9 @@ DECLARE
     axis geometry;
     foot geometry;
     at float8;
+    moved constant boolean := NEW.geom IS DISTINCT FROM OLD.geom;
+    -- The point as it is now: what this edit leaves alone another session may have changed.
+    known record;
 BEGIN
     IF TG_OP = 'DELETE' THEN
         EXECUTE format('DELETE FROM %I.kerb_point_override WHERE kerb_point_override_id = $1', TG_TABLE_SCHEMA) USING OLD.kerb_point_id;
@@ -124,6 +131,16 @@ BEGIN
     IF NEW.axis_id IS NULL THEN
         EXECUTE format('SELECT axis_id FROM %I.axis ORDER BY geom <-> $1, axis_id LIMIT 1', TG_TABLE_SCHEMA) INTO NEW.axis_id USING NEW.geom;
     END IF;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.kerb_point_override WHERE kerb_point_override_id = %s UNION ALL SELECT %s',
+        TG_TABLE_SCHEMA, quote_nullable(OLD.kerb_point_id), quote_nullable(NEW.axis_id)));
+    IF TG_OP = 'UPDATE' THEN
+        EXECUTE format('SELECT axis_id, geom FROM %I.kerb_point_override WHERE kerb_point_override_id = $1 FOR UPDATE', TG_TABLE_SCHEMA) INTO known USING OLD.kerb_point_id;
+        IF known.geom IS NULL THEN
+            RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
+        END IF;
+        NEW.axis_id := CASE WHEN NEW.axis_id = OLD.axis_id THEN known.axis_id ELSE NEW.axis_id END;
+        NEW.geom := CASE WHEN moved THEN NEW.geom ELSE known.geom END;
+    END IF;
     EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis USING NEW.axis_id;
     IF axis IS NULL THEN
         RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023', DETAIL = format('There is no axis %s.', NEW.axis_id), HINT = 'Leave axis_id empty to take the nearest axis.';
@@ -131,7 +148,7 @@ BEGIN
     at := ST_LineLocatePoint(axis, NEW.geom);
     foot := ST_LineInterpolatePoint(axis, at);
     -- A width that was typed puts the point where it means that width.
-    IF TG_OP = 'INSERT' AND NEW.width IS NOT NULL OR TG_OP = 'UPDATE' AND NEW.width IS DISTINCT FROM OLD.width AND NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
+    IF NEW.width IS DISTINCT FROM OLD.width AND (TG_OP = 'INSERT' OR NOT moved) THEN
         PERFORM streetgen._check_edit_number('the width of ' || subject, coalesce(NEW.width, 'NaN'), 0.001, 200, 'm', 'Delete the point to take it back.');
         IF ST_Distance(foot, NEW.geom) > 0 THEN
             NEW.geom := ST_SetSRID(ST_MakePoint(ST_X(foot) + (ST_X(NEW.geom) - ST_X(foot)) * NEW.width / 2 / ST_Distance(foot, NEW.geom),

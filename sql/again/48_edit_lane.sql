@@ -14,18 +14,19 @@ DECLARE
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Lanes come from the lane_count of their axis: change it in axis_editing.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_id, NEW.edge_id, NEW.ordinality) IS DISTINCT FROM (OLD.lane_id, OLD.edge_id, OLD.ordinality) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality', 'Only along_axis, width, geom and by_hand can be changed.');
     END IF;
     subject := format('lane %s (%s of edge %s)', OLD.lane_id, OLD.ordinality, OLD.edge_id);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s', TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
     EXECUTE format('SELECT coalesce(array_agg(lane_override_id ORDER BY lane_override_id DESC), ''{}'') FROM %I.lane_override WHERE axis_id = $1 AND ordinality = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
         INTO known USING edge.axis_id, OLD.ordinality, edge.start_abscissa, edge.end_abscissa;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
         EXECUTE format('DELETE FROM %I.lane_override WHERE lane_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
-    ELSIF NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF (NEW.lane_id, NEW.edge_id, NEW.ordinality) IS DISTINCT FROM (OLD.lane_id, OLD.edge_id, OLD.ordinality) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality', 'Only along_axis, width, geom and by_hand can be changed.');
     END IF;
     PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, 200, 'm', 'Leave it empty to have it computed.');
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
@@ -64,8 +65,15 @@ DECLARE
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'There is a row for every two lanes that meet: set its connecting.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.interconnection_id, NEW.node_id, NEW.lane_in, NEW.lane_out, NEW.turn, NEW.plausible)
+        IS DISTINCT FROM (OLD.interconnection_id, OLD.node_id, OLD.lane_in, OLD.lane_out, OLD.turn, OLD.plausible) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed', 'Only connecting, geom and by_hand can be changed.');
     END IF;
     subject := 'interconnection ' || OLD.interconnection_id;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.interconnection JOIN %1$I.lane ON lane_id IN (lane_in, lane_out) JOIN %1$I.edge USING (edge_id) WHERE interconnection_id = %2$s',
+        TG_TABLE_SCHEMA, OLD.interconnection_id));
     EXECUTE format($sql$
 SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out, o.ordinality AS lane_out
 FROM %1$I.interconnection c JOIN %1$I.node n USING (node_id) JOIN %1$I.lane i ON i.lane_id = c.lane_in JOIN %1$I.edge a ON a.edge_id = i.edge_id JOIN %1$I.lane o ON o.lane_id = c.lane_out JOIN %1$I.edge b ON b.edge_id = o.edge_id
@@ -80,11 +88,6 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
         EXECUTE format('DELETE FROM %I.interconnection_override WHERE interconnection_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
-    ELSIF NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF (NEW.interconnection_id, NEW.node_id, NEW.lane_in, NEW.lane_out, NEW.turn, NEW.plausible)
-        IS DISTINCT FROM (OLD.interconnection_id, OLD.node_id, OLD.lane_in, OLD.lane_out, OLD.turn, OLD.plausible) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed', 'Only connecting, geom and by_hand can be changed.');
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);

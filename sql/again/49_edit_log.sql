@@ -1,12 +1,8 @@
 -- Who edited what, when and where: on request, a row per statement.
 
-CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_edit_log_table(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
-DECLARE
-    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    relation name;
-    event record;
 BEGIN
     EXECUTE format($sql$
 CREATE TABLE IF NOT EXISTS %1$I.edit_log (
@@ -23,6 +19,17 @@ COMMENT ON COLUMN %1$I.edit_log.relation IS 'table that was edited: axis, turn_r
 COMMENT ON COLUMN %1$I.edit_log.action IS 'insert, update, delete or truncate';
 COMMENT ON COLUMN %1$I.edit_log.extent IS 'box around what was edited, before and after, and 1 m more; NULL: nothing known of the place'
 $sql$, model, srid);
+END $$;
+COMMENT ON FUNCTION streetgen._make_edit_log_table(name, integer) IS 'Makes the table edit_log of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    relation name;
+    event record;
+BEGIN
     -- With its owner's rights: an editor cannot write the log by hand.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._log_edit() RETURNS trigger
@@ -55,4 +62,4 @@ END $body$ $sql$, model, srid);
         END LOOP;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._make_edit_log(name) IS 'Makes the table edit_log of a model and the triggers that write it while setting log is on.';
+COMMENT ON FUNCTION streetgen._make_edit_log(name) IS 'Makes the triggers that write edit_log while setting log is on.';

@@ -41,6 +41,8 @@ BEGIN
         wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;
         IF octet_length(wanted) > 63 THEN
             RAISE EXCEPTION 'the name "%" of the topology of level % is longer than 63 bytes', wanted, level USING ERRCODE = '42622', HINT = 'Choose a shorter name.';
+        ELSIF topology = '' THEN
+            RAISE EXCEPTION 'the topology needs a name' USING ERRCODE = '22023', HINT = 'It names a schema; levels above and below the ground add _1 and _m1 to it.';
         END IF;
         name := wanted;
         EXECUTE format($sql$

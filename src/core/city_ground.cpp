@@ -92,7 +92,7 @@ CityWay CityGround::way(const Point& from, const Point& to, double width, int ma
   const double length = portable::distance(from, to);
   const Point direction = portable::unit(to - from);
   const double reach = (width + widest_) / 2 + clearance_;
-  double free = length, meets = never, blocked = never;
+  double free = never, meets = never, blocked = never;
   int met = -1;
   const int steps = static_cast<int>(std::ceil(length / longest_box));
   struct Beside {
@@ -116,6 +116,8 @@ CityWay CityGround::way(const Point& from, const Point& to, double width, int ma
     }
     if (meets <= end || free < end - nearing_ * reach) break;
   }
+  if (met >= 0 && piece(met).street == main)
+    free = std::min(free, std::max(0.0, meets - nearing_ * apart(width, piece(met))));
   for (const Beside& b : beside)
     if (meets == never || b.entry < meets - nearing_ * b.apart)
       blocked = std::min(blocked, b.entry);

@@ -19,7 +19,8 @@ struct CityPiece {
 
 // What a road in growth finds straight ahead.
 struct CityWay {
-  double free = 0;              // metres until it comes too near to a road beside it or across
+  // Metres until it comes too near to a road beside it or across; infinite where it does not.
+  double free = 0;
   std::optional<double> meets;  // metres to the road across, where it comes to no other before
   int piece = -1;               // of the road across
 };
@@ -32,6 +33,11 @@ class CityGround {
 
   void add(int index, const CityStreet& street);
   const CityPiece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
+
+  std::size_t pieces() const { return pieces_.size(); }
+
+  // Metres before a junction within which roads may be near.
+  double ahead() const { return nearing_ * (widest_ + clearance_); }
 
   // Whether a street other than `main` is nearer than the clearance to a road of that width at p.
   bool occupied(const Point& p, double width, int main) const;

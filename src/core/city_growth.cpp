@@ -7,6 +7,7 @@
 #include "portable_math.hpp"
 #include "random.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/error.hpp"
 
 namespace streetgen {
 
@@ -16,6 +17,11 @@ namespace {
 constexpr double chord = 25;
 // It turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
+
+// How often a road leaves to the same side as the one before.
+constexpr double same_side = 0.15;
+// More would not fit into the memory of most machines.
+constexpr std::size_t most_streets = 6000000, most_pieces = 20000000;
 
 class Growth {
  public:
@@ -53,8 +59,8 @@ class Growth {
     const Point to = wide ? Point{extent_.width, end * extent_.height, 0}
                           : Point{end * extent_.width, extent_.height, 0};
     CityStreet street = street_of(-1, 0, random.next());
-    grow(street, portable::to_millimetre(from), portable::unit(to - from),
-         2 * (extent_.width + extent_.height), random);
+    const double across = 2 * (extent_.width + extent_.height);
+    grow(street, portable::to_millimetre(from), portable::unit(to - from), across, across, random);
     add(std::move(street), -1);
   }
 
@@ -63,38 +69,61 @@ class Growth {
     const double most = longest(level), length = streets_[main].length();
     const double spacing = std::max(options_.spacing_least, options_.spacing_ratio * most);
     const int places = static_cast<int>(length / spacing);
-    double last = 0;
+    double last = 0;  // start
+    // To the left and to the right in turn, now and then twice to one side.
+    bool to_left = Random(streets_[main].key).chance(0.5);
     for (int place = 0; place < places; ++place) {
       Random random = Random::part(streets_[main].key, static_cast<std::uint64_t>(place));
-      const double abscissa = length * ((place + random.uniform()) / places);
-      const bool started = outgoing_road(main, abscissa, last, most, random);
-      if (started) last = abscissa;
+      const double in_place = 0.5 + options_.scatter * random.uniform(-0.5, 0.5);
+      const double abscissa = length * ((place + in_place) / places);
+      if (abscissa - last >= options_.start_gap && length - abscissa >= options_.start_gap &&
+          outgoing_road(main, abscissa, most, to_left, random))
+        last = abscissa;
+      to_left = to_left == random.chance(same_side);
     }
   }
 
-  bool outgoing_road(int main, double abscissa, double last, double most, Random& random) {
+  // To one side, or to the other where that is built up.
+  bool outgoing_road(int main, double abscissa, double most, bool to_left, Random& random) {
     const CityStreet& from = streets_[main];
-    if (abscissa - last < options_.start_gap || from.length() - abscissa < options_.start_gap)
-      return false;
     CityStreet street = street_of(main, from.level + 1, random.next());
-    std::size_t piece = 1;
-    while (from.abscissas[piece] < abscissa) ++piece;
+    const auto piece = static_cast<std::size_t>(
+        std::lower_bound(from.abscissas.begin() + 1, from.abscissas.end(), abscissa) -
+        from.abscissas.begin());
     const Point along = portable::unit(from.line[piece] - from.line[piece - 1]);
     const Point start = portable::to_millimetre(from.line[piece - 1] +
                                                 along * (abscissa - from.abscissas[piece - 1]));
-    if (city_density(start, extent_, options_) <
-        random.uniform(options_.threshold[0], options_.threshold[1]))
-      return false;
-    street.to_left = random.chance(0.5);
+    const double threshold = random.uniform(options_.threshold[0], options_.threshold[1]);
+    street.to_left = to_left;
     const double angle = random.chance(options_.right_angles)
                              ? 90
                              : random.uniform(options_.angle_least, 180 - options_.angle_least);
     const double wanted = most * random.uniform(options_.length_drawn, 1);
-    if (ground_.occupied(start, street.width, main)) return false;
-    grow(street, start, portable::turned(along, street.to_left ? angle : -angle), wanted, random);
-    if (street.length() < options_.start_gap) return false;
-    add(std::move(street), abscissa);
-    return true;
+    if (city_density(start, extent_, options_) < threshold ||
+        ground_.occupied(start, street.width, main))
+      return false;
+    for (int side = 0; side < 2; ++side, street.to_left = !street.to_left) {
+      const Point direction = portable::turned(along, street.to_left ? angle : -angle);
+      const bool leaves =
+          leaving_ < options_.transit && wanted > to_border(start, direction) && random.chance(0.4);
+      grow(street, start, direction,
+           leaves ? wanted : inside_city(start, direction, wanted, options_.fade * threshold), most,
+           random);
+      if (street.length() < options_.start_gap) continue;
+      add(std::move(street), abscissa);
+      return true;
+    }
+    return false;
+  }
+
+  // Metres of a road until the density falls below `least`.
+  double inside_city(const Point& start, const Point& direction, double wanted,
+                     double least) const {
+    const double step = std::max(options_.start_gap, 1e-3 * longest(0));
+    double at = 0;
+    while (at < wanted && city_density(start + direction * at, extent_, options_) >= least)
+      at += step;
+    return std::min(at, wanted);
   }
 
   CityStreet street_of(int main, int level, std::uint64_t key) const {
@@ -106,47 +135,53 @@ class Growth {
     return street;
   }
 
-  // Draws a street until it meets a road, leaves the extent or is long enough.
-  void grow(CityStreet& street, const Point& start, Point direction, double wanted,
+  // Draws a street until it meets a road, leaves the extent or is as long as wanted.
+  void grow(CityStreet& street, const Point& start, Point direction, double wanted, double most,
             Random& random) {
     street.line = {start};
     street.abscissas = {0};
+    street.end = CityEnd::blind_alley;
+    const double piece = options_.bend > 0 ? chord : wanted;
     double turned = 0, turn = 0;
-    while (street.end == CityEnd::blind_alley && street.length() + on_spot < wanted) {
-      const double left = wanted - street.length();
-      const double step = options_.bend > 0 ? std::min(left, chord) : left;
-      const bool last = step == left;
-      if (!advance(street, direction, step, last ? options_.start_gap : 0)) break;
-      if (options_.bend > 0) {
-        const double before = turned;
-        turn = 0.8 * turn + random.uniform(-1, 1) * options_.bend * (chord / 100) - 0.02 * turned;
-        turned = std::min(std::max(turned + turn, -most_turned), most_turned);
-        direction = portable::turned(direction, turned - before);
-      }
+    for (double left = wanted; left > on_spot; left = wanted - street.length()) {
+      const double step = std::min(left, piece);
+      const double further = std::min(ground_.ahead(), most - street.length() - step);
+      if (!advance(street, direction, step, std::max(further, 0.0), step == left)) break;
+      const double before = turned;
+      turn = 0.8 * turn + random.uniform(-1, 1) * options_.bend * (chord / 100) - 0.02 * turned;
+      turned = std::min(std::max(turned + turn, -most_turned), most_turned);
+      if (options_.bend > 0) direction = portable::turned(direction, turned - before);
     }
   }
 
-  // One straight piece; a road that is met up to `further` metres beyond its end is still
-  // reached.  False where the street ends.
-  bool advance(CityStreet& street, const Point& direction, double step, double further) {
+  // One straight piece, the last one even further if there is a road.  False where the street ends.
+  bool advance(CityStreet& street, const Point& direction, double step, double further, bool last) {
     const Point from = street.line.back();
     const double border = to_border(from, direction);
-    const Point to = from + direction * std::min(border, step + further);
-    const CityWay way = ground_.way(from, to, street.width, street.main);
-    if (way.meets && join(street, from, from + direction * *way.meets, way.piece)) return false;
-    const double free = way.meets || way.free < step ? std::min(way.free, step) : step;
+    const CityWay way = ground_.way(from, from + direction * std::min(border, step + further),
+                                    street.width, street.main);
+    if (way.meets && (last || way.free < step || *way.meets < step) &&
+        join(street, from, from + direction * *way.meets, way.piece))
+      return false;
+    const double free = std::min(way.free, step);
     if (border <= free) {
-      if (street.main < 0 || leaving_ < options_.transit) {
-        append(street, from + direction * border);
-        street.end = CityEnd::border;
-        ++leaving_;
-      } else if (border > 2 * options_.start_gap) {
-        append(street, from + direction * (border * 0.7));
-      }
+      leave(street, from, direction, border);
       return false;
     }
     if (free > on_spot) append(street, from + direction * free);
     return free == step;
+  }
+
+  // Ends the street on the border, or before where enough roads leave already.
+  void leave(CityStreet& street, const Point& from, const Point& direction, double border) {
+    if (street.length() + border < options_.start_gap) return;
+    if (street.main < 0 || leaving_ < options_.transit) {
+      append(street, from + direction * border);
+      street.end = CityEnd::border;
+      ++leaving_;
+    } else if (border > 2 * options_.start_gap) {
+      append(street, from + direction * (border * 0.7));
+    }
   }
 
   // Ends the street on the road it meets, in a node of that road if one is near.
@@ -167,11 +202,13 @@ class Growth {
         nearest = &*node;
     if (nearest != nullptr) at = nearest->point;
     if (portable::distance(from, at) < on_spot ||
+        street.length() + portable::distance(from, at) < options_.start_gap ||
         !ground_.may_join(from, at, street.width, street.main))
       return false;
     if (nearest == nullptr) road.nodes.insert(after, {abscissa, at});
     append(street, at);
     street.end = CityEnd::road;
+    street.ends_on = across.street;
     return true;
   }
 
@@ -198,6 +235,11 @@ class Growth {
           [](const CityNode& node, double value) { return node.abscissa < value; });
       nodes.insert(after, {abscissa_of_start, street.line.front()});
     }
+    if (streets_.size() == most_streets || ground_.pieces() > most_pieces)
+      throw Error(ErrorKind::invalid_input,
+                  "the city has more than " + std::to_string(most_streets) + " streets or " +
+                      std::to_string(most_pieces) + " bends",
+                  "Make its extent smaller, or spacing_least and clearance greater.");
     ground_.add(static_cast<int>(streets_.size()), street);
     streets_.push_back(std::move(street));
   }
@@ -210,7 +252,7 @@ class Growth {
   std::uint64_t key_;
   CityGround ground_;
   std::vector<CityStreet> streets_;
-  double leaving_ = 0;
+  double leaving_ = 1;  // ends on the border; the first road's start is one
 };
 
 }  // namespace

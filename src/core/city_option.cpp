@@ -47,6 +47,10 @@ const std::vector<CityOption>& city_options() {
        "least length of a main road for each outgoing one; a shorter road has none, and the "
        "recursion stops",
        20, 1e5, false, 1, 1},
+      {"scatter", &O::scatter, "",
+       "how far the starts stray from equal distances; 1: each anywhere in its part of the main "
+       "road",
+       0, 1, false, 1, 1},
       {"start_gap", &O::start_gap, "m",
        "least distance between the starts of roads along their main road, and between them and its "
        "ends; a shorter road is not drawn",
@@ -62,6 +66,10 @@ const std::vector<CityOption>& city_options() {
        false, 1, 1},
       {"transit", &O::transit, "", "how many ends of roads may lie on the border", 2, 1e6, true, 1,
        1},
+      {"fade", &O::fade, "",
+       "a road that does not reach the border ends where the density is below this share of the "
+       "number drawn for its start; 0: nowhere",
+       0, 1, false, 1, 1},
       {"bend", &O::bend, "degrees per 100 m", "how sharply roads bend; 0: straight", 0, 60, false,
        1, 1},
       {"roundabouts", &O::roundabouts, "",

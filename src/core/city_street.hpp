@@ -27,6 +27,7 @@ struct CityStreet {
   std::vector<double> abscissas;  // of the points of `line`
   std::vector<CityNode> nodes;    // by abscissa; its ends among them
   CityEnd end = CityEnd::blind_alley;
+  int ends_on = -1;  // the road that it reached
 
   double length() const { return abscissas.back(); }
 };

@@ -99,6 +99,7 @@ Box box_of(const OffsetPiece& piece) {
 }
 
 constexpr std::size_t worth_an_index = 64;
+constexpr std::size_t worth_thinning = 16;
 
 // One axis and, where it is long, its segments by place.
 class Axis {
@@ -122,6 +123,25 @@ class Axis {
         box, reach, [&](int i) { return distance_to_segment(p, line_[i], line_[i + 1]) < reach; });
   }
 
+  // Whether one of the segments about the piece's own is nearer than `reach` to all of it.
+  bool hides(const OffsetPiece& piece, double reach) const {
+    Point tip = piece.start;  // where the tangents at an arc's ends meet
+    if (piece.arc) {
+      const Point from = piece.start - piece.centre, to = piece.end - piece.centre;
+      tip = piece.centre + (from + to) * (1 / (1 + dot(from, to) / dot(from, from)));
+    }
+    const int own = static_cast<int>(piece.segment), count = static_cast<int>(line_.size()) - 1;
+    const auto holds = [&](int i) {
+      return i >= 0 && i < count &&
+             distance_to_segment(piece.start, line_[i], line_[i + 1]) < reach &&
+             distance_to_segment(piece.end, line_[i], line_[i + 1]) < reach &&
+             distance_to_segment(tip, line_[i], line_[i + 1]) < reach;
+    };
+    for (int away = 1; away <= static_cast<int>(worth_an_index); ++away)
+      if (holds(own - away) || holds(own + away)) return true;
+    return false;
+  }
+
  private:
   const Line& line_;
   std::optional<BoxIndex> segments_;
@@ -135,7 +155,14 @@ class Border {
       : axis_(axis), offset_(offset), pieces_(offset_pieces(axis.line(), offset, side)) {
     const Point node = planar(axis.line().front());
     const Point behind = node - place_at(axis.line(), 0).direction * offset;
-    pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0});
+    pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0, 0});
+    // Most pieces of a jagged axis hold no place for a centre.
+    if (pieces_.size() > worth_thinning)
+      pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
+                                   [&](const OffsetPiece& piece) {
+                                     return axis_.hides(piece, offset_ - 2 * slack);
+                                   }),
+                    pieces_.end());
     boxes_.reserve(pieces_.size());
     for (const OffsetPiece& piece : pieces_) boxes_.push_back(box_of(piece));
     if (pieces_.size() > worth_an_index) index_.emplace(boxes_);

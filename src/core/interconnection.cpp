@@ -6,8 +6,10 @@
 #include <unordered_map>
 
 #include "lane_choice.hpp"
+#include "late_turn.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 
 namespace streetgen {
 
@@ -66,6 +68,7 @@ class Builder {
     for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
       if (!streets_.asked_nodes[n]) continue;
       poll_cancel();
+      tell_progress("interconnections", n, legs_.size());
       join(n);
     }
     return std::move(out_);
@@ -88,20 +91,22 @@ class Builder {
     return leg;
   }
 
+  // Where the lane ends on the axis of its edge.
+  double end_abscissa(const Lane& lane, bool at_front) const {
+    const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
+    if (!limits_crossed(streets_, lane.edge)) return at_front ? start->abscissa : end->abscissa;
+    return at_front ? std::min(start->wanted_abscissa, end->wanted_abscissa)
+                    : std::max(start->wanted_abscissa, end->wanted_abscissa);
+  }
+
   // Of the lane in the point order of the axis.  Taken from the axis, so that it does not depend
   // on where the lane's far end lies, unless a bend left the lane another last segment.
   Point direction_at(const Lane& lane, bool at_front) const {
     const Line& axis = streets_.network.edges[lane.edge].line;
-    const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
-    const bool crossed = limits_crossed(streets_, lane.edge);
-    const double first =
-        crossed ? std::min(start->wanted_abscissa, end->wanted_abscissa) : start->abscissa;
-    const double last =
-        crossed ? std::max(start->wanted_abscissa, end->wanted_abscissa) : end->abscissa;
     const Roadway& roadway = streets_.roadways[lane.edge];
     const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
-    const double share = lane.axis_offset / (roadway.width + widening * first);
-    const Point along = place_at(axis, at_front ? first : last).direction;
+    const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
+    const Point along = place_at(axis, end_abscissa(lane, at_front)).direction;
     const Point direction = unit(along + left_normal(along) * (share * widening));
     const Line line = distinct(planar(lane.line));
     if (line.size() < 2) return direction;
@@ -117,6 +122,28 @@ class Builder {
     end.place = planar(at_front ? lane.line.front() : lane.line.back());
     end.direction = direction_at(lane, at_front) * (lane.along_axis ? 1 : -1);
     return end;
+  }
+
+  LaneToNode to_node(int index, const LaneEnd& end, const NodeLeg& leg, int border) const {
+    const Lane& lane = lanes_[index];
+    const Roadway& roadway = streets_.roadways[leg.edge];
+    LaneToNode out{end, {}, border};
+    out.line = lane_to_node(streets_.network.edges[leg.edge].line, roadway.width / 2,
+                            roadway.width_end / 2, end_abscissa(lane, leg.at_start), end.place,
+                            leg.at_start);
+    if (lane.along_axis == leg.at_start) out.end.direction = end.direction * -1;
+    return out;
+  }
+
+  Kerbs kerbs_of(int node) const {
+    std::vector<Line> borders;
+    for (const NodeLeg& leg : legs_[node])
+      borders.push_back(streets_.limits[2 * leg.edge + (leg.at_start ? 0 : 1)].border_line);
+    const auto found = std::lower_bound(
+        streets_.intersections.begin(), streets_.intersections.end(), node,
+        [](const Intersection& intersection, int wanted) { return intersection.node < wanted; });
+    const bool there = found != streets_.intersections.end() && found->node == node;
+    return Kerbs(there ? found->surface : MultiPolygon{}, borders);
   }
 
   Leg ends_of(const NodeLeg& leg) const {
@@ -172,6 +199,7 @@ class Builder {
     const std::vector<NodeLeg>& legs = legs_[node];
     std::vector<Leg> ends;
     for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
+    const Kerbs kerbs = kerbs_of(node);
     std::vector<Movement> movements;
     std::vector<std::vector<Interconnection>> pairs;
     for (std::size_t a = 0; a < legs.size(); ++a)
@@ -179,7 +207,7 @@ class Builder {
         if (legs[a].in.empty() || legs[b].out.empty()) continue;
         if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
         movements.push_back({static_cast<int>(a), static_cast<int>(b), false, 0, {}, {}});
-        pairs.push_back(draw(node, legs[a], legs[b], ends[a], ends[b], movements.back()));
+        pairs.push_back(draw(node, ends, kerbs, movements.back()));
       }
     mark_restricted(node, legs, ends, movements);
     choose_lanes(ends, movements);
@@ -196,15 +224,15 @@ class Builder {
         });
   }
 
-  std::vector<Interconnection> draw(int node, const NodeLeg& from, const NodeLeg& to,
-                                    const Leg& ends_from, const Leg& ends_to,
+  std::vector<Interconnection> draw(int node, const std::vector<Leg>& ends, const Kerbs& kerbs,
                                     Movement& movement) const {
+    const NodeLeg &from = legs_[node][movement.from], &to = legs_[node][movement.to];
     movement.least_radius =
         least_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
     std::vector<Interconnection> pairs;
     for (std::size_t i = 0; i < from.in.size(); ++i)
       for (std::size_t o = 0; o < to.out.size(); ++o) {
-        const LaneEnd &in = ends_from.in[i], &out = ends_to.out[o];
+        const LaneEnd &in = ends[movement.from].in[i], &out = ends[movement.to].out[o];
         Interconnection pair;
         pair.node = node;
         pair.lane_in = from.in[i];
@@ -216,6 +244,12 @@ class Builder {
             trajectory({in.place - in.direction, in.place}, {out.place, out.place + out.direction},
                        streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
                        settings_.least_radius);
+        if (kerbs.stop(path.line, movement.from, movement.to)) {
+          auto late = late_turn(to_node(from.in[i], in, from, movement.from),
+                                to_node(to.out[o], out, to, movement.to), settings_.rule,
+                                settings_.tolerance, kerbs);
+          if (late) path = std::move(*late);
+        }
         pair.control = path.control;
         pair.line = std::move(path.line);
         movement.radius.push_back(quarter_radius(pair.line));

@@ -9,6 +9,7 @@
 #include "offset.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
@@ -149,6 +150,7 @@ class Builder {
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
       if (!meets_asked(e)) continue;
       poll_cancel();
+      tell_progress("lanes", e, streets_.network.edges.size());
       const LaneStrip strip = strip_of(streets_, e);
       const bool crossed = limits_crossed(streets_, e);
       std::vector<LaneWish> wishes = wishes_of(e);

@@ -352,6 +352,13 @@ class Choice {
                        [&](const Verdict& v) { return v.plausible && &v != besides; });
   }
 
+  // Whether the lane takes the movement, to whichever lane.
+  static bool takes(const Way& way, int in) {
+    for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+      if (at(way, in, o).plausible) return true;
+    return false;
+  }
+
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
   using Cost = std::tuple<bool, bool, bool, double>;
 
@@ -370,8 +377,8 @@ class Choice {
 
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
-    return {verdict.reason == Reason::turn_lanes, turns_back(way), tight(way, in, out),
-            std::abs(way.angle) + importance_weight * astray(way, in, out)};
+    return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
+            tight(way, in, out), std::abs(way.angle) + importance_weight * astray(way, in, out)};
   }
 
   static bool may(const Way& way, const LaneEnd& in, const LaneEnd& out) {
@@ -379,47 +386,70 @@ class Choice {
            (in.kind == out.kind || in.kind == LaneKind::general || out.kind == LaneKind::general);
   }
 
+  struct Pair {
+    Verdict* verdict = nullptr;
+    bool easy = false;  // neither tight nor back
+  };
+
   // Pairs that another kind of lane, or what is marked, would rule out are better than none.
   template <class Wanted>
-  void add_only_way(Wanted wanted) {
-    Verdict* best = nullptr;
+  Pair likeliest(Wanted wanted) {
+    Pair best;
     Cost least;
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
           if (!wanted(way, i, o) || !may(way, from(way).in[i], way.to->out[o])) continue;
           const Cost now = cost(way, i, o);
-          if (best && !(now < least)) continue;
-          best = &at(way, i, o);
+          if (best.verdict && !(now < least)) continue;
+          best = {&at(way, i, o), !tight(way, i, o) && !turns_back(way)};
           least = now;
         }
-    if (best) *best = {true, Reason::only_way};
+    return best;
+  }
+
+  Pair likeliest_on(int leg, int lane) {
+    return likeliest(
+        [&](const Way& way, int in, int) { return way.movement->from == leg && in == lane; });
+  }
+
+  Pair likeliest_to(int leg, int lane) {
+    return likeliest([&](const Way& way, int, int out) {
+      return way.movement->to == leg && out == lane && way.movement->from != leg;
+    });
   }
 
   void reach_every_lane() {
+    const auto add = [](const Pair& pair) {
+      if (pair.verdict) *pair.verdict = {true, Reason::only_way};
+    };
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int i = 0; i < static_cast<int>(legs_[leg].in.size()); ++i)
-        if (!leads_on(leg, i))
-          add_only_way(
-              [&](const Way& way, int in, int) { return way.movement->from == leg && in == i; });
+        if (!leads_on(leg, i)) add(likeliest_on(leg, i));
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int o = 0; o < static_cast<int>(legs_[leg].out.size()); ++o)
-        if (!reached(leg, o))
-          add_only_way([&](const Way& way, int, int out) {
-            return way.movement->to == leg && out == o && way.movement->from != leg;
-          });
+        if (!reached(leg, o)) add(likeliest_to(leg, o));
   }
 
-  // A tight path goes where both its lanes have another; of an ordinary turn, its movement too.
+  // A tight path goes where both its lanes have another, or one that is neither tight nor back; of
+  // an ordinary turn, its movement too.
   void drop_tight() {
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
           Verdict& verdict = at(way, i, o);
-          if (verdict.plausible && verdict.reason != Reason::turn_lanes && tight(way, i, o) &&
-              (std::abs(way.angle) > sharp || taken(*way.movement, &verdict)) &&
-              leads_on(way.movement->from, i, &verdict) && reached(way.movement->to, o, &verdict))
-            verdict = {false, Reason::radius};
+          if (!verdict.plausible || verdict.reason == Reason::turn_lanes || !tight(way, i, o) ||
+              (std::abs(way.angle) <= sharp && !taken(*way.movement, &verdict)))
+            continue;
+          std::vector<Pair> instead;
+          if (!leads_on(way.movement->from, i, &verdict))
+            instead.push_back(likeliest_on(way.movement->from, i));
+          if (!reached(way.movement->to, o, &verdict))
+            instead.push_back(likeliest_to(way.movement->to, o));
+          if (!std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; }))
+            continue;
+          for (const Pair& pair : instead) *pair.verdict = {true, Reason::only_way};
+          verdict = {false, Reason::radius};
         }
   }
 

@@ -24,8 +24,9 @@ std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side
     const Point shift = left_normal(direction) * (side * offset);
     const Point start = planar(axis[i - 1]) + shift;
     if (!pieces.empty() && cross(last, direction) * side < -straight)
-      pieces.push_back({pieces.back().end, start, planar(axis[i - 1]), true, abscissa, abscissa});
-    pieces.push_back({start, planar(axis[i]) + shift, {}, false, abscissa, abscissa + d});
+      pieces.push_back(
+          {pieces.back().end, start, planar(axis[i - 1]), true, abscissa, abscissa, i - 1});
+    pieces.push_back({start, planar(axis[i]) + shift, {}, false, abscissa, abscissa + d, i - 1});
     abscissa += d;
     last = direction;
   }

@@ -12,6 +12,7 @@ struct OffsetPiece {
   Point centre;      // of an arc: the axis vertex
   bool arc = false;
   double start_abscissa = 0, end_abscissa = 0;  // on the axis
+  std::size_t segment = 0;                      // of the axis; of an arc the one after its vertex
 };
 
 // `side` +1: left, -1: right; `offset` >= 0 metres.  Raw: parts nearer to the axis than

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "box_index.hpp"
 #include "offset.hpp"
@@ -44,15 +43,6 @@ Raw raw_offset(Line axis, double offset_start, double offset_end) {
   }
   raw.axis = std::move(axis);
   return raw;
-}
-
-std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point ab = b - a, cd = d - c;
-  const double sine = cross(ab, cd);
-  if (sine == 0) return std::nullopt;
-  const double t = cross(c - a, cd) / sine, u = cross(c - a, ab) / sine;
-  if (t < 0 || t > 1 || u < 0 || u > 1) return std::nullopt;
-  return a + ab * t;
 }
 
 // Whether the loop from the segment that starts at raw point i to the one that ends at j lies

@@ -12,6 +12,7 @@
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 
 namespace streetgen {
 
@@ -245,6 +246,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
   std::vector<Won> won;
   const auto judge = [&](int i, int j) {
     poll_cancel();
+    tell_progress("owners", i, claims.size());
     const MultiPolygon ground = shared_ground(geos, *claims[i].surface, *claims[j].surface);
     if (area(ground) <= negligible) return;
     const Box box = box_of(ground);
@@ -274,6 +276,7 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     for (const auto& [i, j] : disputes)
       if (winner[i] || winner[j]) wanted[i] = wanted[j] = true;
   }
+  for (std::size_t i = 0; i < claims.size(); ++i) claims[i].wanted = wanted[i];
   for (const auto& [i, grounds] : lost) {
     poll_cancel();
     whole[i] = area(*claims[i].surface);

@@ -8,8 +8,8 @@
 
 namespace streetgen {
 
-double norm(const Point& a) { return std::hypot(a.x, a.y); }
-double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+double distance(const Point& a, const Point& b) { return norm(a - b); }
 Point planar(const Point& a) { return {a.x, a.y, 0}; }
 Point unit(const Point& a) {
   const double n = norm(a);
@@ -80,6 +80,15 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const double square = dot(ab, ab);
   const double t = square > 0 ? std::clamp(dot(p - a, ab) / square, 0.0, 1.0) : 0.0;
   return distance(p, a + ab * t);
+}
+
+std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point ab = b - a, cd = d - c;
+  const double sine = cross(ab, cd);
+  if (sine == 0) return std::nullopt;
+  const double t = cross(c - a, cd) / sine, u = cross(c - a, ab) / sine;
+  if (t < 0 || t > 1 || u < 0 || u > 1) return std::nullopt;
+  return a + ab * t;
 }
 
 double distance_to_line(const Point& p, const Line& line) {

@@ -1,6 +1,7 @@
 // Planar measures of one polyline.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -35,6 +36,9 @@ Place place_at(const Line& line, double abscissa);
 Point local_direction(const Line& line, double abscissa);
 // From abscissa u to abscissa v; backwards when u > v.
 Line substring(const Line& line, double u, double v);
+
+// Of the segments a to b and c to d, ends included; none where they are parallel.
+std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d);
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b);
 double distance_to_line(const Point& p, const Line& line);

@@ -13,7 +13,9 @@
 #include "polyline.hpp"
 #include "ring.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
 #include "transition.hpp"
+#include "vicinity.hpp"
 
 namespace streetgen {
 
@@ -52,8 +54,7 @@ class Pipeline {
     settle_limits();
     join_borders();
     ask_around_changes();
-    build_surfaces();
-    settle_owners();
+    settle_surfaces();
     return std::move(out_);
   }
 
@@ -191,6 +192,7 @@ class Pipeline {
       const std::size_t degree = around.ends.size();
       if (degree < 2) continue;
       poll_cancel();
+      tell_progress("corners", n, around_.size());
       for (std::size_t i = 0; i < degree; ++i) {
         const EdgeEnd &a = around.ends[i], &b = around.ends[(i + 1) % degree];
         const auto by_hand = radii_by_hand_.find({n, i});
@@ -364,10 +366,49 @@ class Pipeline {
 
   bool dead_end(int node) const { return around_[node].ends.size() == 1; }
 
-  void build_surfaces() {
+  std::vector<Arm> arms_of(int node) const {
+    std::vector<Arm> arms;
+    for (const EdgeEnd& end : around_[node].ends) arms.push_back(arms_[slot(end)]);
+    return arms;
+  }
+
+  // Edges, then nodes: how far the surface of each is from the asked ones.
+  std::vector<int> rings_of_surfaces() const {
+    const std::size_t edges = out_.network.edges.size();
+    std::vector<bool> asked = out_.asked_edges;
+    asked.insert(asked.end(), out_.asked_nodes.begin(), out_.asked_nodes.end());
+    if (std::find(asked.begin(), asked.end(), false) == asked.end())
+      return std::vector<int>(asked.size());
+    std::vector<Box> extents;
+    for (std::size_t e = 0; e < edges; ++e)
+      extents.push_back(section_extent(arms_[2 * e], out_.limits[2 * e].abscissa,
+                                       out_.limits[2 * e + 1].abscissa));
+    for (std::size_t n = 0; n < around_.size(); ++n)
+      extents.push_back(intersection_extent(arms_of(n), around_[n].gaps));
+    return rings(extents, asked);
+  }
+
+  // Only what the asked ones may depend on is built; where that turns out to lead on, everything.
+  void settle_surfaces() {
+    const auto asked_edges = out_.asked_edges, asked_nodes = out_.asked_nodes;
+    std::vector<int> ring = rings_of_surfaces();
+    build_surfaces(ring);
+    if (settle_owners(ring)) return;
+    out_.asked_edges = asked_edges;
+    out_.asked_nodes = asked_nodes;
+    out_.sections.clear();
+    out_.intersections.clear();
+    ring.assign(ring.size(), 0);
+    build_surfaces(ring);
+    settle_owners(ring);
+  }
+
+  void build_surfaces(const std::vector<int>& ring) {
     const auto& edges = out_.network.edges;
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      if (ring[e] == far_away) continue;
       poll_cancel();
+      tell_progress("sections", e, edges.size());
       const SectionLimit &start = out_.limits[2 * e], &end = out_.limits[2 * e + 1];
       Section section;
       section.edge = e;
@@ -389,10 +430,10 @@ class Pipeline {
     }
     for (int n = 0; n < static_cast<int>(around_.size()); ++n) {
       const Around& around = around_[n];
-      if (around.ends.size() < 2) continue;
+      if (around.ends.size() < 2 || ring[edges.size() + n] == far_away) continue;
       poll_cancel();
-      std::vector<Arm> arms;
-      for (const EdgeEnd& end : around.ends) arms.push_back(arms_[slot(end)]);
+      tell_progress("intersections", n, around_.size());
+      const std::vector<Arm> arms = arms_of(n);
       Intersection intersection;
       intersection.node = n;
       intersection.level = level_of(around);
@@ -457,7 +498,8 @@ class Pipeline {
     }
   }
 
-  void settle_owners() {
+  // False where a surface of the last ring had to be settled too: what it depends on is not there.
+  bool settle_owners(const std::vector<int>& ring) {
     std::vector<Claim> claims;
     for (Section& section : out_.sections) {
       const SectionLimit &start = out_.limits[2 * section.edge],
@@ -501,6 +543,14 @@ class Pipeline {
     for (const Hole& hole : holes)
       for (const int i : hole.around) ask(claims, i);
     settle_ownership(geos_, claims, pairs);
+    const auto on_the_rim = [&](std::size_t claim) {
+      const std::size_t sections = out_.sections.size();
+      return ring[claim < sections ? out_.sections[claim].edge
+                                   : out_.network.edges.size() +
+                                         out_.intersections[claim - sections].node] == last_ring;
+    };
+    for (std::size_t claim = 0; claim < claims.size(); ++claim)
+      if (claims[claim].wanted && on_the_rim(claim)) return false;
     give_holes(geos_, claims, holes);
     std::size_t i = 0;
     const auto read = [&](auto& rows) {
@@ -514,6 +564,7 @@ class Pipeline {
     };
     read(out_.sections);
     read(out_.intersections);
+    return true;
   }
 
   const StreetSettings& settings_;

@@ -32,6 +32,15 @@ struct Passage {
     const Point chord = end - start;
     return {cross(chord, end_direction) / sine, cross(start_direction, chord) / sine};
   }
+
+  // Of the tangents, where it lies ahead of the start and behind the end, and the way does not turn
+  // back.
+  std::optional<Point> crossing_ahead() const {
+    const auto [ahead, behind] = reach();
+    const double cosine = dot(start_direction, end_direction);
+    if (!(ahead > 0 && behind > 0) || cosine <= -parallel_cosine) return std::nullopt;
+    return start + start_direction * ahead;
+  }
 };
 
 Passage passage(const Line& lane_in, const Line& lane_out) {
@@ -150,6 +159,14 @@ Trajectory trajectory(const Line& lane_in, const Line& lane_out, const Point& ce
   if (rule == TrajectoryRule::arcs) return tangent_arcs(way, tolerance);
   const Trajectory path = by_control(paper_control(way, centre));
   return least_radius > 0 ? widened(way, path, least_radius, tolerance, by_control) : path;
+}
+
+Trajectory tangent_trajectory(const Line& lane_in, const Line& lane_out, TrajectoryRule rule,
+                              double tolerance) {
+  const Passage way = passage(lane_in, lane_out);
+  const std::optional<Point> crossing = way.crossing_ahead();
+  if (!crossing || rule == TrajectoryRule::arcs) return tangent_arcs(way, tolerance);
+  return {*crossing, bezier(way.start, *crossing, way.end, tolerance)};
 }
 
 double quarter_radius(const Line& path) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "city_axes.hpp"
 #include "city_growth.hpp"
 #include "portable_math.hpp"
+#include "random.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -26,48 +29,28 @@ double city_density(const Point& at, const CityExtent& extent, const CityOptions
 
 namespace {
 
-// The line of a street with a vertex at each of its nodes.
-Line noded_line(const CityStreet& street) {
-  Line line;
-  std::size_t bend = 0;
-  for (const CityNode& node : street.nodes) {
-    for (; bend < street.line.size() && street.abscissas[bend] < node.abscissa; ++bend)
-      line.push_back(street.line[bend]);
-    if (bend < street.line.size() && street.abscissas[bend] == node.abscissa) ++bend;
-    line.push_back(node.point);
-  }
-  return line;
+constexpr double longest_side = 1e6;
+
+// Of a side of the extent, metres.
+double shortest_side(const CityOptions& options) {
+  const double widest =
+      options.lane_width * *std::max_element(options.lanes.begin(), options.lanes.end());
+  return 2 * (widest + options.clearance);
 }
 
-std::string name_of(const CityStreet& street, std::size_t number) {
-  static const char* const kinds[] = {"Main Road", "Avenue", "Street", "Lane"};
-  return std::string(kinds[std::min(street.level, 3)]) + " " + std::to_string(number + 1);
-}
-
-CityAxis axis_of(const CityStreet& street, std::size_t number, const CityOptions& options) {
-  CityAxis axis;
-  axis.line = noded_line(street);
-  axis.level = street.level;
-  axis.width = street.width;
-  axis.lane_count = static_cast<int>(at_level(options.lanes, street.level));
-  axis.importance = std::min(street.level + 1, 5);
-  axis.speed = at_level(options.speed, street.level);
-  axis.name = name_of(street, number);
-  return axis;
+void check_side(const char* name, double size, double least) {
+  if (!(size >= least && size <= longest_side))
+    throw Error(ErrorKind::invalid_input,
+                "the " + std::string(name) + " of the extent is " + text_of(size) +
+                    " m, expected " + text_of(least) + " to " + text_of(longest_side) + " m",
+                "The least is twice the widest road and its clearance.");
 }
 
 void check(const CityExtent& extent, const CityOptions& options) {
-  const double widest =
-      options.lane_width * *std::max_element(options.lanes.begin(), options.lanes.end());
-  for (const auto& [name, size] : {std::pair<const char*, double>{"width", extent.width},
-                                   std::pair<const char*, double>{"height", extent.height}}) {
-    const double least = 2 * (widest + options.clearance);
-    if (!(size >= least && size <= 1e6))
-      throw Error(ErrorKind::invalid_input,
-                  "the " + std::string(name) + " of the extent is " + text_of(size) +
-                      " m, expected " + text_of(least) + " to 1000000 m",
-                  "The least is twice the widest road and its clearance.");
-  }
+  // What scales it needs its shape alone.
+  const double least = options.axes > 0 ? 1e-3 : shortest_side(options);
+  check_side("width", extent.width, least);
+  check_side("height", extent.height, least);
   if (!(std::fabs(extent.x) <= 1e9 && std::fabs(extent.y) <= 1e9))
     throw Error(ErrorKind::invalid_input,
                 "the lower left corner is " + text_of(extent.x) + ", " + text_of(extent.y) +
@@ -84,15 +67,98 @@ void check(const CityExtent& extent, const CityOptions& options) {
                 "Give two numbers for each centre, [[x, y], ...].");
 }
 
+std::vector<CityAxis> drawn(const CityExtent& extent, std::uint64_t seed,
+                            const CityOptions& options) {
+  std::vector<CityAxis> axes = street_axes(grown_streets(extent, seed, options), options);
+  make_roundabouts(axes, seed, options);
+  return axes;
+}
+
+// Scales the extent until it holds the wanted number of axes.
+class Fit {
+  using Found = std::optional<std::vector<CityAxis>>;
+
+ public:
+  Fit(const CityExtent& extent, std::uint64_t seed, const CityOptions& options)
+      : extent_(extent), key_(seed), options_(options) {}
+
+  std::vector<CityAxis> run() {
+    // Two levels fewer give a like city, from which the area for each axis is learnt soon.
+    int levels = 0;
+    while (options_.axes * shrunk(levels + 1) > few) ++levels;
+    for (; levels > 0; --levels) draw(shrunk(levels) * options_.axes * area_each_);
+    for (; most_drawn() > drawn_; key_ = Random(key_).next())
+      if (Found axes = near_expected()) return *axes;
+    throw Error(
+        ErrorKind::invalid_input,
+        "no scale of the extent draws " + text_of(options_.axes) + " axes",
+        "The nearest found is " + text_of(nearest_) + "; ask for it, or take another seed.");
+  }
+
+ private:
+  static constexpr double few = 1000;
+  double most_drawn() const { return 10 * options_.axes + 100000; }
+
+  // Share of the area that a city of so many times two levels fewer has.
+  double shrunk(int times) const {
+    double share = 1;
+    for (int i = 0; i < 4 * times; ++i) share *= options_.length_ratio;
+    return share;
+  }
+
+  Found near_expected() {
+    for (int attempt = 0; attempt < 4; ++attempt)
+      if (Found axes = draw(options_.axes * area_each_)) return axes;
+    // The number of a small city leaps as the extent grows: ever farther from the nearest so far.
+    const double area = best_area_;
+    for (double away = 1.01; away < 1.5 && drawn_ < most_drawn(); away *= 1.01)
+      for (const double beside : {area * away, area / away})
+        if (Found axes = draw(beside)) return axes;
+    return std::nullopt;
+  }
+
+  // The city of that area, if it has the wanted number of axes.
+  Found draw(double area) {
+    const double smaller = std::min(extent_.width, extent_.height);
+    const double scale = std::max(std::sqrt(area / (extent_.width * extent_.height)),
+                                  shortest_side(options_) / smaller);
+    if (scale * std::max(extent_.width, extent_.height) > longest_side)
+      throw Error(ErrorKind::invalid_input,
+                  text_of(options_.axes) + " axes need an extent longer than " +
+                      text_of(longest_side) + " m",
+                  "Ask for fewer, or for an extent nearer to a square.");
+    CityExtent scaled = extent_;
+    scaled.width = std::round(extent_.width * scale * 1000) / 1000;
+    scaled.height = std::round(extent_.height * scale * 1000) / 1000;
+    std::vector<CityAxis> axes = drawn(scaled, key_, options_);
+    const double count = static_cast<double>(axes.size());
+    drawn_ += count + 1;
+    area_each_ = scaled.width * scaled.height / count;
+    if (std::fabs(count - options_.axes) < std::fabs(nearest_ - options_.axes)) {
+      nearest_ = count;
+      best_area_ = scaled.width * scaled.height;
+    }
+    if (std::fabs(count - options_.axes) > 0.05 * options_.axes) return std::nullopt;
+    return axes;
+  }
+
+  CityExtent extent_;
+  std::uint64_t key_;
+  const CityOptions& options_;
+  double area_each_ = 1.45e5;  // m2 for each axis, as far as is known
+  double best_area_ = 0;      // of the nearest number so far
+  double nearest_ = 0;
+  double drawn_ = 0;
+};
+
 }  // namespace
 
 std::vector<CityAxis> virtual_city(const CityExtent& extent, std::int64_t seed,
                                    const CityOptions& options) {
   check(extent, options);
-  std::vector<CityAxis> axes;
-  const std::vector<CityStreet> streets =
-      grown_streets(extent, static_cast<std::uint64_t>(seed), options);
-  for (std::size_t i = 0; i < streets.size(); ++i) axes.push_back(axis_of(streets[i], i, options));
+  const auto key = static_cast<std::uint64_t>(seed);
+  std::vector<CityAxis> axes =
+      options.axes > 0 ? Fit(extent, key, options).run() : drawn(extent, key, options);
   const Point corner = portable::to_millimetre({extent.x, extent.y, 0});
   for (CityAxis& axis : axes)
     for (Point& p : axis.line) p = portable::to_millimetre(p + corner);

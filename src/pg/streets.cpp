@@ -1,4 +1,5 @@
 // streetgen._streets: the whole pipeline over a set of axes, one row per result.
+#include "progress.hpp"
 #include "streets_call.hpp"
 #include "streets_input.hpp"
 #include "streets_rows.hpp"
@@ -25,7 +26,9 @@ STREETGEN_FUNCTION(streetgen_streets) {
   take(fcinfo, &call);
   InitMaterializedSRF(fcinfo, 0);
   Slot<Rows>* slot = make_slot<Rows>(CurrentMemoryContext);
+  begin_progress(call.count);
   const Outcome outcome = compute([&] { slot->value = new Rows(computed_rows(call)); });
+  end_progress();
   report(outcome);
   give(*slot->value, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
   PG_RETURN_NULL();

@@ -1,5 +1,7 @@
 #include "streets_rows.hpp"
 
+#include <unordered_set>
+
 #include "lane_text.hpp"
 #include "wkb.hpp"
 
@@ -61,8 +63,23 @@ void append_network(const Streets& streets, Form with_z, Form flat, Rows& rows) 
   }
 }
 
+// The edges of axes that have an asked edge, or one at an asked node: rows of others are not written.
+std::vector<bool> edges_of_asked_axes(const Streets& streets) {
+  const auto& edges = streets.network.edges;
+  std::unordered_set<std::int64_t> asked;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (streets.asked_edges[e] || streets.asked_nodes[edges[e].from_node] ||
+        streets.asked_nodes[edges[e].to_node])
+      asked.insert(edges[e].axis_id);
+  std::vector<bool> written;
+  for (const Edge& edge : edges) written.push_back(asked.count(edge.axis_id) > 0);
+  return written;
+}
+
 void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) {
+  const std::vector<bool> written = edges_of_asked_axes(streets);
   for (const SectionLimit& limit : streets.limits) {
+    if (!written[limit.edge]) continue;
     Row& row = add(rows, "section_limit");
     row.edge_a = limit.edge;
     row.start_a = limit.at_start;
@@ -73,6 +90,7 @@ void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) 
     row.method = method_name(limit.method);
   }
   for (const Corner& corner : streets.corners) {
+    if (!written[corner.edge_a] || !written[corner.edge_b]) continue;
     Row& row = add(rows, "corner");
     row.row_index = static_cast<int>(rows.size());
     row.node_a = corner.node;

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "../../src/core/overlap.hpp"
 #include "../../src/core/polyline.hpp"
 
 namespace streetgen {
@@ -50,6 +51,17 @@ class Town {
   }
 
   const Lane& lane(int index) const { return lanes_[index]; }
+  // Whether the point lies on the roadway.
+  bool holds(const Point& p) const {
+    const auto on = [&](const MultiPolygon& surface) {
+      return std::any_of(surface.begin(), surface.end(),
+                         [&](const Polygon& polygon) { return inside(p, polygon); });
+    };
+    return std::any_of(streets_.sections.begin(), streets_.sections.end(),
+                       [&](const Section& section) { return on(section.surface); }) ||
+           std::any_of(streets_.intersections.begin(), streets_.intersections.end(),
+                       [&](const Intersection& i) { return on(i.surface); });
+  }
   std::int64_t axis_of(int lane) const { return streets_.network.edges[lanes_[lane].edge].axis_id; }
   // From 1, from left to right in the driving direction.
   int rank(int index) const {
@@ -135,6 +147,25 @@ TEST(Interconnection, StartsAndEndsOnItsLanes) {
     EXPECT_EQ(distance(i.line.front(), in.along_axis ? in.line.back() : in.line.front()), 0);
     EXPECT_EQ(distance(i.line.back(), out.along_axis ? out.line.front() : out.line.back()), 0);
   }
+}
+
+// Streets of 7 m, some nearly beside each other: the limits of these lie far from the node, and
+// what curves at once from lane to lane cuts the corner to a third street.
+TEST(Interconnection, StaysOnTheRoadwayOfAcuteCrossings) {
+  for (const double narrow : {8., 12., 20., 35.})
+    for (const double wide : {60., 90., 120., 150.}) {
+      std::vector<Road> roads;
+      double angle = 0;
+      for (const double step : {0., narrow, wide, narrow}) {
+        angle += step * M_PI / 180;
+        roads.push_back(road(static_cast<std::int64_t>(roads.size()) + 1,
+                             {{0, 0, 0}, {300 * std::cos(angle), 300 * std::sin(angle), 0}}, 1, 1));
+      }
+      const Town town(roads);
+      for (const Interconnection& i : town.join())
+        for (double at = 0.05; at < length(i.line); at += 0.1)
+          EXPECT_TRUE(town.holds(place_at(i.line, at).point)) << narrow << ' ' << wide << ' ' << at;
+    }
 }
 
 TEST(Plausible, ALoneLaneTakesEveryWay) {
@@ -319,6 +350,35 @@ TEST(Plausible, ATightTurnTakesTheNextLane) {
     EXPECT_EQ(found.count({3, 3}), at_kerb >= 3 ? 1u : 0u) << radius;
     EXPECT_EQ(found.count({3, 2}), at_kerb < 3 && next >= 3 ? 1u : 0u) << radius;
   }
+}
+
+// At 110 km/h a turn needs 7 m, and the one about the nose between 2 and 3 has less on either lane:
+// the lane of 2 that it alone took is left to 1.
+TEST(Plausible, ATightTurnGivesWayToAWideOne) {
+  std::vector<Road> roads{road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, 20, 0}}, 2, 0),
+                          road(3, {{85, -60, 0}, {0, 0, 0}}, 1, 0)};
+  for (Road& r : roads) r.speed = 110;
+  const Town town(roads, 0.5);
+  const auto all = town.join();
+  for (const Interconnection& i : all)
+    if (town.axis_of(i.lane_in) == 3 && town.axis_of(i.lane_out) == 2) {
+      ASSERT_LT(quarter_radius(i.line), 7);
+    }
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{1, 1}, {1, 2}}));
+  EXPECT_EQ(reasons(town, all, 3, 2), (std::set<std::string>{"radius", "lane_order"}));
+  EXPECT_EQ(plausible(town, all, 3, 2), Ranks{});
+  EXPECT_EQ(plausible(town, all, 3, 1), (Ranks{{1, 1}}));
+}
+
+// Marked to go straight on, it may go on to each lane there; the turn from the south keeps to its
+// kerb.
+TEST(Plausible, AMarkedLaneTakesTheLanesThatNoneReaches) {
+  const Town town({{1, west, general(1, turn::through), {}, 3.5, 50},
+                   road(2, south, 1, 0),
+                   road(3, {{0, 0, 0}, {100, 0, 0}}, 3, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {1, 2}}));
+  EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}}));
 }
 
 // Random stars of streets, some of them one-way.

@@ -274,5 +274,32 @@ TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {
     EXPECT_EQ(area(first.sections[i].surface), area(second.sections[i].surface));
 }
 
+// Surfaces about one axis, built from what may matter to them, against those of the whole town.
+TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::vector<StreetAxis> axes = random_town(seed, 24);
+    const Streets whole = streets(axes, {});
+    Former former;
+    for (std::size_t e = 0; e < whole.network.edges.size(); ++e) {
+      const SectionLimit &start = whole.limits[2 * e], &end = whole.limits[2 * e + 1];
+      former.edges.push_back(
+          {whole.network.edges[e].axis_id,
+           whole.network.edges[e].line,
+           {start.wanted_abscissa, start.abscissa, end.wanted_abscissa, end.abscissa}});
+    }
+    std::size_t compared = 0;
+    for (std::int64_t edited = 1; edited <= 6; ++edited) {
+      for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
+      const Streets part = streets(axes, {}, {}, former);
+      for (const Section& section : part.sections) {
+        EXPECT_EQ(area(section.surface), area(whole.sections[section.edge].surface))
+            << "seed " << seed << ", axis " << edited << ", edge " << section.edge;
+        ++compared;
+      }
+    }
+    EXPECT_GE(compared, 6u);
+  }
+}
+
 }  // namespace
 }  // namespace streetgen

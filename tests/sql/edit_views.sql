@@ -26,7 +26,7 @@ BEGIN
     RETURN;
   EXCEPTION WHEN OTHERS THEN
     GET STACKED DIAGNOSTICS said = MESSAGE_TEXT, detail = PG_EXCEPTION_DETAIL, hint = PG_EXCEPTION_HINT;
-    RETURN QUERY SELECT format('%s: %s %s', edit, SQLSTATE, said), SQLSTATE = $3 AND said <> '' AND ($3 <> '22023' OR said LIKE 'Geometry SRID%' OR detail <> '' AND hint <> '');
+    RETURN QUERY SELECT format('%s: %s %s', edit, SQLSTATE, said), SQLSTATE = $3 AND said <> '' AND (said LIKE 'Geometry SRID%' OR detail <> '' AND hint <> '');
   END;
   RETURN QUERY SELECT edit || ', and nothing written', pg_temp.written() = before;
 END $$;
@@ -42,13 +42,13 @@ SELECT 'what is left out is as in the table', direction = 'both' AND level = 0 A
 UPDATE town.axis_editing SET width = 9, lane_count = 3, name = 'rue' WHERE axis_id = 1;
 SELECT 'the street has the width and lanes of its axis', (SELECT width = 9 FROM town.edge WHERE axis_id = 1) AND (SELECT count(*) = 3 FROM town.lane WHERE edge_id = pg_temp.edge(1)) AND (SELECT name = 'rue' FROM town.axis WHERE axis_id = 1);
 UPDATE town.axis_editing SET width = 7, lane_count = 2, direction = NULL WHERE axis_id = 1;
-SELECT * FROM pg_temp.refused('a width of NaN', $q$UPDATE town.axis_editing SET width = 'NaN' WHERE axis_id = 1$q$);
-SELECT * FROM pg_temp.refused('a width out of range', $q$UPDATE town.axis_editing SET width = 201 WHERE axis_id = 1$q$);
-SELECT * FROM pg_temp.refused('no lanes', $q$UPDATE town.axis_editing SET lane_count = 0 WHERE axis_id = 1$q$);
-SELECT * FROM pg_temp.refused('an unknown direction', $q$UPDATE town.axis_editing SET direction = 'up' WHERE axis_id = 1$q$);
-SELECT * FROM pg_temp.refused('an axis of no length', $q$INSERT INTO town.axis_editing (geom) VALUES (pg_temp.line('LINESTRING(5 5, 5 5)'))$q$);
-SELECT * FROM pg_temp.refused('an axis without a line', $q$INSERT INTO town.axis_editing (width) VALUES (7)$q$);
-SELECT * FROM pg_temp.refused('a vertex of NaN', $q$INSERT INTO town.axis_editing (geom) VALUES ('01020000206A0800000200000000000000000000000000000000000000000000000000F87F000000000000F03F')$q$);
+SELECT * FROM pg_temp.refused('a width of NaN', $q$UPDATE town.axis_editing SET width = 'NaN' WHERE axis_id = 1$q$, '23514');
+SELECT * FROM pg_temp.refused('a width out of range', $q$UPDATE town.axis_editing SET width = 201 WHERE axis_id = 1$q$, '23514');
+SELECT * FROM pg_temp.refused('no lanes', $q$UPDATE town.axis_editing SET lane_count = 0 WHERE axis_id = 1$q$, '23514');
+SELECT * FROM pg_temp.refused('an unknown direction', $q$UPDATE town.axis_editing SET direction = 'up' WHERE axis_id = 1$q$, '23514');
+SELECT * FROM pg_temp.refused('an axis of no length', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (9, pg_temp.line('LINESTRING(5 5, 5 5)'))$q$, '23514');
+SELECT * FROM pg_temp.refused('an axis without a line', $q$INSERT INTO town.axis_editing (axis_id, width) VALUES (9, 7)$q$, '23502');
+SELECT * FROM pg_temp.refused('a vertex of NaN', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (9, '01020000206A0800000200000000000000000000000000000000000000000000000000F87F000000000000F03F')$q$, '23514');
 SELECT * FROM pg_temp.refused('another SRID', $q$INSERT INTO town.axis_editing (geom) VALUES ('SRID=32631;LINESTRING(0 0,1 1)')$q$);
 
 -- node_editing
@@ -101,7 +101,7 @@ SELECT 'deleted, it is computed again', NOT f.by_hand AND abs(f.abscissa - c.abs
 
 -- corner_editing
 CREATE VIEW right_angle AS SELECT v.* FROM town.corner_editing v JOIN town.corner c USING (corner_id) JOIN town.edge a ON a.edge_id = c.edge_a JOIN town.edge b ON b.edge_id = c.edge_b WHERE (a.axis_id, b.axis_id) = (3, 2);
-SELECT 'a corner without an arc has a place', bool_and(geom IS NOT NULL AND ST_Distance(geom, pg_temp.place(100, 0)) BETWEEN 3 AND 4) FROM town.corner_editing WHERE radius = 0 AND node_id = pg_temp.node(100, 0);
+SELECT 'a corner without an arc has a place on the kerb', count(*) > 0 AND bool_and(abs(ST_Distance(v.geom, e.geom) - 3.5) < 0.001) FROM town.corner_editing v JOIN town.corner c USING (corner_id) JOIN town.edge e ON e.edge_id = c.edge_a WHERE v.radius = 0 AND v.node_id = pg_temp.node(100, 0);
 CREATE TABLE computed_corner AS SELECT * FROM right_angle;
 UPDATE town.corner_editing SET radius = 9 WHERE corner_id = (SELECT corner_id FROM right_angle);
 SELECT 'a radius typed', by_hand AND radius = 9 AND pg_temp.shape(geom) = 'POINT(112.5 -12.5)' FROM right_angle;
@@ -238,3 +238,33 @@ UPDATE hill.corner_editing SET radius = 6;
 UPDATE hill.section_limit_editing SET abscissa = 40 WHERE which = 'start' AND edge_id = (SELECT edge_id FROM hill.edge WHERE axis_id = 1);
 SELECT 'so do its other layers', (SELECT count(*) = 1 FROM hill.kerb_point_override) AND (SELECT count(*) > 0 FROM hill.corner_override) AND (SELECT count(*) = 1 FROM hill.section_limit_override);
 DO $$ BEGIN PERFORM streetgen.drop_model('hill'); END $$;
+
+-- A GIS asks for its window: rows of the tables behind a view are found by an index.
+DO $$ BEGIN PERFORM streetgen.create_model('wide', 2154); END $$;
+SET streetgen.live = 'off';
+WITH place AS (SELECT x, y, pg_temp.place(90 * x + (x * 7 + y * 5) % 11, 90 * y + (x * 3 + y * 7) % 13) AS geom FROM generate_series(0, 19) x, generate_series(0, 19) y)
+INSERT INTO wide.axis (geom, width) SELECT ST_MakeLine(a.geom, b.geom), 6 + (a.x + a.y) % 3 FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1));
+INSERT INTO wide.kerb_point_override (axis_id, geom) SELECT axis_id, ST_Translate(ST_LineInterpolatePoint(geom, 0.5), 3, 3) FROM wide.axis;
+RESET streetgen.live;
+DO $$ BEGIN PERFORM streetgen.generate('wide', wait => true); END $$;
+-- A corner without an arc among others.
+UPDATE wide.corner_editing SET radius = 0 WHERE ST_DWithin(geom, pg_temp.place(450, 450), 30);
+ANALYZE;
+CREATE FUNCTION pg_temp.read(plan jsonb) RETURNS TABLE (relation text, rows float8) LANGUAGE sql AS $$
+  WITH RECURSIVE node AS (SELECT plan UNION ALL SELECT child FROM node n, jsonb_array_elements(n.plan -> 'Plans') child)
+  SELECT n.plan ->> 'Relation Name', (n.plan ->> 'Actual Loops')::float8 * ((n.plan ->> 'Actual Rows')::float8 + coalesce((n.plan ->> 'Rows Removed by Filter')::float8, 0) + coalesce((n.plan ->> 'Rows Removed by Index Recheck')::float8, 0))
+  FROM node n WHERE n.plan ? 'Relation Name' $$;
+CREATE FUNCTION pg_temp.window_of(view text) RETURNS TABLE (relation text, rows float8, shown float8) LANGUAGE plpgsql AS $$
+DECLARE
+  plan json;
+BEGIN
+  EXECUTE format('EXPLAIN (ANALYZE, TIMING OFF, FORMAT JSON) SELECT * FROM wide.%I WHERE geom && ST_MakeEnvelope(650400, 6860400, 650500, 6860500, 2154)', view) INTO plan;
+  RETURN QUERY SELECT r.relation, r.rows, (plan #>> '{0,Plan,Actual Rows}')::float8 FROM pg_temp.read((plan #> '{0,Plan}')::jsonb) r;
+END $$;
+SELECT format('%s reads few rows of %s for a window', v.view, v.relation), max(w.shown) > 0 AND sum(w.rows) BETWEEN 1 AND 0.1 * (SELECT reltuples FROM pg_class WHERE oid = ('wide.' || v.relation)::regclass)
+FROM (VALUES ('axis_editing', 'axis'), ('node_editing', 'node'), ('edge_editing', 'edge'), ('section_limit_editing', 'section_limit'), ('corner_editing', 'corner'), ('corner_editing', 'section_limit'),
+  ('kerb_point_editing', 'kerb_point_override'), ('lane_editing', 'lane'), ('interconnection_editing', 'interconnection')) v(view, relation), pg_temp.window_of(v.view) w WHERE w.relation = v.relation GROUP BY v.view, v.relation;
+SELECT 'a corner without an arc has its handle on the kerb', count(*) > 0 AND bool_and(ST_DWithin(e.geom, l.border_line, 1e-6) AND ST_Distance(e.geom, l.geom) > 1)
+FROM wide.corner_editing e JOIN wide.corner c USING (corner_id) JOIN wide.section_limit l ON (l.edge_id, l.which) = (c.edge_a, c.end_a) WHERE c.centre IS NULL;
+SELECT 'no two corners of a node have one handle', count(*) = count(DISTINCT geom) FROM wide.corner_editing;
+DO $$ BEGIN PERFORM streetgen.drop_model('wide'); END $$;

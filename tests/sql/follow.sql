@@ -124,6 +124,21 @@ UPDATE lines SET id = 800 WHERE id = 8;
 SELECT count(*) FROM mapping, streetgen.follow('town', 'lines', mapping) \g /dev/null
 SELECT 'follow again brings what changed in between', width = 4 FROM town.axis WHERE source = 'lines' AND source_ref = '800';
 SELECT count(*) FROM streetgen.follow('town', 'lines', '{"width": {"value": 3}, "source_ref": "id"}') \g /dev/null
+CREATE TABLE gone AS SELECT 1 AS id, 'SRID=2154;LINESTRING(650700 6860000, 650760 6860000)'::geometry AS geom;
+CREATE TABLE renamed AS SELECT 1 AS id, 'SRID=2154;LINESTRING(650700 6860100, 650760 6860100)'::geometry AS geom;
+SELECT count(*) FROM unnest(ARRAY['gone', 'renamed']) t, streetgen.follow('town', t::regclass, '{"source_ref": "id"}') \g /dev/null
+SELECT count(*) FROM streetgen.generate('town', wait => true) \g /dev/null
+DROP TABLE gone;
+ALTER TABLE renamed RENAME id TO key;
+DROP EXTENSION streetgen CASCADE;
+CREATE EXTENSION streetgen;
+SELECT 'without the extension nothing is followed', NOT EXISTS (SELECT FROM pg_trigger WHERE tgrelid = 'lines'::regclass);
+SELECT streetgen.adopt_model('town'), streetgen.adopt_model('once'), streetgen.adopt_model('twin') \g /dev/null
+UPDATE lines SET geom = ST_Translate(geom, 0, 1) WHERE id = 800;
+SELECT 'adopt_model follows again, by the mapping of the last call', test.followed('town', 'once') AND (SELECT ST_Equals(a.source_geom, l.geom) AND width = 3 FROM town.axis a JOIN lines l ON (a.source, a.source_ref) = ('lines', id::text) WHERE id = 800);
+SELECT 'for each model', ST_Equals(a.source_geom, l.geom) FROM twin.axis a JOIN lines l ON (a.source, a.source_ref) = ('lines', id::text) WHERE id = 800;
+SELECT 'a table that is gone is forgotten, one that cannot be followed is kept', array_agg(source ORDER BY source) = '{"\"More lines\"",lines,renamed}' FROM town.followed;
+SELECT 'and can be left', test.state($$SELECT streetgen.unfollow('town', 'renamed')$$) = 'none' AND test.state($$SELECT streetgen.unfollow('town', 'renamed')$$) = '42704';
 SELECT 'a second follow is instead of the first', count(*) = 4 FROM pg_trigger WHERE tgrelid = 'lines'::regclass AND tgname LIKE '%town';
 SELECT streetgen.drop_model('twin') \g /dev/null
 UPDATE lines SET remark = 'on';
@@ -157,7 +172,14 @@ RESET ROLE;
 SELECT 'but the model follows him', test.followed('rural', 'once') AND (SELECT count(*) = 2 FROM rural.axis);
 SET ROLE follow_owner;
 SELECT 'the owner of the model takes it back on a table of another', test.state($$SELECT streetgen.unfollow('rural', 'survey.road')$$) = 'none';
+-- What the owner of a model writes there gives no rights: adopted by a superuser it follows what its owner may.
+INSERT INTO rural.followed VALUES ('survey.secret', '{"source_ref": "id"}');
 RESET ROLE;
+CREATE TABLE survey.secret AS SELECT 1 AS id, 'SRID=2154;LINESTRING(650500 6860000, 650560 6860000)'::geometry AS geom;
+SET client_min_messages = error;
+SELECT streetgen.adopt_model('rural') \g /dev/null
+SET client_min_messages = warning;
+SELECT 'a table that the owner of the model may not read is not followed', NOT EXISTS (SELECT FROM pg_trigger WHERE tgrelid = 'survey.secret'::regclass);
 DROP SCHEMA survey CASCADE;
 SELECT streetgen.drop_model('rural') \g /dev/null
 DROP OWNED BY follow_owner, follow_writer;

@@ -124,3 +124,8 @@ SELECT format('%s is refused', statement), test.state(statement) = '22023' FROM 
     ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 'NaN')$$), ($$SELECT streetgen.lanes('POINT(0 0)', 7)$$), ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, 99)$$),
     ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'tram')$$), ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, lane_order => 'any')$$),
     ($$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 'Infinity')$$), ($$SELECT streetgen.offset_line('LINESTRING EMPTY', 1)$$)) s(statement);
+
+-- Estimates of what is no width, no number of lanes.
+SELECT 'no lanes of no width', bool_and(streetgen.estimated_lane_count(w, 50, l) IS NULL) FROM (VALUES ('NaN'::float8, 3.5), (7, 0), (7, 'NaN'), ('-Infinity', 3.5), (1e300, 1e-300)) v(w, l);
+SELECT 'nor kinds of too many', bool_and(streetgen.lane_kinds(n, NULL, true, 'right', true, false, false, false) IS NULL) FROM unnest('{-1,41,2147483647,NULL}'::integer[]) n;
+SELECT 'at most thirty lanes', streetgen.estimated_lane_count(200, 50, 1) = 30;

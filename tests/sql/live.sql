@@ -167,6 +167,37 @@ SELECT 'a transaction may go without', count(*) = 0 FROM written;
 COMMIT;
 UPDATE town.axis SET width = 5.5 WHERE axis_id = 4;
 SELECT 'the next one follows', test.followed('town', 'once');
+
+-- What is said of turns while nobody follows: no hash of an axis sees it, and a run for one axis takes it along.
+CREATE TABLE decided AS SELECT n.geom, i.ordinality AS lane_in, a.axis_id AS axis_in, o.ordinality AS lane_out, b.axis_id AS axis_out FROM town.interconnection c JOIN town.node n USING (node_id)
+  JOIN town.lane i ON i.lane_id = c.lane_in JOIN town.edge a ON a.edge_id = i.edge_id JOIN town.lane o ON o.lane_id = c.lane_out JOIN town.edge b ON b.edge_id = o.edge_id
+  WHERE connecting AND a.axis_id = 16 ORDER BY b.axis_id, lane_in, lane_out LIMIT 1;
+CREATE TABLE unfollowed (name text, stale bigint, told boolean, taken boolean);
+SELECT streetgen.live('town', false) \g /dev/null
+DO $$
+DECLARE
+  change text;
+BEGIN
+  FOREACH change IN ARRAY ARRAY['INSERT INTO town.turn_restriction (geom, from_axis, to_axis, kind) SELECT geom, axis_in, axis_out, ''no'' FROM decided', 'UPDATE town.turn_restriction SET turn = ''u_turn''', 'DELETE FROM town.turn_restriction',
+      'INSERT INTO town.turn_restriction (geom, from_axis, to_axis, kind) SELECT geom, axis_in, axis_out, ''no'' FROM decided', 'TRUNCATE town.turn_restriction',
+      'INSERT INTO town.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) SELECT geom, axis_in, lane_in, axis_out, lane_out, false FROM decided', 'UPDATE town.interconnection_override SET connecting = true',
+      'DELETE FROM town.interconnection_override'] LOOP
+    EXECUTE change;
+    INSERT INTO unfollowed SELECT change, streetgen._stale_axes('town'), (SELECT count(*) = 2 FROM streetgen.check_model('town') WHERE rule = 'stale: the axis changed since');
+    PERFORM streetgen.generate('town', '{16}');
+    UPDATE unfollowed SET taken = streetgen._stale_axes('town') = 0 AND test.followed('town', 'once') WHERE taken IS NULL;
+  END LOOP;
+END $$;
+SELECT 'not followed, its axes are stale: ' || name, stale = 2 AND told FROM unfollowed;
+SELECT 'and a run for one of them takes it', taken FROM unfollowed;
+SELECT streetgen.live('town', true) \g /dev/null
+SELECT pg_temp.remember() \g /dev/null
+BEGIN;
+SET LOCAL streetgen.live = 'off';
+INSERT INTO town.turn_restriction (geom, from_axis, to_axis, kind) VALUES ('SRID=2154;POINT(650000 6860000)', -1, -2, 'no');
+SELECT 'one of axes that are gone writes nothing', count(*) = 0 FROM written;
+SELECT 'nor locks anything', NOT EXISTS (SELECT FROM pg_locks WHERE locktype = 'advisory' AND pid = pg_backend_pid());
+ROLLBACK;
 SELECT 'only the owner switches', (r).state = '42501' AND (r).hint <> '' FROM (SELECT test.refusal($q$SET LOCAL ROLE pg_monitor; SELECT streetgen.live('town', false)$q$) AS r) t;
 SELECT 'a model that is not there is refused', test.state($q$SELECT streetgen.live('no such', false)$q$) = '3F000' AND test.state($q$SELECT * FROM streetgen.activity('no such')$q$) = '3F000';
 

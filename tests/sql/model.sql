@@ -37,7 +37,7 @@ SELECT 'UTM is taken', test.state($q$SELECT streetgen.create_model('model_utm', 
 -- All that a schema holds: itself, tables, views, columns, types, functions, triggers; sequences and keys belong to their columns.
 CREATE FUNCTION pg_temp.uncommented(schema name) RETURNS SETOF text LANGUAGE sql AS $$
   SELECT 'schema ' || nspname FROM pg_namespace WHERE nspname = schema AND obj_description(oid, 'pg_namespace') IS NULL
-  UNION ALL SELECT 'relation ' || relname FROM pg_class WHERE relnamespace = quote_ident(schema)::regnamespace AND relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND obj_description(oid, 'pg_class') IS NULL
+  UNION ALL SELECT 'relation ' || relname FROM pg_class WHERE relnamespace = quote_ident(schema)::regnamespace AND relkind IN ('r', 'v', 'm', 'p', 'f') AND obj_description(oid, 'pg_class') IS NULL
   UNION ALL SELECT format('column %s.%s', c.relname, a.attname) FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
     WHERE c.relnamespace = quote_ident(schema)::regnamespace AND c.relkind IN ('r', 'v', 'm', 'p', 'f', 'c') AND a.attnum > 0 AND NOT a.attisdropped AND col_description(c.oid, a.attnum) IS NULL
   -- The types of rows and arrays come with what they are made of.
@@ -118,6 +118,7 @@ DO $$ BEGIN
   PERFORM streetgen."grant"('model_a', 'streetgen_test_reader', 'reader');
   PERFORM streetgen."grant"('model_a', 'streetgen_test_editor', 'editor');
 END $$;
+SELECT 'an unknown role is refused with a hint: ' || quote_literal(role), (r).state = '42704' AND (r).hint <> '' FROM unnest('{"",no such}'::text[]) role, LATERAL (SELECT test.refusal(format($q$SELECT streetgen."grant"('model_a', %L, 'reader')$q$, role)) AS r) s;
 SELECT 'an unknown kind of right is refused', test.state($q$SELECT streetgen."grant"('model_a', 'streetgen_test_reader', 'owner')$q$) = '22023';
 SELECT 'a reader reads all', has_table_privilege('streetgen_test_reader', 'model_a.edge', 'SELECT')
        AND has_table_privilege('streetgen_test_reader', 'model_a.setting', 'SELECT');
@@ -162,6 +163,20 @@ SELECT 'tables that are no model are 3F000 and named', test.state($q$SELECT stre
 SELECT 'and are not registered', NOT EXISTS (SELECT FROM streetgen.model WHERE name = 'half');
 SELECT 'an unknown model is 3F000: ' || call, test.state('SELECT * FROM streetgen.' || call) = '3F000' FROM unnest(ARRAY['setting(''no such'')', 'summary(''no such'')', 'check_model(''no such'')', 'svg(''no such'')', 'adopt_model(''no such'')']) call;
 
+-- Styles that QGIS keeps for the layers of a model go with it; a table of somebody else is not touched.
+CREATE TABLE public.layer_styles (f_table_catalog name, f_table_schema name, f_table_name name, stylename text);
+INSERT INTO public.layer_styles SELECT current_database(), m, 'axis', 'axis' FROM unnest('{model_a,styled}'::name[]) m;
+SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled') \g /dev/null
+SELECT 'styles go with their model', array_agg(f_table_schema) = '{model_a}' FROM public.layer_styles;
+INSERT INTO public.layer_styles VALUES (current_database(), 'styled', 'axis', 'axis');
+ALTER TABLE public.layer_styles OWNER TO streetgen_test_reader;
+SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled') \g /dev/null
+SELECT 'but not from a table of somebody else', count(*) = 2 FROM public.layer_styles;
+DROP TABLE public.layer_styles;
+CREATE TABLE public.layer_styles (what text);
+SELECT 'nor from one that is something else', test.state($q$SELECT streetgen.create_model('styled', 2154), streetgen.drop_model('styled')$q$) = 'none';
+DROP TABLE public.layer_styles;
+
 -- The extension goes and comes: tables stay, views come back with their comments and readers.
 DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
 CREATE TABLE before AS SELECT test.content('model_a') AS content;
@@ -175,7 +190,7 @@ SELECT 'adopted models have their views', test.state('SELECT * FROM model_a.axis
 SELECT 'with comments: ' || m, NOT EXISTS (SELECT FROM pg_temp.uncommented(m)) FROM unnest('{model_a,"model Z\""}'::name[]) m;
 SELECT 'and readers', has_table_privilege('streetgen_test_reader', 'model_a.axis_used', 'SELECT') AND NOT has_table_privilege('streetgen_test_reader', 'model_renamed.axis_used', 'SELECT');
 SELECT 'of ' || view, has_table_privilege('streetgen_test_reader', 'model_a.' || view, 'SELECT') AND NOT has_table_privilege('public', 'model_a.' || view, 'SELECT')
-       AND has_table_privilege('public', '"model Z""".' || view, 'SELECT') FROM unnest('{axis_used,intersection_group,conflict}'::text[]) view;
+       AND has_table_privilege('public', '"model Z""".' || view, 'SELECT') FROM unnest('{axis_used,intersection_group,conflict,roadway,axis_editing,node_editing,override_place,edit_log}'::text[]) view;
 SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('model_a');
 SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
 SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';

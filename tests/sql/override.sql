@@ -42,8 +42,8 @@ DO $$ BEGIN
   CREATE ROLE streetgen_test_decider;
   PERFORM streetgen."grant"('older', 'streetgen_test_decider', 'editor');
   DROP TABLE older.section_limit_override, older.corner_override, older.kerb_point_override CASCADE;
-  ALTER TABLE older.lane_override DROP COLUMN line, DROP COLUMN geom;
-  ALTER TABLE older.transition_override DROP COLUMN geom;
+  ALTER TABLE older.lane_override DROP COLUMN line CASCADE, DROP COLUMN geom CASCADE;
+  ALTER TABLE older.transition_override DROP COLUMN geom CASCADE;
   PERFORM streetgen.adopt_model('older') FROM generate_series(1, 2);
   PERFORM streetgen.generate('older');
 END $$;

@@ -4,3 +4,5 @@ SELECT streetgen.create_model('drawn', 2154) \g /dev/null
 INSERT INTO drawn.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
 DO $$ BEGIN PERFORM streetgen.generate('drawn'); END $$;
 SELECT 'svg draws', streetgen.svg('drawn') LIKE '<svg%</svg>' || E'\n';
+SELECT 'a map of a town shows the roadway alone', svg LIKE '%class="section%' AND svg NOT LIKE '%class="axis%' AND svg NOT LIKE '%class="limit%' FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154)) svg;
+SELECT 'a street shows its axis', svg LIKE '%class="axis%' FROM streetgen.svg('drawn') svg;

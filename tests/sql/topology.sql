@@ -48,6 +48,7 @@ SELECT 'an existing topology is 42P06', test.state($$SELECT * FROM streetgen.exp
 SELECT format('a name of %s bytes is too long: 42622', octet_length(name)), (r).state = '42622' AND (r).said LIKE '%"' || name || '%' AND to_regnamespace(quote_ident(name)) IS NULL
   FROM (VALUES (repeat('t', 62)), (repeat('t', 64))) v(name), LATERAL (SELECT test.refusal(format($$SELECT * FROM streetgen.export_topology('quarter', %L)$$, name)) AS r) s;
 SELECT streetgen.create_model('crossing', 2154) \g /dev/null
+SELECT 'an empty name is refused with a hint', (r).state = '22023' AND (r).hint <> '' FROM (SELECT test.refusal($$SELECT * FROM streetgen.export_topology('quarter', '')$$) AS r) s;
 SELECT 'a model without edges is 55000', test.state($$SELECT * FROM streetgen.export_topology('crossing', 'x')$$) = '55000';
 INSERT INTO crossing.axis (axis_id, geom) VALUES (3, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)'), (8, 'SRID=2154;LINESTRING(650050 6859950,650050 6860050)'), (9, 'SRID=2154;LINESTRING(650300 6860000,650400 6860000)');
 DO $$ BEGIN PERFORM streetgen.generate('crossing'); END $$;

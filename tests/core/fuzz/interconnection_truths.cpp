@@ -123,28 +123,22 @@ bool same(const Interconnection& a, const Interconnection& b) {
 
 }  // namespace
 
-Faults interconnection_faults(std::uint64_t seed) {
+Faults interconnection_faults(const Made& made) {
   Faults faults;
-  Random random(seed);
-  Town town = random_town(seed);
-  Asked asked = random_traffic(random, town);
-  const auto run = [&](std::vector<Lane>* all, Network* network) {
-    const Streets built = streets(town.axes, town.settings);
-    const Lanes made = lanes(built, asked.axes, {}, {});
-    if (all) *all = made.lanes;
-    if (network) *network = built.network;
-    return interconnections(built, town.axes, made.lanes, asked.restrictions, asked.settings);
+  Random random(made.seed);
+  Asked asked = random_traffic(random, made.town);
+  const std::vector<Lane> all = lanes(made.streets, asked.axes, {}, {}).lanes;
+  std::vector<StreetAxis> axes = made.town.axes;
+  const auto run = [&] {
+    return interconnections(made.streets, axes, all, asked.restrictions, asked.settings);
   };
-  std::vector<Lane> all;
-  Network network;
-  const std::vector<Interconnection> pairs = run(&all, &network);
-  find_missing(network, all, asked.settings.u_turn, pairs, faults);
+  const std::vector<Interconnection> pairs = run();
+  find_missing(made.streets.network, all, asked.settings.u_turn, pairs, faults);
   find_unsound(all, pairs, faults);
   find_dead(all, pairs, faults);
-  std::reverse(town.axes.begin(), town.axes.end());
-  std::reverse(asked.axes.begin(), asked.axes.end());
+  std::reverse(axes.begin(), axes.end());
   std::reverse(asked.restrictions.begin(), asked.restrictions.end());
-  const std::vector<Interconnection> again = run(nullptr, nullptr);
+  const std::vector<Interconnection> again = run();
   if (!std::equal(pairs.begin(), pairs.end(), again.begin(), again.end(), same))
     faults.push_back("another order of the axes gives other interconnections");
   return faults;

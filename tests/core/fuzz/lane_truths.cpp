@@ -139,21 +139,19 @@ bool same(const Lanes& a, const Lanes& b) {
 
 }  // namespace
 
-Faults lane_faults(std::uint64_t seed) {
-  const Town town = random_town(seed);
-  Random random(seed);
-  Asked asked = random_lanes(random, town);
-  const Streets made = streets(town.axes, town.settings);
-  const Lanes first = lanes(made, asked.axes, asked.overrides, asked.settings);
+Faults lane_faults(const Made& made) {
+  Random random(made.seed);
+  Asked asked = random_lanes(random, made.town);
+  const Lanes first = lanes(made.streets, asked.axes, asked.overrides, asked.settings);
   Faults faults;
   find_unsound(first, faults);
-  find_misplaced(made, first, faults);
+  find_misplaced(made.streets, first, faults);
   if (!faults.empty()) return faults;
-  find_astray(made, first, faults);
-  std::mt19937_64 shuffled(seed);
+  find_astray(made.streets, first, faults);
+  std::mt19937_64 shuffled(made.seed);
   std::shuffle(asked.axes.begin(), asked.axes.end(), shuffled);
   std::shuffle(asked.overrides.begin(), asked.overrides.end(), shuffled);
-  if (!same(first, lanes(made, asked.axes, asked.overrides, asked.settings)))
+  if (!same(first, lanes(made.streets, asked.axes, asked.overrides, asked.settings)))
     faults.push_back("not the same with the wishes in another order");
   return faults;
 }

@@ -1,0 +1,82 @@
+# Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr.
+
+# The layer that a file is named after: roads of roads.shp and of town_roads.shp.
+layer_of() {
+  local stem layer
+  stem=$(basename "${1%.*}")
+  for layer in "${layers[@]}"; do
+    if [[ $stem = "$layer" || $stem = *[_-]"$layer" ]]; then
+      printf %s "$layer"
+    fi
+  done
+}
+
+# A shapefile is several files.
+parts_of() {
+  case $1 in
+    *.shp) printf '%s\n' "${1%.shp}".{shp,shx,dbf,prj,cpg} ;;
+    *) printf '%s\n' "$1" ;;
+  esac
+}
+
+# check_files FILE…: the ending of each, its layer, its folder, and that nothing of that name is there.
+check_files() {
+  local file folder part seen=$'\n'
+  mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
+  for file in "$@"; do
+    case $file in
+      *.gpkg) ;;
+      *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each" ;;
+    esac
+    folder=$(dirname "$file")
+    [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
+    [ -w "$folder" ] || fail "$file cannot be written: folder $folder is closed"
+    while IFS= read -r part; do
+      [ ! -e "$part" ] || fail "$part is there: remove it or choose another name"
+      [[ $seen != *$'\n'$part$'\n'* ]] || fail "$file is named twice"
+      seen+=$part$'\n'
+    done < <(parts_of "$file")
+  done
+}
+
+# write_layer FILE MODEL LAYER WGS84 OPTION…: a remark of ogr2ogr is an error, since so it says that it cut a name or a value.
+write_layer() {
+  local file=$1 model=$2 layer=$3 wgs84=$4 type query remark
+  shift 4
+  IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'")
+  remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=gis dbname=$database" -sql "$query" 2>&1) && [ -z "$remark" ] ||
+    fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
+}
+
+# write_file FILE MODEL LAYER SRID
+write_file() {
+  local file=$1 model=$2 layer=$3 srid=$4 update=()
+  case $file in
+    *.gpkg)
+      for layer in "${layers[@]}"; do
+        write_layer "$file" "$model" "$layer" false -f GPKG -a_srs "EPSG:$srid" -lco GEOMETRY_NAME=geom ${update[@]+"${update[@]}"}
+        update=(-update)
+      done ;;
+    *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
+    *.geojson) write_layer "$file" "$model" "$layer" true -f GeoJSON -a_srs EPSG:4326 -lco RFC7946=YES -lco COORDINATE_PRECISION=11 ;;
+  esac
+}
+
+# write_files MODEL FILE…: files that check_files let pass, all of them or none.
+write_files() {
+  local model=$1 srid file folder
+  shift
+  srid=$(run_sql -At -c "SELECT srid FROM streetgen.model WHERE name = $(quoted "$model")")
+  export_folders=()
+  trap 'rm -rf "${export_folders[@]}"' EXIT
+  for file in "$@"; do
+    # Beside its place, so that it gets there at once.
+    folder=$(mktemp -d "$(dirname "$file")/.streetgen.XXXXXX")
+    export_folders+=("$folder")
+    write_file "$folder/$(basename "$file")" "$model" "$(layer_of "$file")" "$srid"
+  done
+  for folder in "${export_folders[@]}"; do
+    mv -n "$folder"/* "$(dirname "$folder")"
+  done
+}

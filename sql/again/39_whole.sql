@@ -1,0 +1,80 @@
+-- A whole model at once. Where nothing was derived yet its rows come first, then keys to other tables, indexes and statistics.
+
+CREATE OR REPLACE FUNCTION streetgen._derived_tables() RETURNS name[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT '{node,edge,section_limit,section,corner,intersection,lane,lane_separator,marking,interconnection,report}'::name[] $$;
+COMMENT ON FUNCTION streetgen._derived_tables() IS 'The tables of a model that generate writes.';
+
+CREATE OR REPLACE FUNCTION streetgen._is_bare(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- For fewer axes taking off costs more than it saves.
+    worth_it constant integer := 1000;
+    relation name;
+    held boolean;
+BEGIN
+    EXECUTE format('SELECT count(*) < $1 FROM (SELECT FROM %I.axis LIMIT $1) a', model) INTO held USING worth_it;
+    FOREACH relation IN ARRAY streetgen._derived_tables() LOOP
+        EXIT WHEN held;
+        EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
+    END LOOP;
+    -- Triggers of others may see rows as they come.
+    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables()) AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
+END $$;
+COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, and its tables the caller''s and without triggers of others?';
+
+CREATE OR REPLACE FUNCTION streetgen._take_off(model name) RETURNS text[]
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    off text[];
+    back text[];
+BEGIN
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) relation);
+    WITH derived AS (SELECT c.oid, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
+    part AS (
+        -- Indexes that no constraint, no replication and nobody else builds on, and nothing but a comment says more of.
+        SELECT 1 AS turn, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off, pg_get_indexdef(i.indexrelid) AS back,
+               format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')) AS said
+        FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
+        WHERE NOT i.indisunique AND NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid AND c.reltablespace = 0
+            AND NOT EXISTS (SELECT FROM pg_depend WHERE refclassid = 'pg_class'::regclass AND refobjid = i.indexrelid)
+            AND NOT EXISTS (SELECT FROM pg_depend WHERE classid = 'pg_class'::regclass AND objid = i.indexrelid AND deptype NOT IN ('a', 'n'))
+            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = i.indexrelid AND attstattarget >= 0)
+        UNION ALL
+        SELECT 3, k.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', d.name, conname), format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)),
+               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, d.name, obj_description(k.oid, 'pg_constraint'))
+        FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
+        WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
+            AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O'))
+    SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FILTER (WHERE b.place = 1),
+           array_agg(b.statement ORDER BY p.turn, p.oid, b.place) || (SELECT array_agg('ANALYZE ' || d.name) FROM derived d)
+        INTO off, back FROM part p, LATERAL (VALUES (1, p.back), (2, p.said)) b(place, statement) WHERE b.statement IS NOT NULL;
+    FOR i IN 1 .. cardinality(off) LOOP
+        EXECUTE off[i];
+    END LOOP;
+    RETURN back;
+EXCEPTION WHEN lock_not_available OR object_in_use THEN
+    -- Somebody reads them.
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._take_off(name) IS 'Takes foreign keys between derived tables, and indexes that hold no constraint, off the tables of a model, which it locks against all others. Gives the statements that put them back, with their comments, and renew statistics; NULL, and nothing is changed, where somebody uses a table.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    back text[];
+BEGIN
+    IF streetgen._is_bare(model) THEN
+        back := streetgen._take_off(model);
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back IS NOT NULL);
+    FOR i IN 1 .. coalesce(cardinality(back), 0) LOOP
+        EXECUTE back[i];
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._upsert_whole(name) IS 'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and foreign keys are made after the rows, and statistics with them; they are the same as before.';

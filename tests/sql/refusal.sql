@@ -1,0 +1,64 @@
+-- What input tables refuse: the row, the value, what is expected and the way out.  Each test is a row (name, holds).
+SET client_min_messages = warning;
+SELECT streetgen.create_model('town', 2154), streetgen.create_model('older', 2154) \g /dev/null
+INSERT INTO town.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7);
+CREATE TABLE tried (statement text, wanted text, message text);
+INSERT INTO tried VALUES
+  ('UPDATE town.axis SET width = 201 WHERE axis_id = 2', '23514', 'the width of axis 2 cannot be 201'),
+  ('UPDATE town.axis_editing SET width = 201 WHERE axis_id = 2', '23514', 'the width of axis 2 cannot be 201'),
+  ('UPDATE town.axis SET width = ''NaN'' WHERE axis_id = 2', '23514', 'the width of axis 2 cannot be NaN'),
+  ('UPDATE town.axis SET width = ''-Infinity'', level = 70', '23514', 'the width of axis 1 cannot be -Infinity'),
+  ('UPDATE town.axis SET level = 70 WHERE axis_id = 2', '23514', 'the level of axis 2 cannot be 70'),
+  ('UPDATE town.axis SET level = NULL WHERE axis_id = 2', '23502', 'the level of axis 2 cannot be NULL'),
+  ('UPDATE town.axis SET direction = ''up'' WHERE axis_id = 2', '23514', 'the direction of axis 2 cannot be "up"'),
+  ('UPDATE town.axis SET kind_forward = ''tram'' WHERE axis_id = 2', '23514', 'the kind_forward of axis 2 cannot be "tram"'),
+  ('UPDATE town.axis SET turn_backward = ''up'' WHERE axis_id = 2', '23514', 'the turn_backward of axis 2 cannot be "up"'),
+  ('UPDATE town.axis SET geom = ''SRID=2154;LINESTRING(1 1,1 1)'' WHERE axis_id = 2', '23514', 'the geom of axis 2 cannot be LINESTRING(1 1,1 1)'),
+  ('UPDATE town.axis SET geom = ''SRID=2154;LINESTRING EMPTY'' WHERE axis_id = 2', '23514', 'the geom of axis 2 cannot be LINESTRING EMPTY'),
+  ('INSERT INTO town.axis (axis_id, geom, speed) VALUES (9, ''SRID=2154;LINESTRING(1 1,2 2)'', -1)', '23514', 'the speed of the new axis 9 cannot be -1'),
+  ('INSERT INTO town.axis (axis_id) VALUES (9)', '23502', 'the geom of the new axis 9 cannot be NULL'),
+  ('INSERT INTO town.axis (axis_id, geom) VALUES (NULL, ''SRID=2154;LINESTRING(1 1,2 2)'')', '23502', 'the axis_id of the new axis cannot be NULL'),
+  ('UPDATE town.axis_class SET width = 0 WHERE class = ''primary''', '23514', 'the width of axis class primary cannot be 0'),
+  ('INSERT INTO town.transition_override (transition_override_id, axis_id, which) VALUES (7, 1, ''middle'')', '23514', 'the which of the new transition override 7 cannot be "middle"'),
+  ('INSERT INTO town.lane_override (lane_override_id, axis_id, abscissa, ordinality, line) VALUES (7, 1, 5, 1, ''SRID=2154;LINESTRING EMPTY'')', '23514', 'the line of the new lane override 7 cannot be LINESTRING EMPTY'),
+  ('INSERT INTO town.corner_override (corner_override_id, geom, axis_a, axis_b, radius) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 201)', '23514', 'the radius of the new corner override 7 cannot be 201'),
+  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis, kind, turn) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, ''no'', ''up'')', '23514', 'the turn of the new turn restriction 7 cannot be "up"'),
+  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2)', '23502', 'the kind of the new turn restriction 7 cannot be NULL');
+SELECT format('%s: %s', statement, concat_ws(' ', r.state, r.said)), r.state = wanted AND r.said = message AND r.detail LIKE 'Expected %.' AND r.hint <> '' FROM tried, test.refusal(statement) r;
+BEGIN;
+SAVEPOINT edit;
+
+\o /dev/null
+SELECT test.refusal('UPDATE town.axis SET width = 201 WHERE axis_id = 2');
+\o
+ROLLBACK TO edit;
+UPDATE town.axis SET width = 9 WHERE axis_id = 2;
+SELECT 'the rest of the transaction stays usable', width = 9 FROM town.edge WHERE axis_id = 2;
+COMMIT;
+
+-- Words and constraints agree.
+CREATE VIEW worded AS SELECT c.relname, n.attribute, n.condition, n.sqlstate, r.expected FROM pg_class c CROSS JOIN streetgen._conditions(c.oid) n LEFT JOIN streetgen._input_rule() r ON (r.relation, r.attribute) = (c.relname, n.attribute)
+  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override');
+SELECT format('%s.%s says what it expects', relname, attribute), expected <> '' OR attribute = 'geom' FROM worded WHERE sqlstate = '23514';
+SELECT format('%s.%s: its bounds are those of the constraint', relname, attribute), bool_and(condition ~ format('\m%s\M', replace(bound[1], '-', ''))) FROM worded, regexp_matches(expected, '\d+(?:\.\d+)?', 'g') bound
+  WHERE sqlstate = '23514' AND expected ~ '^-?[0-9.]+ to [0-9]+( |$)' GROUP BY relname, attribute;
+SELECT 'each rule is one of a column: ' || r.relation || '.' || r.attribute, EXISTS (SELECT FROM worded w WHERE (w.relname, w.attribute) = (r.relation, r.attribute) AND sqlstate = '23514') FROM streetgen._input_rule() r;
+SELECT 'each constraint is looked at', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
+  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND relnamespace = 'town'::regnamespace AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override'));
+
+-- A model of an older build; one that lost a constraint.
+DO $$
+DECLARE
+  t record;
+BEGIN
+  FOR t IN SELECT tgname, tgrelid::regclass AS input FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'older'::regnamespace AND tgname LIKE 'refuse\_%' LOOP
+    EXECUTE format('DROP TRIGGER %I ON %s', t.tgname, t.input);
+  END LOOP;
+  PERFORM streetgen.adopt_model('older');
+END $$;
+SELECT 'an adopted model says it too', hint <> '' FROM test.refusal('INSERT INTO older.axis (geom, width) VALUES (''SRID=2154;LINESTRING(1 1,2 2)'', 0)');
+ALTER TABLE older.axis DROP CONSTRAINT axis_radius_check;
+SET streetgen.live = 'off';
+INSERT INTO older.axis (geom, radius) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 201);
+SELECT 'a constraint that is gone refuses nothing', radius = 201 FROM older.axis;
+SELECT streetgen.drop_model('town'), streetgen.drop_model('older') \g /dev/null
