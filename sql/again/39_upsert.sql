@@ -177,7 +177,7 @@ set_corner AS (
 gone_corner AS (
     DELETE FROM %1$I.corner k USING node_id_of n WHERE k.node_id = n.node_id
         AND k.edge_a IN (SELECT edge_id FROM edge_id_of) AND k.edge_b IN (SELECT edge_id FROM edge_id_of)
-        AND NOT EXISTS (SELECT FROM new_corner c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
+        AND NOT EXISTS (SELECT FROM (SELECT DISTINCT corner_id FROM new_corner) c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
 new_intersection AS MATERIALIZED (
     SELECT n.node_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
     FROM result r JOIN node_id_of n ON n.row_index = r.node_a WHERE r.relation = 'intersection'),
@@ -247,12 +247,12 @@ set_interconnection AS (
     WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
         IS DISTINCT FROM (excluded.node_id, excluded.turn, excluded.angle, excluded.plausible, excluded.reason, excluded.connecting, excluded.control::bytea, excluded.geom::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
--- An OR of both lanes could only be a nested loop.
+-- DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch. An OR of both lanes could only be a nested loop.
 gone_interconnection AS (
     DELETE FROM %1$I.interconnection k USING (SELECT node_id FROM node_id_of WHERE asked UNION ALL SELECT node_id FROM left_node) n WHERE k.node_id = n.node_id
         AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_in AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
         AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_out AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
-        AND NOT EXISTS (SELECT FROM new_interconnection c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
+        AND NOT EXISTS (SELECT FROM (SELECT DISTINCT interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
     FROM result WHERE relation = 'report' AND of_axis IN (SELECT axis_id FROM asked_axis)),
