@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "geos.hpp"
 #include "overlap.hpp"
 #include "ownership.hpp"
 
