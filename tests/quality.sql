@@ -49,8 +49,9 @@ BEGIN;
 \ir traffic.sql
 SELECT 'traffic | ' || :'model', (SELECT count(*) FROM :"model".interconnection), (SELECT round(100.0 * count(*) FILTER (WHERE plausible) / nullif(count(*), 0), 1) FROM :"model".interconnection),
     count(*) FILTER (WHERE abs(angle) > 20), round(100.0 * (SELECT count(*) FROM tight) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2), round(100.0 * (SELECT count(*) FROM tight WHERE allowed) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2),
+    (SELECT round(100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*), 0), 2) FROM path WHERE abs(angle) > 20 AND NOT crossed),
     (SELECT lanes_in - sinks || ' of ' || lanes_in FROM dead), (SELECT lanes_out - sources || ' of ' || lanes_out FROM dead),
-    (SELECT round((100 * sum(inside) / nullif(sum(length), 0))::numeric, 3) FROM inside) || ' |'
+    (SELECT concat_ws(' | ', coalesce(round((100 * sum(inside) FILTER (WHERE plausible) / sum(length) FILTER (WHERE plausible))::numeric, 3)::text, '-'), coalesce(round((100 * sum(inside) / sum(length))::numeric, 3)::text, '-')) FROM inside WHERE length > 0) || ' |'
 FROM path;
 SELECT 'turns | ' || :'model', count(DISTINCT lane_in), count(*) FILTER (WHERE marked), count(*) FILTER (WHERE guessed),
     coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE guessed), 0), 1)::text, '-'),

@@ -4,7 +4,7 @@
 CREATE FUNCTION pg_temp.circumradius(a geometry, b geometry, c geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
     SELECT ST_Distance(a, b) * ST_Distance(b, c) * ST_Distance(c, a) / nullif(4 * ST_Area(ST_MakePolygon(ST_MakeLine(ARRAY[a, b, c, a]))), 0) $$;
 CREATE TEMPORARY TABLE path AS
-SELECT c.*, i.edge_id AS edge_in, o.edge_id AS edge_out, (SELECT min(pg_temp.circumradius(ST_LineInterpolatePoint(c.geom, t), ST_LineInterpolatePoint(c.geom, t + 0.25), ST_LineInterpolatePoint(c.geom, t + 0.5)))
+SELECT c.*, i.edge_id AS edge_in, o.edge_id AS edge_out, 'crossed_limits' IN (i.method, o.method) AS crossed, (SELECT min(pg_temp.circumradius(ST_LineInterpolatePoint(c.geom, t), ST_LineInterpolatePoint(c.geom, t + 0.25), ST_LineInterpolatePoint(c.geom, t + 0.5)))
             FROM unnest(ARRAY[0, 0.25, 0.5]) t WHERE abs(angle) > 20) AS radius
 FROM :"model".interconnection c JOIN :"model".lane i ON i.lane_id = c.lane_in JOIN :"model".lane o ON o.lane_id = c.lane_out WHERE c.plausible;
 
@@ -16,10 +16,11 @@ SELECT p.*, EXISTS (SELECT FROM :"model".interconnection c JOIN :"model".lane i 
                     WHERE c.node_id = p.node_id AND (i.edge_id, o.edge_id) = (p.edge_in, p.edge_out) AND c.reason <> 'lane_kind' AND coalesce(r.radius >= 3, true)) AS allowed
 FROM path p WHERE radius < 3;
 
--- Length of each path, and of what of it lies within the intersection and the two sections.
+-- Length of each path, plausible or not, and of what of it lies within the intersection and the two sections.
 CREATE TEMPORARY TABLE inside AS
-SELECT interconnection_id, ST_Length(p.geom) AS length, ST_Length(ST_Intersection(p.geom, ST_Buffer(ST_Union(ARRAY[n.surface, a.surface, b.surface]), 0.1, 4))) AS inside
-FROM path p JOIN :"model".intersection n USING (node_id) JOIN :"model".section a ON a.edge_id = edge_in JOIN :"model".section b ON b.edge_id = edge_out
+SELECT interconnection_id, plausible, ST_Length(p.geom) AS length, ST_Length(ST_Intersection(p.geom, ST_Buffer(ST_Union(ARRAY[n.surface, a.surface, b.surface]), 0.1, 4))) AS inside
+FROM :"model".interconnection p JOIN :"model".lane i ON i.lane_id = p.lane_in JOIN :"model".lane o ON o.lane_id = p.lane_out
+    JOIN :"model".intersection n USING (node_id) JOIN :"model".section a ON a.edge_id = i.edge_id JOIN :"model".section b ON b.edge_id = o.edge_id
 WHERE n.contested_area + a.contested_area + b.contested_area = 0 AND ST_IsValid(n.surface) AND ST_IsValid(a.surface) AND ST_IsValid(b.surface);
 
 CREATE TEMPORARY TABLE joined_lane AS

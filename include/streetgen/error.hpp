@@ -27,7 +27,6 @@ class Error : public std::runtime_error {
 
 // A number as messages show it.
 inline std::string text_of(double value) {
-  if (value != value) return "NaN";
   char text[32];
   std::snprintf(text, sizeof text, "%.12g", value);
   return text;

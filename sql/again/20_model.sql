@@ -30,8 +30,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('driving_side', 'right', NULL, 'side of the road that one drives on: right or left', NULL, NULL, ARRAY['right', 'left']),
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL, ARRAY['true', 'false']),
-    ('trajectory', 'bezier', NULL, 'path between two lanes: bezier, arcs or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
-    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper everywhere', 0, 100, NULL),
+    ('trajectory', 'bezier', NULL, 'path between two lanes: bezier or arcs, which follow the lanes towards the node where they would cross a kerb, or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
+    ('trajectory_radius', '3', 'm', 'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule of the paper wherever its path stays on the roadway', 0, 100, NULL),
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10, NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
@@ -220,9 +220,9 @@ SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS no
 FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
 UNION ALL
 SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count, surface
-FROM %1$I.intersection i CROSS JOIN LATERAL (
+FROM %1$I.intersection i LEFT JOIN LATERAL (
     SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node THEN width_end END) AS width, lane_count
-    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first
+    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first ON true
 LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.roadway IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without overlap. An intersection is named after its first edge: the most important, then the widest, then that of the smallest axis_id'$sql$, model);
@@ -235,7 +235,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 

@@ -164,7 +164,7 @@ BEGIN
         ('interconnection', 'plausible', 'would traffic take it'),
         ('interconnection', 'reason', 'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius'),
         ('interconnection', 'connecting', 'the user''s choice, else as plausible'),
-        ('interconnection', 'control', 'control point of the path: of the Bezier curve, or where the tangents of the arcs meet; NULL by a function of the user''s'),
+        ('interconnection', 'control', 'control point of the path: of its Bezier curve, or where the tangents of its arcs meet; NULL by a function of the user''s'),
         ('interconnection', 'geom', 'path from the end of lane_in to the start of lane_out; where these touch, a line of two equal points'),
         ('interconnection', 'method', 'hypothesis, or by_hand where a user decided something'),
         ('interconnection_override', 'interconnection_override_id', 'key'),

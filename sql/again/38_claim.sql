@@ -61,10 +61,10 @@ BEGIN
     SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
            coalesce(array_agg(axis_id) FILTER (WHERE axis_id <> ALL (asked) AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)), '{}')
         INTO there, width_of, stale FROM %1$I.axis_used u WHERE axis_id = ANY (written);
-    -- What that depends on, with whatever may share a node: ends are never 10 m apart.
+    -- What that depends on, with whatever may share a node: ends are never 10 m apart. OFFSET: by axis, not by width.
     SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') INTO gathered FROM (
         SELECT DISTINCT a.axis_id, a.geom FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis l USING (axis_id) JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (w.width + widest) / 2)
-            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e WHERE e.axis_id = a.axis_id), widest)) / 2)) n
+            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest)) / 2)) n
         JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10);
     -- A run writes every axis near the asked ones whole, ends included.
     SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (

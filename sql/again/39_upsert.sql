@@ -11,7 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place bytea, axis geometry) RE
     $$;
 COMMENT ON FUNCTION streetgen._with_height(bytea, geometry) IS 'A point or line of the plane (EWKB) with the heights of the nearest places of an axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_statement(model name, many boolean) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -177,7 +177,7 @@ set_corner AS (
 gone_corner AS (
     DELETE FROM %1$I.corner k USING node_id_of n WHERE k.node_id = n.node_id
         AND k.edge_a IN (SELECT edge_id FROM edge_id_of) AND k.edge_b IN (SELECT edge_id FROM edge_id_of)
-        AND NOT EXISTS (SELECT FROM new_corner c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
+        AND NOT EXISTS (SELECT FROM (SELECT %7$s corner_id FROM new_corner) c WHERE c.corner_id = k.corner_id) RETURNING k.corner_id),
 new_intersection AS MATERIALIZED (
     SELECT n.node_id, r.of_level AS level, r.geom_1 AS surface, r.method, r.measure_1 AS contested_area
     FROM result r JOIN node_id_of n ON n.row_index = r.node_a WHERE r.relation = 'intersection'),
@@ -247,10 +247,12 @@ set_interconnection AS (
     WHERE (t.node_id, t.turn, t.angle, t.plausible, t.reason, t.connecting, t.control::bytea, t.geom::bytea, t.method)
         IS DISTINCT FROM (excluded.node_id, excluded.turn, excluded.angle, excluded.plausible, excluded.reason, excluded.connecting, excluded.control::bytea, excluded.geom::bytea, excluded.method)
     RETURNING xmax = 0 AS fresh),
+-- Of many, DISTINCT brings the planner's guess of the rows down, so that the hash is of one batch. An OR of both lanes could only be a nested loop.
 gone_interconnection AS (
     DELETE FROM %1$I.interconnection k USING (SELECT node_id FROM node_id_of WHERE asked UNION ALL SELECT node_id FROM left_node) n WHERE k.node_id = n.node_id
-        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
-        AND NOT EXISTS (SELECT FROM new_interconnection c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_in AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
+        AND NOT EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.lane_id = k.lane_out AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis))
+        AND NOT EXISTS (SELECT FROM (SELECT %7$s interconnection_id FROM new_interconnection) c WHERE c.interconnection_id = k.interconnection_id) RETURNING 1),
 new_report AS MATERIALIZED (
     SELECT DISTINCT method AS issue, of_axis AS axis_a, anchor_axis[1] AS axis_b, measure_1 AS measure, geom_1::geometry AS geom
     FROM result WHERE relation = 'report' AND of_axis IN (SELECT axis_id FROM asked_axis)),
@@ -275,9 +277,9 @@ counted(relation, place, total, inserted, updated, deleted, hard) AS (
 SELECT relation, inserted, updated, deleted, total - inserted - updated, hard::bigint FROM counted ORDER BY place
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), replace(place, '?', 'of_axis'), replace(place, '?', 'anchor_axis[1]'), replace(place, '?', 'e.axis_id'),
         -- Between quotes.
-        replace(quote_ident(model), '''', ''''''));
+        replace(quote_ident(model), '''', ''''''), CASE WHEN many THEN 'DISTINCT' ELSE '' END);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(name) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+COMMENT ON FUNCTION streetgen._upsert_statement(name, boolean) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed. many: planned anew for the sizes of tables. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
@@ -289,7 +291,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], g
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
-    statement text := streetgen._upsert_statement(model);
+    statement text := streetgen._upsert_statement(model, many => true);
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     IF written IS NULL THEN
@@ -319,7 +321,7 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, streetgen._upsert_statement(model));
+END $body$ $sql$, model, streetgen._upsert_statement(model, many => false));
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';

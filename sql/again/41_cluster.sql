@@ -35,7 +35,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.cluster(name, integer) IS 'Parts the axes of a model, by their centroids, in clusters 1 to k of equal size (or one axis more): K-means by bisection. A set is cut by a straight line across its longest extent, then as K-means does: each axis goes to the nearer centre as far as the sizes allow, and the centres follow, until nothing changes; each half is cut the same way. The same axes give the same clusters; clusters that follow each other are neighbours. Axes that are gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: 22023. Source: the StreetGen paper, figure 29.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 BEGIN
@@ -52,9 +52,9 @@ COMMENT ON COLUMN %1$I.cluster.setting_hash IS 'hash of the settings that the ru
 COMMENT ON COLUMN %1$I.cluster.began IS 'when a session took it; NULL: not computed yet';
 COMMENT ON COLUMN %1$I.cluster.ended IS 'when it was done; NULL: not computed yet';
 COMMENT ON COLUMN %1$I.cluster.session IS 'process of the session that computed it'
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+$sql$, model, srid);
 END $$;
-COMMENT ON FUNCTION streetgen._make_cluster_table(name) IS 'Makes the table by which a model is computed in clusters.';
+COMMENT ON FUNCTION streetgen._make_cluster_table(name, integer) IS 'Makes the table by which a model is computed in clusters.';
 
 CREATE OR REPLACE FUNCTION streetgen._setting_hash(model name) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -110,71 +110,78 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster. Clusters are computed by streetgen.generate_cluster. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
 
-CREATE OR REPLACE FUNCTION streetgen._blocks(model name, asked bigint[], written bigint[]) RETURNS integer[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET enable_nestloop = off
+CREATE OR REPLACE FUNCTION streetgen._footprint(model name, asked bigint[], written bigint[], OUT near bigint[], OUT cells integer[], OUT blocks integer[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 DECLARE
-    blocks integer[];
+    reach float8;
+    size float8;
+    -- No two roadways are wider.
+    widest constant float8 := 200;
 BEGIN
-    -- A block is five cells wide. Its key is under those of cells.
+    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size') FROM %I.setting$sql$, model) INTO reach, size;
+    -- A block is five cells wide. Its key is below those of cells.
     EXECUTE format($sql$
-WITH s AS (SELECT max(value::float8) FILTER (WHERE name = 'reach') AS reach, 5 * max(value::float8) FILTER (WHERE name = 'cell_size') AS size FROM %1$I.setting),
-line AS (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
-place AS (
-    SELECT geom, reach + 200 AS margin FROM line, s WHERE axis_id IN (SELECT unnest($1))
-    UNION ALL SELECT geom, 10 FROM line WHERE axis_id IN (SELECT unnest($2)))
-SELECT array_agg(DISTINCT -2 - (hashint8(x * 1000003 + y) & 1073741823))
-FROM (SELECT DISTINCT floor((ST_XMin(geom) - margin) / size) AS west, floor((ST_YMin(geom) - margin) / size) AS south, floor((ST_XMax(geom) + margin) / size) AS east, floor((ST_YMax(geom) + margin) / size) AS north FROM place, s) b,
-    generate_series(west::bigint, east::bigint) x, generate_series(south::bigint, north::bigint) y $sql$, model) INTO blocks USING asked, written;
-    RETURN coalesce(blocks, '{}');
+WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
+hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM line),
+beside AS MATERIALIZED (SELECT e.axis_id, e.from_node, e.to_node FROM hull h JOIN %1$I.edge e ON ST_DWithin(e.geom, h.geom, $3)),
+node AS MATERIALIZED (SELECT from_node AS node_id FROM beside UNION SELECT to_node FROM beside),
+id AS MATERIALIZED (
+    SELECT array_agg(axis_id) AS near FROM (
+        SELECT a.axis_id FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3) UNION SELECT axis_id FROM beside UNION SELECT unnest($2)
+        -- Of an edge the far end may move, however far it is.
+        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node)) UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
+near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near) UNION ALL SELECT e.geom FROM id JOIN %1$I.edge e ON axis_id = ANY (near)),
+box AS MATERIALIZED (
+    SELECT DISTINCT floor((ST_XMin(geom) - margin) / $4)::bigint AS west, floor((ST_YMin(geom) - margin) / $4)::bigint AS south, floor((ST_XMax(geom) + margin) / $4)::bigint AS east, floor((ST_YMax(geom) + margin) / $4)::bigint AS north
+    FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near) g)
+SELECT (SELECT near FROM id),
+       (SELECT array_agg(DISTINCT cell ORDER BY cell) FROM box, streetgen._cell(west * $4, south * $4, east * $4, north * $4, $4) cell),
+       (SELECT array_agg(DISTINCT key ORDER BY key) FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x, generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
+            LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
+$sql$, model) INTO near, cells, blocks USING asked, written, reach + widest, size;
+    -- Of an axis that is gone without a trace nothing is to be locked.
+    near := near || asked || written;
+    cells := coalesce(cells, '{}');
+    blocks := coalesce(blocks, '{}');
 END $$;
-COMMENT ON FUNCTION streetgen._blocks(name, bigint[], bigint[]) IS 'Keys of the blocks of a model that a run for some axes reads or writes: what sessions that compute clusters lock against each other.';
+COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS 'The places of a model that a run for many axes (asked) may read or write: cells, by which it keeps edits away, and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there whole, asked and written among them.';
 
 CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, axes bigint[], wait boolean, OUT free boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     model_key constant integer := hashtext('streetgen.' || model);
-    reach record := streetgen._reach_of(model, axes);
-    again record := reach;
-    blocks integer[];
+    places record := streetgen._footprint(model, axes, '{}');
+    reach record;
     key integer;
 BEGIN
-    blocks := ARRAY(SELECT unnest(streetgen._blocks(model, reach.asked, reach.written)) AS b ORDER BY b);
     LOOP
         free := true;
-        -- More than one look needs more locks: those taken here are given back first, as _claim does.
+        -- Where more turns out to be needed, the locks taken here are given back first, as _claim does.
         BEGIN
-            -- Edits of more than 64 places hold all.
+            -- Edits of more than 64 places hold all. Cells are hashed, so that clusters share them with each other.
             IF wait THEN
                 PERFORM pg_advisory_xact_lock_shared(model_key, -1);
             ELSE
                 free := pg_try_advisory_xact_lock_shared(model_key, -1);
             END IF;
-            FOREACH key IN ARRAY blocks LOOP
+            FOREACH key IN ARRAY places.blocks || places.cells LOOP
                 EXIT WHEN NOT free;
-                IF wait THEN
-                    PERFORM pg_advisory_xact_lock(model_key, key);
-                ELSE
-                    free := pg_try_advisory_xact_lock(model_key, key);
-                END IF;
-            END LOOP;
-            -- Cells are hashed, so that clusters share them among each other; edits do not.
-            FOREACH key IN ARRAY reach.cells LOOP
-                EXIT WHEN NOT free;
-                IF wait THEN
-                    PERFORM pg_advisory_xact_lock_shared(model_key, key);
-                ELSE
-                    free := pg_try_advisory_xact_lock_shared(model_key, key);
-                END IF;
+                CASE
+                    WHEN wait AND key < 0 THEN PERFORM pg_advisory_xact_lock(model_key, key);
+                    WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, key);
+                    WHEN key < 0 THEN free := pg_try_advisory_xact_lock(model_key, key);
+                    ELSE free := pg_try_advisory_xact_lock_shared(model_key, key);
+                END CASE;
             END LOOP;
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
             END IF;
-            again := streetgen._reach_of(model, axes);
-            IF NOT (again.cells <@ reach.cells AND streetgen._blocks(model, again.asked, again.written) <@ blocks) THEN
-                blocks := ARRAY(SELECT unnest(blocks) AS b UNION SELECT unnest(streetgen._blocks(model, again.asked, again.written)) ORDER BY b);
-                reach := again;
+            reach := streetgen._reach_of(model, axes);
+            IF EXISTS (SELECT unnest(reach.asked) EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written) EXCEPT SELECT unnest(places.near)) THEN
+                places := streetgen._footprint(model, reach.asked, reach.written);
+                axes := reach.asked;
                 RAISE SQLSTATE 'SG001';
             END IF;
         EXCEPTION
@@ -186,11 +193,13 @@ BEGIN
         END;
         EXIT;
     END LOOP;
-    changed := again.asked;
-    written := again.written;
-    gathered := again.gathered;
+    IF free THEN
+        changed := reach.asked;
+        written := reach.written;
+        gathered := reach.gathered;
+    END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the blocks and cells of a cluster for this transaction, in one order; gives what a run for it writes and gathers. Without wait: not free where another session holds any of them, and nothing is locked.';
+COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the places of a cluster for this transaction, in one order; gives what a run for it writes and gathers. Without wait: not free where another session holds any of them, and nothing is locked.';
 
 CREATE OR REPLACE FUNCTION streetgen.progress(model name)
     RETURNS TABLE(clusters integer, ended integer, sessions integer, axes bigint, axes_ended bigint, began timestamptz, axes_per_second float8, time_left interval)

@@ -82,6 +82,7 @@ BEGIN
         SELECT geom, width, lane_count, importance, name, direction, speed, ''virtual city'', ordinality FROM streetgen.virtual_city($1, $2, $3, $4, $5, $6, $7) WITH ORDINALITY', model) USING srid, x, y, width, height, seed, options;
     GET DIAGNOSTICS drawn = ROW_COUNT;
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
+    EXECUTE format('ANALYZE %I.axis', model);
     RETURN drawn;
 END $$;
 COMMENT ON FUNCTION streetgen.create_virtual_city(name, integer, float8, float8, float8, float8, bigint, jsonb) IS 'Makes a model and fills its axes with streetgen.virtual_city; returns how many. The streets are for streetgen.generate. Errors as of create_model and virtual_city, and 22023 where the projection is more than 1 % off in scale; then there is no model.';

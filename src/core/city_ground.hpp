@@ -34,6 +34,8 @@ class CityGround {
   void add(int index, const CityStreet& street);
   const CityPiece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
 
+  std::size_t pieces() const { return pieces_.size(); }
+
   // Metres before a junction within which roads may be near.
   double ahead() const { return nearing_ * (widest_ + clearance_); }
 

@@ -7,6 +7,7 @@
 #include "portable_math.hpp"
 #include "random.hpp"
 #include "streetgen/cancel.hpp"
+#include "streetgen/error.hpp"
 
 namespace streetgen {
 
@@ -17,7 +18,10 @@ constexpr double chord = 25;
 // It turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
 
+// How often a road leaves to the same side as the one before.
 constexpr double same_side = 0.15;
+// More would not fit into the memory of most machines.
+constexpr std::size_t most_streets = 6000000, most_pieces = 20000000;
 
 class Growth {
  public:
@@ -65,7 +69,7 @@ class Growth {
     const double most = longest(level), length = streets_[main].length();
     const double spacing = std::max(options_.spacing_least, options_.spacing_ratio * most);
     const int places = static_cast<int>(length / spacing);
-    double last = 0;
+    double last = 0;  // start
     // To the left and to the right in turn, now and then twice to one side.
     bool to_left = Random(streets_[main].key).chance(0.5);
     for (int place = 0; place < places; ++place) {
@@ -83,8 +87,9 @@ class Growth {
   bool outgoing_road(int main, double abscissa, double most, bool to_left, Random& random) {
     const CityStreet& from = streets_[main];
     CityStreet street = street_of(main, from.level + 1, random.next());
-    std::size_t piece = 1;
-    while (from.abscissas[piece] < abscissa) ++piece;
+    const auto piece = static_cast<std::size_t>(
+        std::lower_bound(from.abscissas.begin() + 1, from.abscissas.end(), abscissa) -
+        from.abscissas.begin());
     const Point along = portable::unit(from.line[piece] - from.line[piece - 1]);
     const Point start = portable::to_millimetre(from.line[piece - 1] +
                                                 along * (abscissa - from.abscissas[piece - 1]));
@@ -230,6 +235,11 @@ class Growth {
           [](const CityNode& node, double value) { return node.abscissa < value; });
       nodes.insert(after, {abscissa_of_start, street.line.front()});
     }
+    if (streets_.size() == most_streets || ground_.pieces() > most_pieces)
+      throw Error(ErrorKind::invalid_input,
+                  "the city has more than " + std::to_string(most_streets) + " streets or " +
+                      std::to_string(most_pieces) + " bends",
+                  "Make its extent smaller, or spacing_least and clearance greater.");
     ground_.add(static_cast<int>(streets_.size()), street);
     streets_.push_back(std::move(street));
   }

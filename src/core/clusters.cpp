@@ -87,8 +87,8 @@ class Bisection {
 
 std::vector<int> clusters(const std::vector<Point>& points, int k) {
   if (k < 1 || static_cast<std::size_t>(k) > points.size())
-    throw Error(ErrorKind::invalid_input, "k is " + std::to_string(k) + ", expected 1 to " +
-                                              std::to_string(points.size()));
+    throw Error(ErrorKind::invalid_input,
+                "k is " + std::to_string(k) + ", expected 1 to " + std::to_string(points.size()));
   return Bisection(points).run(k);
 }
 

@@ -113,42 +113,6 @@ bool Geos::valid(const GEOSGeometry* geometry) {
   return valid;
 }
 
-Geos::Geometry Geos::overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
-                             const GEOSGeometry* b) {
-  if (GEOSGeometry* result = exact(handle_, a, b)) return own(result);
-  poll_cancel();
-  return on_grid(snapped, a, b);
-}
-
-Geos::Geometry Geos::on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b) {
-  // Made valid, a surface may hold lines too, which no overlay takes.
-  const auto areal = [&](const GEOSGeometry* g) {
-    return surface(polygons(own(GEOSMakeValid_r(handle_, g)).get()));
-  };
-  const Geometry of_a = areal(a), of_b = areal(b);
-  const double grid = coarse_grid(handle_, a);
-  if (GEOSGeometry* result = snapped(handle_, of_a.get(), of_b.get(), grid)) return own(result);
-  poll_cancel();
-  // Where both fail together, each may be put on the grid by itself.
-  const auto rounded = [&](const Geometry& g) {
-    return own(GEOSGeom_setPrecision_r(handle_, g.get(), grid, 0));
-  };
-  const Geometry rounded_a = rounded(of_a), rounded_b = rounded(of_b);
-  return own(snapped(handle_, rounded_a.get(), rounded_b.get(), grid));
-}
-
-Geos::Geometry Geos::intersection(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return overlay(GEOSIntersection_r, GEOSIntersectionPrec_r, a, b);
-}
-
-Geos::Geometry Geos::difference(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return overlay(GEOSDifference_r, GEOSDifferencePrec_r, a, b);
-}
-
-Geos::Geometry Geos::difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b) {
-  return on_grid(GEOSDifferencePrec_r, a, b);
-}
-
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
   std::vector<Geometry> all;
   for (const MultiPolygon& part : parts)

@@ -31,21 +31,12 @@ class Geos {
   MultiPolygon polygons(const GEOSGeometry* geometry);
 
   bool valid(const GEOSGeometry* geometry);
-  Geometry intersection(const GEOSGeometry* a, const GEOSGeometry* b);
-  Geometry difference(const GEOSGeometry* a, const GEOSGeometry* b);
-  // On a grid of a micrometre: exact overlay may drop parts beside edges that nearly coincide.
-  Geometry difference_on_grid(const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
   Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 
  private:
-  using Overlay = decltype(&GEOSDifference_r);
-  using SnappedOverlay = decltype(&GEOSDifferencePrec_r);
-  Geometry overlay(Overlay exact, SnappedOverlay snapped, const GEOSGeometry* a,
-                   const GEOSGeometry* b);
   Geometry collection(int type, std::vector<Geometry> parts);
   Geometry united(std::vector<Geometry> parts);
-  Geometry on_grid(SnappedOverlay snapped, const GEOSGeometry* a, const GEOSGeometry* b);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);

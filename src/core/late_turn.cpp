@@ -1,7 +1,6 @@
 #include "late_turn.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "offset.hpp"
@@ -12,7 +11,7 @@ namespace streetgen {
 namespace {
 
 constexpr double half_car = 0.9;  // metres
-constexpr int halvings = 7;       // from the longest tangents to those of a sharp turn
+constexpr double sharpest = 64;   // the least tangents are this part of the longest
 
 // Both end where they first cross.
 void end_at_crossing(Line& in, Line& out) {
@@ -78,9 +77,13 @@ std::optional<Trajectory> late_turn(LaneToNode in, LaneToNode out, TrajectoryRul
     return !kerbs.stop(path.line, in.border, out.border, clearance);
   };
   const double most = std::max(length(in.line), length(out.line));
-  double fits = std::ldexp(most, -halvings), fails = most;
+  double fits = most / sharpest, fails = most;
   Trajectory widest = turn_at(in, out, fits, rule, tolerance);
-  if (!clear(widest, 0)) return std::nullopt;
+  while (!clear(widest, 0)) {
+    if (fits >= most) return std::nullopt;
+    fits *= 4;
+    widest = turn_at(in, out, fits, rule, tolerance);
+  }
   const double clearance = clear(widest, half_car) ? half_car : 0;
   for (double reach = most; fails - fits > fits / 8; reach = (fits + fails) / 2) {
     Trajectory path = turn_at(in, out, reach, rule, tolerance);

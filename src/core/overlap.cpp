@@ -74,7 +74,7 @@ const Ground::Boundary& Ground::boundary() const {
   return *boundary_;
 }
 
-bool Ground::holds_deeply(const Point& p) const {
+bool Ground::holds(const Point& p) const {
   if (!box_.holds(p, 0)) return false;
   bool odd = false;
   Box right = box_of(p, p);
@@ -83,8 +83,31 @@ bool Ground::holds_deeply(const Point& p) const {
     odd ^= passes(p, a, b);
     return false;
   });
-  return odd && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
+  return odd;
+}
+
+bool Ground::holds_deeply(const Point& p) const {
+  return holds(p) && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
     return distance_to_segment(p, a, b) <= depth;
+  });
+}
+
+bool Ground::comes_near(const Point& from, const Point& to) const {
+  const Box box = box_of(from, to);
+  if (!box_.meets(box, depth)) return false;
+  return boundary().any(box, [](const Point&, const Point&, const Box&) { return true; }) ||
+         holds(from);
+}
+
+void Ground::cut(const Point& from, const Point& to, std::vector<double>& at) const {
+  const Point along = to - from;
+  boundary().any(box_of(from, to), [&](const Point& a, const Point& b, const Box&) {
+    const Point side = b - a;
+    const double turn = cross(along, side);
+    if (turn == 0) return false;
+    const double t = cross(a - from, side) / turn, u = cross(a - from, along) / turn;
+    if (t > 0 && t < 1 && u >= 0 && u <= 1) at.push_back(t);
+    return false;
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "streetgen/geometry.hpp"
 
@@ -49,6 +50,11 @@ class Ground {
   ~Ground();
 
   const Box& box() const { return box_; }
+  bool holds(const Point& p) const;
+  // False only of segments that have no part on it.
+  bool comes_near(const Point& from, const Point& to) const;
+  // Appends where the segment meets the boundary, as shares of its length.
+  void cut(const Point& from, const Point& to, std::vector<double>& at) const;
 
  private:
   friend bool overlap(const Ground& a, const Ground& b);

@@ -1,15 +1,15 @@
 #include "ownership.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <tuple>
+#include <memory>
+#include <optional>
+#include <set>
 
-#include "box_index.hpp"
-#include "nearest.hpp"
+#include "arrangement.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
+#include "rivalry.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 
@@ -17,107 +17,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double sample_spacing = 1.0;  // metres along the axes
-constexpr double negligible = 5e-4;     // square metres: no ground worth a dispute
-constexpr double crumb = 1e-6;          // square metres: no part worth keeping
-
-bool before(const Claim& a, const Claim& b) {
-  return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
-         std::tuple(b.importance, -b.width, b.axis_id, b.place);
-}
-
-bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a);
-  const double o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
-  return o1 * o2 < 0 && o3 * o4 < 0;
-}
-
-// A segment of a claim's skeleton, with the ends of the stretch that it belongs to.
-struct SkeletonSegment {
-  Point from, to, first, last;
-};
-
-std::vector<SkeletonSegment> skeleton_within(const Claim& claim, const Box& within) {
-  std::vector<SkeletonSegment> segments;
-  for (const Stretch& stretch : claim.skeleton) {
-    if (stretch.from >= stretch.to) continue;
-    const Line line = substring(*stretch.line, stretch.from, stretch.to);
-    for (std::size_t i = 1; i < line.size(); ++i)
-      if (box_of(line[i - 1], line[i]).meets(within, 0))
-        segments.push_back({line[i - 1], line[i], line.front(), line.back()});
-  }
-  return segments;
-}
-
-// Inside both, not at an end that they share.
-bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
-  const std::vector<SkeletonSegment> of_a = skeleton_within(a, within),
-                                     of_b = skeleton_within(b, within);
-  std::vector<Box> boxes;
-  for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
-  const BoxIndex index(boxes);
-  for (const SkeletonSegment& s : of_a) {
-    poll_cancel();
-    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](int i) {
-      const SkeletonSegment& t = of_b[i];
-      if (!segments_cross(s.from, s.to, t.from, t.to)) return false;
-      const Point u = s.to - s.from, v = t.to - t.from;
-      const Point at = s.from + u * (cross(t.from - s.from, v) / cross(u, v));
-      return std::min({distance(at, s.first), distance(at, s.last), distance(at, t.first),
-                       distance(at, t.last)}) > 0.01;
-    });
-    if (crossed) return true;
-  }
-  return false;
-}
-
-// Every metre of the edge, whatever part of it the stretch is: an edit at one end of an edge
-// moves no border at the other.
-std::vector<double> sample_places(const Stretch& stretch, double total) {
-  std::vector<double> places;
-  for (double k = std::ceil(stretch.from / sample_spacing); k * sample_spacing <= stretch.to; ++k)
-    places.push_back(k * sample_spacing);
-  if (stretch.to >= total) places.push_back(total);
-  if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
-  return places;
-}
-
-void sample(const Claim& claim, const Box& within, double margin, bool first,
-            std::vector<Site>& sites) {
-  for (const Stretch& stretch : claim.skeleton) {
-    const Line& line = *stretch.line;
-    double walked = 0;
-    std::size_t segment = 1;
-    for (const double at : sample_places(stretch, length(line))) {
-      while (segment + 1 < line.size() &&
-             walked + distance(line[segment - 1], line[segment]) < at) {
-        walked += distance(line[segment - 1], line[segment]);
-        ++segment;
-      }
-      const double size = distance(line[segment - 1], line[segment]);
-      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
-      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
-      if (within.holds(p, margin)) sites.push_back({p, first});
-    }
-  }
-}
-
-// The part of `shared` that lies nearer to the first claim's axes than to the second's.
-MultiPolygon nearer_to_first(Geos& geos, const Claim& first, const Claim& second,
-                             const GEOSGeometry* shared, const Box& box) {
-  std::vector<Site> sites;
-  const double margin = std::max(first.width, second.width) / 2 + 2 * sample_spacing;
-  // Of sites in one place the claim that comes before keeps it.
-  const bool first_wins = before(first, second);
-  sample(first_wins ? first : second, box, margin, first_wins, sites);
-  sample(first_wins ? second : first, box, margin, !first_wins, sites);
-  const auto count =
-      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
-  if (count == 0) return {};
-  if (count == static_cast<std::ptrdiff_t>(sites.size())) return geos.polygons(shared);
-  const Geos::Geometry ground = geos.surface(nearest_to_first(sites, 2 * margin));
-  return geos.polygons(geos.intersection(shared, ground.get()).get());
-}
+constexpr double crumb = 1e-6;  // square metres: no part worth keeping
 
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
                                                    const std::vector<Ground>& grounds) {
@@ -148,54 +48,147 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-// On edges that nearly coincide GEOS may drop ground or leave it, without an error: areas tell.
-MultiPolygon without(Geos& geos, const MultiPolygon& surface, const MultiPolygon& ground) {
-  const Geos::Geometry whole = geos.surface(surface), taken = geos.surface(ground);
-  const MultiPolygon rest = geos.polygons(geos.difference(whole.get(), taken.get()).get());
-  const double expected = area(surface) - area(ground), found = area(rest);
-  const auto left = [&] {
-    const Geos::Geometry kept = geos.surface(rest);
-    return area(geos.polygons(geos.intersection(kept.get(), taken.get()).get()));
-  };
-  if (found < expected - negligible || (found > expected + negligible && left() > negligible))
-    return geos.polygons(geos.difference_on_grid(whole.get(), taken.get()).get());
-  return rest;
+// The stretches of the surface's rings that come near the ground.
+void append_near(const MultiPolygon& surface, const Ground& ground, std::vector<Line>& lines) {
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon) {
+      bool goes_on = false;
+      for (std::size_t i = 1; i < ring.size(); ++i) {
+        const bool near = ground.comes_near(ring[i - 1], ring[i]);
+        if (near && !goes_on) lines.push_back({ring[i - 1]});
+        if (near) lines.back().push_back(ring[i]);
+        goes_on = near;
+      }
+    }
 }
 
-// Ground won where axes cross.
-struct Won {
-  int winner = 0, loser = 0;
-  MultiPolygon ground;
-};
-
-// A crossing wins ground by rank, all else by distance: between three surfaces each may have lost
-// the same ground to the next. What nobody holds goes back to the winner at the crossing.
-void return_lost_ground(Geos& geos, std::vector<Claim>& claims, std::vector<Won> won,
-                        const std::vector<std::pair<int, int>>& disputes) {
-  if (won.empty()) return;
-  std::map<int, std::vector<int>> rivals;
-  for (const auto& [i, j] : disputes) {
-    rivals[i].push_back(j);
-    rivals[j].push_back(i);
+// Who owns what, of claims whose ground comes in unsettled.
+class Settlement {
+ public:
+  Settlement(Geos& geos, const std::vector<Claim>& claims,
+             const std::vector<std::pair<int, int>>& disputes)
+      : geos_(geos), claims_(claims), rivals_(claims.size()) {
+    for (const auto& [i, j] : disputes) {
+      rivals_[i].push_back(j);
+      rivals_[j].push_back(i);
+      rivalries_[{i, j}];
+      for (const int k : {i, j}) grounds_.try_emplace(k, *claims[k].surface);
+    }
+    for (auto& of_claim : rivals_) std::sort(of_claim.begin(), of_claim.end());
   }
-  std::sort(won.begin(), won.end(), [&](const Won& a, const Won& b) {
-    if (a.winner != b.winner) return before(claims[a.winner], claims[b.winner]);
-    return before(claims[a.loser], claims[b.loser]);
-  });
-  for (const Won& each : won) {
+
+  bool disputed(int claim) const { return !rivals_[claim].empty(); }
+
+  // The claim's ground, its rivals' and the borders against them make faces, each of which has one
+  // owner: the same faces whatever else is settled.
+  MultiPolygon ground_of(int claim) {
     poll_cancel();
-    MultiPolygon rest = each.ground;
-    const auto take_off = [&](int holder) {
-      const Geos::Geometry open = geos.surface(rest), held = geos.surface(*claims[holder].surface);
-      rest = geos.polygons(geos.difference_on_grid(open.get(), held.get()).get());
+    const MultiPolygon& surface = *claims_[claim].surface;
+    const Ground& ground = grounds_.at(claim);
+    std::vector<Line> lines;
+    append_near(surface, ground, lines);
+    for (const int rival : rivals_[claim]) append_near(*claims_[rival].surface, ground, lines);
+    const auto append_border = [&](int i, int j) {
+      for (const Line& line : rivalry(i, j).border())
+        if (ground.comes_near(line[0], line[1])) lines.push_back(line);
     };
-    take_off(each.winner);
-    for (const int rival : rivals[each.winner]) take_off(rival);
-    if (area(rest) <= negligible) continue;
-    MultiPolygon& surface = *claims[each.winner].surface;
-    surface = geos.polygons(geos.unite({surface, rest}).get());
+    for (const int rival : rivals_[claim])
+      append_border(std::min(claim, rival), std::max(claim, rival));
+    std::optional<Arrangement> faces(lines);
+    // Where lost ground may come back, it depends on the borders between rivals too.
+    std::set<std::pair<int, int>> further;
+    for (const Point& place : faces->places()) {
+      if (!ground.holds(place)) continue;
+      const Contest contest = contest_at(claim, place);
+      if (!contest.beaten(claim) || !contest.won(claim)) continue;
+      each_pair(contest.parties, [&](int i, int j) {
+        if (i != claim && j != claim) further.emplace(i, j);
+      });
+    }
+    const std::size_t before = lines.size();
+    for (const auto& [i, j] : further) append_border(i, j);
+    if (lines.size() > before) faces.emplace(lines);
+    std::vector<bool> kept;
+    bool lost = false;
+    for (const Point& place : faces->places()) {
+      const bool held = ground.holds(place);
+      kept.push_back(held && owns(claim, contest_at(claim, place)));
+      lost = lost || (held && !kept.back());
+    }
+    if (!lost) return surface;
+    MultiPolygon rest = faces->joined(kept);
+    rest.erase(std::remove_if(rest.begin(), rest.end(),
+                              [](const Polygon& part) { return area({part}) <= crumb; }),
+               rest.end());
+    if (!geos_.valid(geos_.surface(rest).get())) return geos_.polygons(geos_.unite({rest}).get());
+    return rest;
   }
-}
+
+ private:
+  template <class Use>
+  void each_pair(const std::vector<int>& parties, Use use) {
+    for (std::size_t a = 0; a < parties.size(); ++a)
+      for (std::size_t b = a + 1; b < parties.size(); ++b)
+        if (rivalries_.count({parties[a], parties[b]}) > 0) use(parties[a], parties[b]);
+  }
+
+  const Rivalry& rivalry(int i, int j) {
+    auto& slot = rivalries_.at({i, j});
+    if (!slot)
+      slot = std::make_unique<Rivalry>(Party{&claims_[i], &grounds_.at(i)},
+                                       Party{&claims_[j], &grounds_.at(j)});
+    return *slot;
+  }
+
+  // Those that hold a place, ascending, and how they fare there against each other.
+  struct Contest {
+    std::vector<int> parties;
+    std::vector<int> losers, winners_of_crossings;
+    bool beaten(int claim) const { return has(losers, claim); }
+    bool won(int claim) const { return has(winners_of_crossings, claim); }
+    static bool has(const std::vector<int>& some, int claim) {
+      return std::find(some.begin(), some.end(), claim) != some.end();
+    }
+  };
+
+  // Of the claim's level, and whatever of another level takes the place from it.
+  Contest contest_at(int claim, const Point& place) {
+    Contest contest;
+    contest.parties.push_back(claim);
+    for (const int rival : rivals_[claim]) {
+      if (!grounds_.at(rival).holds(place)) continue;
+      const auto [i, j] = std::minmax(claim, rival);
+      const bool peer = claims_[rival].level == claims_[claim].level;
+      if (peer || rivalry(i, j).first_owns(place) == (i == rival)) contest.parties.push_back(rival);
+    }
+    std::sort(contest.parties.begin(), contest.parties.end());
+    each_pair(contest.parties, [&](int i, int j) {
+      const Rivalry& between = rivalry(i, j);
+      const bool first = between.first_owns(place);
+      contest.losers.push_back(first ? j : i);
+      if (between.crossed()) contest.winners_of_crossings.push_back(first ? i : j);
+    });
+    return contest;
+  }
+
+  // Who loses to nobody owns the place. A crossing goes by rank, all else by distance: where each
+  // loses to another, the first winner of a crossing, or the first.
+  bool owns(int claim, const Contest& contest) const {
+    const auto& parties = contest.parties;
+    const auto beaten = [&](int party) { return contest.beaten(party); };
+    if (!std::all_of(parties.begin(), parties.end(), beaten)) return !beaten(claim);
+    return claim == *std::min_element(parties.begin(), parties.end(), [&](int i, int j) {
+             return contest.won(i) != contest.won(j) ? contest.won(i)
+                                                     : before(claims_[i], claims_[j]);
+           });
+  }
+
+  Geos& geos_;
+  const std::vector<Claim>& claims_;
+  std::vector<std::vector<int>> rivals_;
+  std::map<int, Ground> grounds_;
+  std::map<std::pair<int, int>, std::unique_ptr<Rivalry>> rivalries_;
+};
 
 }  // namespace
 
@@ -217,65 +210,17 @@ std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
 
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes) {
-  std::map<int, Geos::Geometry> raw;
-  // By rival, so that the ground goes in one order.
-  std::map<int, std::map<int, MultiPolygon>> lost;
-  std::map<int, double> whole;
-  std::vector<Won> won;
-  const auto geometry = [&](int i) {
-    auto& slot = raw[i];
-    if (!slot) slot = geos.surface(*claims[i].surface);
-    return slot.get();
-  };
-  const auto judge = [&](int i, int j) {
-    poll_cancel();
+  Settlement settlement(geos, claims, disputes);
+  std::vector<std::pair<int, MultiPolygon>> settled;
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
+    if (!claims[i].wanted || !settlement.disputed(i)) continue;
     tell_progress("owners", i, claims.size());
-    const Geos::Geometry shared = geos.intersection(geometry(i), geometry(j));
-    const MultiPolygon ground = geos.polygons(shared.get());
-    if (area(ground) <= negligible) return;
-    const Box box = box_of(ground);
-    if (skeletons_cross(claims[i], claims[j], box)) {
-      const auto [winner, loser] = before(claims[i], claims[j]) ? std::pair(i, j) : std::pair(j, i);
-      lost[loser][winner] = ground;
-      won.push_back({winner, loser, ground});
-      return;
-    }
-    const Geos::Geometry clean = geos.surface(ground);
-    const MultiPolygon ground_of_i = nearer_to_first(geos, claims[i], claims[j], clean.get(), box);
-    const MultiPolygon ground_of_j = without(geos, ground, ground_of_i);
-    if (!ground_of_i.empty()) lost[j][i] = ground_of_i;
-    if (!ground_of_j.empty()) lost[i][j] = ground_of_j;
-  };
-  // What a winner gets back depends on the settled ground of all its rivals.
-  std::vector<bool> wanted;
-  for (const Claim& claim : claims) wanted.push_back(claim.wanted);
-  std::vector<std::pair<int, int>> open = disputes;
-  for (std::size_t judged = 1; judged > 0;) {
-    const auto rest = std::stable_partition(open.begin(), open.end(), [&](const auto& pair) {
-      return !wanted[pair.first] && !wanted[pair.second];
-    });
-    judged = open.end() - rest;
-    std::for_each(rest, open.end(), [&](const auto& pair) { judge(pair.first, pair.second); });
-    open.erase(rest, open.end());
-    std::vector<bool> winner(claims.size(), false);
-    for (const Won& each : won) winner[each.winner] = winner[each.winner] || wanted[each.winner];
-    for (const auto& [i, j] : disputes)
-      if (winner[i] || winner[j]) wanted[i] = wanted[j] = true;
+    settled.emplace_back(i, settlement.ground_of(i));
   }
-  for (std::size_t i = 0; i < claims.size(); ++i) claims[i].wanted = wanted[i];
-  for (const auto& [i, grounds] : lost) {
-    poll_cancel();
-    whole[i] = area(*claims[i].surface);
-    MultiPolygon rest = *claims[i].surface;
-    for (const auto& [rival, ground] : grounds) rest = without(geos, rest, ground);
-    rest.erase(std::remove_if(rest.begin(), rest.end(),
-                              [](const Polygon& part) { return area({part}) <= crumb; }),
-               rest.end());
-    *claims[i].surface = std::move(rest);
+  for (auto& [i, ground] : settled) {
+    claims[i].contested_area = std::max(0.0, area(*claims[i].surface) - area(ground));
+    *claims[i].surface = std::move(ground);
   }
-  return_lost_ground(geos, claims, std::move(won), disputes);
-  for (const auto& [i, size] : whole)
-    claims[i].contested_area = std::max(0.0, size - area(*claims[i].surface));
 }
 
 }  // namespace streetgen

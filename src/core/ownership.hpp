@@ -26,9 +26,8 @@ struct Claim {
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t place = 0;         // distinct within one axis_id, to break ties
   std::vector<int> edges;         // that the surface covers or ends on
-  // In: its ground is to be settled, not only that of others against it; out: it was, for others.
-  bool wanted = true;
-  double contested_area = 0;  // out: square metres left to others
+  bool wanted = true;             // its ground is to be settled, not only that of others against it
+  double contested_area = 0;      // out: square metres left to others
 };
 
 // Levels overlap freely, but an intersection tiles with all its sections.

@@ -54,7 +54,8 @@ class Pipeline {
     settle_limits();
     join_borders();
     ask_around_changes();
-    settle_surfaces();
+    build_surfaces(rings_of_surfaces());
+    settle_owners();
     return std::move(out_);
   }
 
@@ -372,7 +373,8 @@ class Pipeline {
     return arms;
   }
 
-  // Edges, then nodes: how far the surface of each is from the asked ones.
+  // Edges, then nodes: how far the surface of each is from the asked ones. Only what these may
+  // depend on is built.
   std::vector<int> rings_of_surfaces() const {
     const std::size_t edges = out_.network.edges.size();
     std::vector<bool> asked = out_.asked_edges;
@@ -386,21 +388,6 @@ class Pipeline {
     for (std::size_t n = 0; n < around_.size(); ++n)
       extents.push_back(intersection_extent(arms_of(n), around_[n].gaps));
     return rings(extents, asked);
-  }
-
-  // Only what the asked ones may depend on is built; where that turns out to lead on, everything.
-  void settle_surfaces() {
-    const auto asked_edges = out_.asked_edges, asked_nodes = out_.asked_nodes;
-    std::vector<int> ring = rings_of_surfaces();
-    build_surfaces(ring);
-    if (settle_owners(ring)) return;
-    out_.asked_edges = asked_edges;
-    out_.asked_nodes = asked_nodes;
-    out_.sections.clear();
-    out_.intersections.clear();
-    ring.assign(ring.size(), 0);
-    build_surfaces(ring);
-    settle_owners(ring);
   }
 
   void build_surfaces(const std::vector<int>& ring) {
@@ -498,8 +485,7 @@ class Pipeline {
     }
   }
 
-  // False where a surface of the last ring had to be settled too: what it depends on is not there.
-  bool settle_owners(const std::vector<int>& ring) {
+  void settle_owners() {
     std::vector<Claim> claims;
     for (Section& section : out_.sections) {
       const SectionLimit &start = out_.limits[2 * section.edge],
@@ -543,14 +529,6 @@ class Pipeline {
     for (const Hole& hole : holes)
       for (const int i : hole.around) ask(claims, i);
     settle_ownership(geos_, claims, pairs);
-    const auto on_the_rim = [&](std::size_t claim) {
-      const std::size_t sections = out_.sections.size();
-      return ring[claim < sections ? out_.sections[claim].edge
-                                   : out_.network.edges.size() +
-                                         out_.intersections[claim - sections].node] == last_ring;
-    };
-    for (std::size_t claim = 0; claim < claims.size(); ++claim)
-      if (claims[claim].wanted && on_the_rim(claim)) return false;
     give_holes(geos_, claims, holes);
     std::size_t i = 0;
     const auto read = [&](auto& rows) {
@@ -564,7 +542,6 @@ class Pipeline {
     };
     read(out_.sections);
     read(out_.intersections);
-    return true;
   }
 
   const StreetSettings& settings_;

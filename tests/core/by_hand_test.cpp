@@ -7,6 +7,7 @@
 #include "../../src/core/geos.hpp"
 #include "../../src/core/overlap.hpp"
 #include "../../src/core/polyline.hpp"
+#include "shared_area.hpp"
 #include "streetgen/corner.hpp"
 #include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
@@ -71,13 +72,7 @@ void expect_tiled(const Streets& town, const std::string& of) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     ASSERT_TRUE(geos.valid(geos.surface(*surfaces[i]).get())) << of;
     for (std::size_t j = i + 1; j < surfaces.size(); ++j)
-      if (overlap(Ground(*surfaces[i]), Ground(*surfaces[j]))) {
-        EXPECT_LT(area(geos.polygons(geos.intersection(geos.surface(*surfaces[i]).get(),
-                                                       geos.surface(*surfaces[j]).get())
-                                         .get())),
-                  1e-3)
-            << of;
-      }
+      EXPECT_LT(shared_area(*surfaces[i], *surfaces[j]), 1e-3) << of;
   }
   for (const Edge& edge : town.network.edges) {
     const double total = length(edge.line);

@@ -81,8 +81,7 @@ TEST(Clusters, TwoArePartedByALineAcrossTheirCentres) {
 TEST(Clusters, AreMoreCompactThanStrips) {
   const std::vector<Point> points = scattered(3000, 4);
   std::vector<Point> ranked = points;
-  std::sort(ranked.begin(), ranked.end(),
-            [](const Point& a, const Point& b) { return a.x < b.x; });
+  std::sort(ranked.begin(), ranked.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
   std::map<int, std::vector<Point>> strips;
   for (std::size_t i = 0; i < ranked.size(); ++i) strips[i / 150].push_back(ranked[i]);
   EXPECT_LT(squares(by_cluster(points, 20)), squares(strips));
@@ -100,8 +99,7 @@ TEST(Clusters, AreTheSameAgain) {
 
 TEST(Clusters, KIsWithinOneAndTheNumberOfPoints) {
   const std::vector<Point> points = scattered(4, 2);
-  for (const int k : {-1, 0, 5})
-    EXPECT_THROW(clusters(points, k), streetgen::Error) << k;
+  for (const int k : {-1, 0, 5}) EXPECT_THROW(clusters(points, k), streetgen::Error) << k;
   EXPECT_EQ(clusters(points, 4).size(), 4u);
   EXPECT_THROW(clusters({}, 1), streetgen::Error);
 }

@@ -114,6 +114,20 @@ TEST_P(Turn, IsNoneWhereAKerbShutsTheLane) {
   EXPECT_FALSE(turn(Kerbs(shut, {southern_border, eastern_border})));
 }
 
+// Lanes that reach the node, one on the far side of a kerb.
+TEST_P(Turn, IsNoneWhereTheLanesEndAtTheNode) {
+  MultiPolygon shut = bend;
+  shut.push_back({{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}}});
+  LaneToNode in, out;
+  in.end.place = {0, 0, 0};
+  in.end.direction = {0, 1, 0};
+  in.line = {in.end.place, in.end.place};
+  out.end.place = {3, 0, 0};
+  out.end.direction = {-1, 0, 0};
+  out.line = {out.end.place, out.end.place};
+  EXPECT_FALSE(late_turn(in, out, GetParam(), 1e-3, Kerbs(shut, {})));
+}
+
 INSTANTIATE_TEST_SUITE_P(EitherRule, Turn,
                          testing::Values(TrajectoryRule::bezier, TrajectoryRule::arcs));
 

@@ -53,8 +53,7 @@ TEST(Progress, EachStepIsToldInItsTurnAndGoesForward) {
     else
       EXPECT_LE(heard[i - 1].done, heard[i].done) << heard[i].step;
   }
-  EXPECT_EQ(steps,
-            (std::vector<std::string>{"corners", "sections", "intersections", "owners"}));
+  EXPECT_EQ(steps, (std::vector<std::string>{"corners", "sections", "intersections", "owners"}));
 }
 
 TEST(Progress, IsToldToNobodyWhereNobodyListens) {

@@ -152,19 +152,56 @@ TEST(VirtualCity, CrossesAtSharedVerticesOnly) {
                       << " at " << report.point.x << " " << report.point.y;
 }
 
+// Pieces of the network that are not connected.
+int pieces(const Network& n) {
+  std::vector<int> piece(n.nodes.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  const auto root = [&](int i) {
+    while (piece[i] != i) i = piece[i] = piece[piece[i]];
+    return i;
+  };
+  int left = static_cast<int>(piece.size());
+  for (const Edge& edge : n.edges) {
+    const int a = root(edge.from_node), b = root(edge.to_node);
+    left -= a != b;
+    piece[a] = b;
+  }
+  return left;
+}
+
 TEST(VirtualCity, IsOnePiece) {
   for (const CityOptions& options : kinds())
-    for (int seed = 1; seed <= 5; ++seed) {
-      const Network n = network_of(virtual_city(town, seed, options));
-      std::vector<int> piece(n.nodes.size());
-      std::iota(piece.begin(), piece.end(), 0);
-      const auto root = [&](int i) {
-        while (piece[i] != i) i = piece[i] = piece[piece[i]];
-        return i;
-      };
-      for (const Edge& edge : n.edges) piece[root(edge.from_node)] = root(edge.to_node);
-      for (std::size_t i = 0; i < piece.size(); ++i) EXPECT_EQ(root(i), root(0));
+    for (int seed = 1; seed <= 5; ++seed)
+      EXPECT_EQ(pieces(network_of(virtual_city(town, seed, options))), 1);
+}
+
+TEST(VirtualCity, IsATopologicalNetworkWhateverTheOptions) {
+  for (std::uint64_t run = 0; run < 100; ++run) {
+    Random random(run);
+    CityOptions options;
+    std::string given;
+    for (const CityOption& option : city_options()) {
+      const std::string name = option.name;
+      if (name == "axes" || random.chance(0.6)) continue;
+      // Not so that there is no city, nor more of it than a test has time for.
+      const double low = name == "spacing_least" ? 60 : option.low;
+      const double high =
+          std::min(option.high, name == "spacing_ratio" || name == "deviation" ? 1 : 400.0);
+      std::vector<double> values = city_option(options, option);
+      for (double& value : values) {
+        value = low + (high - low) * random.uniform() * random.uniform();
+        if (option.whole) value = std::floor(value);
+      }
+      std::sort(values.begin(), values.end());
+      set_city_option(options, name, values);
+      given += name + " " + text_of(values[0]) + " ";
     }
+    const Network n =
+        network_of(virtual_city({0, 0, random.uniform(900, 6000), random.uniform(900, 6000)},
+                                static_cast<std::int64_t>(run), options));
+    EXPECT_TRUE(n.reports.empty()) << given;
+    EXPECT_EQ(pieces(n), 1) << given;
+  }
 }
 
 TEST(VirtualCity, MeetsAtTheLeastAngleOrMore) {

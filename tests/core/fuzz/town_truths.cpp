@@ -5,9 +5,9 @@
 #include <map>
 
 #include "../../../src/core/box_index.hpp"
-#include "../../../src/core/geos.hpp"
 #include "../../../src/core/overlap.hpp"
 #include "../../../src/core/polyline.hpp"
+#include "../shared_area.hpp"
 #include "surfaces.hpp"
 #include "truths.hpp"
 
@@ -34,17 +34,12 @@ std::vector<Surface> surfaces_of(const Streets& town) {
 
 // Ground of two surfaces of one level, beyond what a level's roadway excuses.
 void find_overlap(const std::vector<Surface>& surfaces, Faults& faults) {
-  Geos geos;
   std::map<int, double> roadway, shared;
-  std::vector<Ground> grounds;
-  for (const Surface& surface : surfaces) grounds.emplace_back(*surface.ground);
   for (const Surface& surface : surfaces) roadway[surface.level] += area(*surface.ground);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
       const Surface &a = surfaces[i], &b = surfaces[j];
-      if (a.level != b.level || !overlap(grounds[i], grounds[j])) continue;
-      shared[a.level] += area(geos.polygons(
-          geos.intersection(geos.surface(*a.ground).get(), geos.surface(*b.ground).get()).get()));
+      if (a.level == b.level) shared[a.level] += shared_area(*a.ground, *b.ground);
     }
   for (const auto& [level, ground] : shared)
     if (ground > 1e-6 * roadway[level])

@@ -29,6 +29,18 @@ CREATE FUNCTION test.same(a name, b name) RETURNS boolean LANGUAGE sql AS $$
                      UNION ALL (SELECT test.content(b) EXCEPT ALL SELECT test.content(a)))
 $$;
 
+-- Whether two rows of content are equal within a millimetre: numbers, lines and, times its perimeter, surfaces.
+CREATE FUNCTION test.alike(a text, b text) RETURNS boolean LANGUAGE sql IMMUTABLE AS $$
+  SELECT cardinality(p) = cardinality(q) AND (
+    SELECT bool_and(CASE WHEN x = y THEN true
+      WHEN x ~ '^-?[0-9.]+(e-?[0-9]+)?$' AND y ~ '^-?[0-9.]+(e-?[0-9]+)?$' AND length(x) < 30 THEN abs(x::float8 - y::float8) <= 1e-3
+      WHEN NOT (x ~ '^[0-9A-F]{40,}$' AND y ~ '^[0-9A-F]{40,}$') THEN false
+      WHEN ST_Dimension(x::geometry) = 2 THEN ST_Area(ST_SymDifference(x::geometry, y::geometry)) <= 1e-3 * ST_Perimeter(y::geometry)
+      ELSE ST_HausdorffDistance(x::geometry, y::geometry) <= 1e-3 END)
+    FROM unnest(p, q) u(x, y))
+  FROM (SELECT string_to_array(a, ' '), string_to_array(b, ' ')) s(p, q)
+$$;
+
 -- Fills another model with the settings, axes and overrides of a model, and generates it from scratch.
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE

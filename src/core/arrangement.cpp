@@ -1,0 +1,311 @@
+#include "arrangement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "overlap.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+struct Cell {
+  std::int64_t x, y;
+  bool operator<(const Cell& o) const { return x != o.x ? x < o.x : y < o.y; }
+  bool operator==(const Cell& o) const { return x == o.x && y == o.y; }
+};
+
+struct Segment {
+  Cell from, to;  // from < to
+};
+
+// Twice the area of a, b, c: positive where c lies left.
+Wide turn(const Cell& a, const Cell& b, const Cell& c) {
+  return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+}
+
+int sign(Wide value) { return (value > 0) - (value < 0); }
+
+// The cell where two segments cross inside of both; at their ends there is a cell already.
+bool crossing(const Segment& s, const Segment& t, Cell& cell) {
+  const Wide o1 = turn(s.from, s.to, t.from), o2 = turn(s.from, s.to, t.to);
+  if (sign(o1) * sign(o2) >= 0) return false;
+  const Wide o3 = turn(t.from, t.to, s.from), o4 = turn(t.from, t.to, s.to);
+  if (sign(o3) * sign(o4) >= 0) return false;
+  const long double share = static_cast<long double>(o3) / static_cast<long double>(o3 - o4);
+  cell = {s.from.x + std::llround(share * (s.to.x - s.from.x)),
+          s.from.y + std::llround(share * (s.to.y - s.from.y))};
+  return true;
+}
+
+// Whether the segment comes into the cell: no farther than half a step either way.
+bool passes(const Segment& s, const Cell& cell) {
+  const auto low_y = std::min(s.from.y, s.to.y), high_y = std::max(s.from.y, s.to.y);
+  if (cell.x < s.from.x || cell.x > s.to.x || cell.y < low_y || cell.y > high_y) return false;
+  const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
+  const Wide off = 2 * turn(s.from, s.to, cell);
+  const Wide reach = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+  return off <= reach && -off <= reach;
+}
+
+std::vector<Segment> segments_of(const std::vector<std::vector<Cell>>& lines) {
+  std::vector<Segment> segments;
+  for (const std::vector<Cell>& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Cell &a = line[i - 1], &b = line[i];
+      if (!(a == b)) segments.push_back(a < b ? Segment{a, b} : Segment{b, a});
+    }
+  const auto key = [](const Segment& s) { return std::pair(s.from, s.to); };
+  std::sort(segments.begin(), segments.end(),
+            [&](const Segment& s, const Segment& t) { return key(s) < key(t); });
+  segments.erase(std::unique(segments.begin(), segments.end(),
+                             [](const Segment& s, const Segment& t) {
+                               return s.from == t.from && s.to == t.to;
+                             }),
+                 segments.end());
+  return segments;
+}
+
+std::vector<Cell> crossings(const std::vector<Segment>& segments) {
+  std::vector<Cell> cells;
+  std::vector<const Segment*> active;
+  for (const Segment& s : segments) {
+    poll_cancel();
+    const auto low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
+    std::size_t kept = 0;
+    for (const Segment* t : active) {
+      if (t->to.x < s.from.x) continue;
+      active[kept++] = t;
+      if (std::max(t->from.y, t->to.y) < low || std::min(t->from.y, t->to.y) > high) continue;
+      if (Cell cell; crossing(s, *t, cell)) cells.push_back(cell);
+    }
+    active.resize(kept);
+    active.push_back(&s);
+  }
+  return cells;
+}
+
+// A ring that touches itself comes apart into rings that do not.
+std::vector<std::vector<int>> apart(const std::vector<int>& ring) {
+  std::vector<std::vector<int>> rings;
+  std::vector<int> open;
+  std::map<int, std::size_t> at;
+  for (const int node : ring) {
+    const auto [seen, is_new] = at.emplace(node, open.size());
+    if (!is_new) {
+      const std::size_t start = seen->second;
+      rings.emplace_back(open.begin() + start, open.end());
+      for (std::size_t i = start + 1; i < open.size(); ++i) at.erase(open[i]);
+      open.resize(start);
+    }
+    open.push_back(node);
+  }
+  rings.push_back(std::move(open));
+  return rings;
+}
+
+}  // namespace
+
+Arrangement::Arrangement(const std::vector<Line>& lines) {
+  node(lines);
+  connect();
+  walk();
+  place_walks();
+}
+
+Point Arrangement::position(int node) const {
+  return {nodes_[node].x * step_, nodes_[node].y * step_, 0};
+}
+
+void Arrangement::node(const std::vector<Line>& lines) {
+  Box box;
+  for (const Line& line : lines)
+    for (const Point& p : line) box.add(p);
+  const double farthest = std::max(
+      {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y), 1.0});
+  // A power of two that doubles of this size hold, so that cells are places of their own.
+  step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
+  origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
+  std::map<Cell, int> ids;
+  const auto id_of = [&](const Cell& cell, const Point& point) {
+    const auto [found, is_new] = ids.emplace(cell, static_cast<int>(nodes_.size()));
+    if (is_new) nodes_.push_back({cell.x, cell.y, point});
+    return found->second;
+  };
+  std::vector<std::vector<Cell>> rounded;
+  for (const Line& line : lines) {
+    rounded.emplace_back();
+    for (const Point& p : line) {
+      const Cell cell{std::llround((p.x - origin_.x) / step_),
+                      std::llround((p.y - origin_.y) / step_)};
+      rounded.back().push_back(cell);
+      id_of(cell, planar(p));
+    }
+  }
+  const std::vector<Segment> segments = segments_of(rounded);
+  for (const Cell& cell : crossings(segments))
+    id_of(cell, {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0});
+  const std::vector<std::pair<Cell, int>> cells(ids.begin(), ids.end());
+  std::vector<std::pair<int, int>> edges;
+  for (const Segment& s : segments) {
+    poll_cancel();
+    std::vector<std::pair<Wide, int>> along;
+    const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
+    constexpr auto least = std::numeric_limits<std::int64_t>::min();
+    for (auto cell =
+             std::lower_bound(cells.begin(), cells.end(), std::pair(Cell{s.from.x, least}, 0));
+         cell != cells.end() && cell->first.x <= s.to.x; ++cell)
+      if (passes(s, cell->first))
+        along.emplace_back(dx * (cell->first.x - s.from.x) + dy * (cell->first.y - s.from.y),
+                           cell->second);
+    std::sort(along.begin(), along.end());
+    for (std::size_t i = 1; i < along.size(); ++i)
+      edges.push_back(std::minmax(along[i - 1].second, along[i].second));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& [a, b] : edges) {
+    halves_.push_back({a, b});
+    halves_.push_back({b, a});
+  }
+}
+
+void Arrangement::connect() {
+  std::vector<int> order(halves_.size());
+  for (std::size_t h = 0; h < order.size(); ++h) order[h] = static_cast<int>(h);
+  const auto ahead = [&](int h) {
+    const Node &from = nodes_[halves_[h].from], &to = nodes_[halves_[h].to];
+    return Cell{to.x - from.x, to.y - from.y};
+  };
+  const auto lower = [](const Cell& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
+  // By node, counter-clockwise.
+  std::sort(order.begin(), order.end(), [&](int g, int h) {
+    if (halves_[g].from != halves_[h].from) return halves_[g].from < halves_[h].from;
+    const Cell a = ahead(g), b = ahead(h);
+    if (lower(a) != lower(b)) return lower(b);
+    return Wide(a.x) * b.y - Wide(a.y) * b.x > 0;
+  });
+  around_.resize(halves_.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t last = first;
+    while (last < order.size() && halves_[order[last]].from == halves_[order[first]].from) ++last;
+    for (std::size_t i = first; i < last; ++i)
+      around_[order[i]] = order[i == first ? last - 1 : i - 1];
+    first = last;
+  }
+  for (std::size_t h = 0; h < halves_.size(); ++h) halves_[h].next = around_[h ^ 1];
+}
+
+void Arrangement::walk() {
+  for (std::size_t start = 0; start < halves_.size(); ++start) {
+    if (halves_[start].walk >= 0) continue;
+    std::vector<int> walk;
+    for (int h = static_cast<int>(start); halves_[h].walk < 0; h = halves_[h].next) {
+      halves_[h].walk = static_cast<int>(walks_.size());
+      walk.push_back(h);
+    }
+    walks_.push_back(std::move(walk));
+  }
+}
+
+// Half way from the middle of a long part of the walk to what lies across the face, where that is
+// not too near to tell one side of it from the other.
+void Arrangement::place_walks() {
+  constexpr double clear = 1e-3;  // metres
+  constexpr std::size_t most_tries = 64;
+  std::vector<bool> bounds(walks_.size());  // the outside of a face, not an island in it
+  std::vector<int> outer, all(halves_.size());
+  for (std::size_t h = 0; h < all.size(); ++h) all[h] = static_cast<int>(h);
+  for (std::size_t w = 0; w < walks_.size(); ++w) {
+    double sum = 0;
+    const Point start = position(halves_[walks_[w].front()].from);
+    for (const int h : walks_[w])
+      sum += cross(position(halves_[h].from) - start, position(halves_[h].to) - start);
+    bounds[w] = sum > 0;
+    if (!bounds[w]) outer.insert(outer.end(), walks_[w].begin(), walks_[w].end());
+  }
+  const auto size = [&](int h) {
+    return distance(position(halves_[h].from), position(halves_[h].to));
+  };
+  for (std::size_t w = 0; w < walks_.size(); ++w) {
+    poll_cancel();
+    std::vector<int> parts = walks_[w];
+    std::stable_sort(parts.begin(), parts.end(), [&](int g, int h) { return size(g) > size(h); });
+    if (parts.size() > most_tries) parts.resize(most_tries);
+    Point place;
+    double widest = 0;
+    for (const int part : parts) {
+      const Point from = position(halves_[part].from), to = position(halves_[part].to);
+      const Point middle = (from + to) * 0.5, across = left_normal(unit(to - from));
+      double reach = 1;  // metres, where nothing lies across
+      const auto meet = [&](int h) {
+        if ((h | 1) == (part | 1)) return;
+        const Point a = position(halves_[h].from) - middle, b = position(halves_[h].to) - middle;
+        const double of_a = cross(across, a), of_b = cross(across, b);
+        if ((of_a > 0) == (of_b > 0)) return;
+        const double t = of_a / (of_a - of_b);
+        const double off = dot(a, across) * (1 - t) + dot(b, across) * t;
+        if (off > 0) reach = std::min(reach, off);
+      };
+      if (bounds[w]) {
+        std::for_each(walks_[w].begin(), walks_[w].end(), meet);
+        std::for_each(outer.begin(), outer.end(), meet);
+      } else {
+        std::for_each(all.begin(), all.end(), meet);
+      }
+      if (reach <= widest) continue;
+      widest = reach;
+      place = middle + across * (reach / 2);
+      if (widest >= clear) break;
+    }
+    places_.push_back(origin_ + place);
+  }
+}
+
+MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
+  const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
+  std::vector<bool> used(halves_.size());
+  MultiPolygon out;
+  std::vector<Ring> holes;
+  for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
+    if (used[start] || !borders(start)) continue;
+    std::vector<int> ring;
+    for (int h = start; !used[h];) {
+      used[h] = true;
+      ring.push_back(halves_[h].from);
+      int next = halves_[h].next;
+      while (!borders(next)) next = around_[next];
+      h = next;
+    }
+    for (const std::vector<int>& part : apart(ring)) {
+      Ring points;
+      for (const int node : part) points.push_back(nodes_[node].point);
+      points.push_back(points.front());
+      if (points.size() < 4) continue;
+      if (signed_area(points) > 0)
+        out.push_back({std::move(points)});
+      else
+        holes.push_back(std::move(points));
+    }
+  }
+  std::sort(out.begin(), out.end(), [](const Polygon& a, const Polygon& b) {
+    return signed_area(a.front()) < signed_area(b.front());
+  });
+  for (Ring& hole : holes) {
+    const Point beside = (hole[0] + hole[1]) * 0.5;
+    const auto shell = std::find_if(out.begin(), out.end(), [&](const Polygon& polygon) {
+      return inside(beside, {polygon.front()});
+    });
+    if (shell != out.end()) shell->push_back(std::move(hole));
+  }
+  return out;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,52 @@
+// The faces that lines make where they cross or touch.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// Lines are noded once, by snap rounding on a grid finer than a micrometre with exact predicates:
+// what comes out crosses nowhere, and the same crossing is the same point in every arrangement. The
+// lines' own vertices stay where they are; of two in one place of the grid the first holds for
+// both. Hobby, Practical segment intersection with finite precision output, 1999.
+class Arrangement {
+ public:
+  explicit Arrangement(const std::vector<Line>& lines);
+
+  // A place in the face beside each walk along its border; a face with islands has several.
+  const std::vector<Point>& places() const { return places_; }
+
+  // The faces whose walks are kept, as one.
+  MultiPolygon joined(const std::vector<bool>& kept) const;
+
+ private:
+  struct Node {
+    std::int64_t x, y;  // steps of the grid
+    Point point;
+  };
+  // From a node to the next; its twin, the way back, has the index ^ 1.
+  struct Half {
+    int from, to;
+    int next = -1;  // along the face on its left
+    int walk = -1;
+  };
+
+  void node(const std::vector<Line>& lines);
+  void connect();
+  void walk();
+  void place_walks();
+  Point position(int node) const;
+
+  double step_ = 0;  // metres
+  Point origin_;
+  std::vector<Node> nodes_;
+  std::vector<Half> halves_;
+  std::vector<int> around_;  // by half: the next one clockwise about its `from`
+  std::vector<std::vector<int>> walks_;
+  std::vector<Point> places_;
+};
+
+}  // namespace streetgen

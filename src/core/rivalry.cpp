@@ -1,0 +1,154 @@
+#include "rivalry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "box_index.hpp"
+#include "nearest.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double sample_spacing = 1.0;  // metres along the axes
+constexpr double beyond = 1e-3;  // metres: a border goes on so far past the ground's, to meet it
+
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a);
+  const double o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
+  return o1 * o2 < 0 && o3 * o4 < 0;
+}
+
+// A segment of a claim's skeleton, with the ends of the stretch that it belongs to.
+struct SkeletonSegment {
+  Point from, to, first, last;
+};
+
+std::vector<SkeletonSegment> skeleton_within(const Claim& claim, const Box& within) {
+  std::vector<SkeletonSegment> segments;
+  for (const Stretch& stretch : claim.skeleton) {
+    if (stretch.from >= stretch.to) continue;
+    const Line line = substring(*stretch.line, stretch.from, stretch.to);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (box_of(line[i - 1], line[i]).meets(within, 0))
+        segments.push_back({line[i - 1], line[i], line.front(), line.back()});
+  }
+  return segments;
+}
+
+// Inside both, not at an end that they share.
+bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
+  const std::vector<SkeletonSegment> of_a = skeleton_within(a, within),
+                                     of_b = skeleton_within(b, within);
+  std::vector<Box> boxes;
+  for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
+  const BoxIndex index(boxes);
+  for (const SkeletonSegment& s : of_a) {
+    poll_cancel();
+    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](int i) {
+      const SkeletonSegment& t = of_b[i];
+      if (!segments_cross(s.from, s.to, t.from, t.to)) return false;
+      const Point u = s.to - s.from, v = t.to - t.from;
+      const Point at = s.from + u * (cross(t.from - s.from, v) / cross(u, v));
+      return std::min({distance(at, s.first), distance(at, s.last), distance(at, t.first),
+                       distance(at, t.last)}) > 0.01;
+    });
+    if (crossed) return true;
+  }
+  return false;
+}
+
+// Every metre of the edge, whatever part of it the stretch is: an edit at one end of an edge
+// moves no border at the other.
+std::vector<double> sample_places(const Stretch& stretch, double total) {
+  std::vector<double> places;
+  for (double k = std::ceil(stretch.from / sample_spacing); k * sample_spacing <= stretch.to; ++k)
+    places.push_back(k * sample_spacing);
+  if (stretch.to >= total) places.push_back(total);
+  if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
+  return places;
+}
+
+// Those near the box: a section lies within half its width of its axis, an intersection may not.
+void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
+  const double margin = claim.skeleton.size() > 1 ? std::numeric_limits<double>::infinity()
+                                                  : claim.width / 2 + 2 * sample_spacing;
+  for (const Stretch& stretch : claim.skeleton) {
+    const Line& line = *stretch.line;
+    double walked = 0;
+    std::size_t segment = 1;
+    for (const double at : sample_places(stretch, length(line))) {
+      while (segment + 1 < line.size() &&
+             walked + distance(line[segment - 1], line[segment]) < at) {
+        walked += distance(line[segment - 1], line[segment]);
+        ++segment;
+      }
+      const double size = distance(line[segment - 1], line[segment]);
+      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
+      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+      if (within.holds(p, margin)) sites.push_back({p, first});
+    }
+  }
+}
+
+// The parts of the segment on the ground of both, each a little longer.
+void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
+                   std::vector<Line>& parts) {
+  std::vector<double> cuts{0, 1};
+  a.cut(from, to, cuts);
+  b.cut(from, to, cuts);
+  std::sort(cuts.begin(), cuts.end());
+  const Point along = to - from;
+  const double size = norm(along);
+  if (size == 0) return;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const Point middle = from + along * ((cuts[i - 1] + cuts[i]) / 2);
+    if (!a.holds(middle) || !b.holds(middle)) continue;
+    const Point past = along * (beyond / size);
+    parts.push_back({from + along * cuts[i - 1] - past, from + along * cuts[i] + past});
+  }
+}
+
+}  // namespace
+
+bool before(const Claim& a, const Claim& b) {
+  return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
+         std::tuple(b.importance, -b.width, b.axis_id, b.place);
+}
+
+Rivalry::Rivalry(const Party& a, const Party& b) {
+  const Box within = a.ground->box().shared_with(b.ground->box());
+  const bool first_wins = before(*a.claim, *b.claim);
+  crossed_ = skeletons_cross(*a.claim, *b.claim, within);
+  first_owns_all_ = crossed_ && first_wins;
+  second_owns_all_ = crossed_ && !first_wins;
+  if (crossed_) return;
+  std::vector<Site> sites;
+  // Of sites in one place the claim that comes before keeps it.
+  sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);
+  sample(first_wins ? *b.claim : *a.claim, within, !first_wins, sites);
+  const auto count =
+      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
+  first_owns_all_ = count > 0 && count == static_cast<std::ptrdiff_t>(sites.size());
+  second_owns_all_ = count == 0;
+  if (first_owns_all_ || second_owns_all_) return;
+  nearer_to_first_ = nearest_to_first(
+      sites, distance({within.min_x, within.min_y, 0}, {within.max_x, within.max_y, 0}));
+  for (const Polygon& polygon : nearer_to_first_)
+    for (const Ring& ring : polygon)
+      for (std::size_t i = 1; i < ring.size(); ++i)
+        if (box_of(ring[i - 1], ring[i]).meets(within, 0))
+          append_shared(*a.ground, *b.ground, ring[i - 1], ring[i], border_);
+}
+
+bool Rivalry::first_owns(const Point& place) const {
+  if (first_owns_all_ || second_owns_all_) return first_owns_all_;
+  return std::any_of(nearer_to_first_.begin(), nearer_to_first_.end(),
+                     [&](const Polygon& polygon) { return inside(place, polygon); });
+}
+
+}  // namespace streetgen

@@ -1,0 +1,31 @@
+-- The model that is measured.
+CREATE SCHEMA bench;
+
+-- Model `timed` with the axes and settings of an input, and no streets.
+CREATE PROCEDURE bench.fill(input name) LANGUAGE plpgsql AS $$
+DECLARE
+    same name;
+BEGIN
+    IF to_regnamespace('timed') IS NOT NULL THEN PERFORM streetgen.drop_model('timed'); END IF;
+    PERFORM streetgen.create_model('timed', srid, dimension) FROM streetgen.model WHERE name = input;
+    PERFORM streetgen.live('timed', false);
+    FOREACH same IN ARRAY ARRAY['setting', 'axis_class', 'axis', 'turn_restriction'] LOOP
+        EXECUTE format('TRUNCATE timed.%1$I', same);
+        EXECUTE format('INSERT INTO timed.%1$I SELECT * FROM %2$I.%1$I ORDER BY 1', same, input);
+    END LOOP;
+    ANALYZE timed.axis;
+END $$;
+
+-- The tables that generate fills, those that others refer to first.
+CREATE FUNCTION bench.derived(model name) RETURNS SETOF text LANGUAGE sql AS $$
+    SELECT relation FROM streetgen.generate(model, '{}') WITH ORDINALITY ORDER BY ordinality
+$$;
+
+CREATE PROCEDURE bench.analyse(model name) LANGUAGE plpgsql AS $$
+DECLARE
+    relation text;
+BEGIN
+    FOR relation IN SELECT bench.derived('timed') LOOP
+        EXECUTE format('ANALYZE %I.%I', model, relation);
+    END LOOP;
+END $$;

@@ -1,0 +1,88 @@
+#include "../../src/core/arrangement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "../../src/core/geos.hpp"
+#include "../../src/core/overlap.hpp"
+#include "../../src/core/polyline.hpp"
+
+namespace streetgen {
+namespace {
+
+const Ring square{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
+
+std::vector<bool> those_in(const Arrangement& faces, const Polygon& polygon) {
+  std::vector<bool> kept;
+  for (const Point& place : faces.places()) kept.push_back(inside(place, polygon));
+  return kept;
+}
+
+TEST(Arrangement, KeepsVerticesAndCrossesExactly) {
+  const Arrangement faces({square, {{4.5, -1}, {4.5, 10}}});
+  const MultiPolygon left =
+      faces.joined(those_in(faces, {{{0, 0}, {4.5, 0}, {4.5, 9}, {0, 9}, {0, 0}}}));
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left.front().size(), 1u);
+  EXPECT_EQ(left.front().front().size(), 5u);
+  EXPECT_DOUBLE_EQ(area(left), 40.5);
+}
+
+TEST(Arrangement, KnowsIslands) {
+  const Ring island{{2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}};
+  const Arrangement faces({square, island});
+  const MultiPolygon around = faces.joined(those_in(faces, {square, island}));
+  ASSERT_EQ(around.size(), 1u);
+  EXPECT_EQ(around.front().size(), 2u);
+  EXPECT_DOUBLE_EQ(area(around), 77);
+  EXPECT_DOUBLE_EQ(area(faces.joined(those_in(faces, {square}))), 81);
+}
+
+// A hole that touches its shell in one point.
+TEST(Arrangement, TakesRingsThatTouchThemselvesApart) {
+  Geos geos;
+  const Ring inner{{0, 4}, {3, 6}, {3, 2}, {0, 4}};
+  const Arrangement faces({square, inner});
+  const MultiPolygon around = faces.joined(those_in(faces, {square, inner}));
+  EXPECT_TRUE(geos.valid(geos.surface(around).get()));
+  EXPECT_DOUBLE_EQ(area(around), 75);
+}
+
+// Rectangles that nearly coincide, far from the origin.
+TEST(Arrangement, MakesFacesOfWhatNearlyCoincides) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto share = [&] { return (random() % 1000001) / 1e6; };
+    const auto rectangle = [](double turn, double x, double y, double length, double width) {
+      const Point along{std::cos(turn), std::sin(turn), 0}, across = left_normal(along);
+      const Point corner{653000 + x, 6861000 + y, 0};
+      return MultiPolygon{
+          {{corner, corner + along * length, corner + along * length + across * width,
+            corner + across * width, corner}}};
+    };
+    Geos geos;
+    const double turn = 7 * share();
+    std::vector<MultiPolygon> all;
+    std::vector<Line> lines;
+    for (int i = 0; i < 6; ++i) {
+      const double width = 1 + 4 * share(), length = 10 + 10 * share();
+      const double y = 3 * share(), x = 3 * share();
+      const double by = random() % 3 ? 1e-6 * share() : share();
+      all.push_back(rectangle(turn + by, x, y, length, width));
+      lines.push_back(all.back().front().front());
+    }
+    const Arrangement faces(lines);
+    for (const MultiPolygon& rectangle : all) {
+      std::vector<bool> held;
+      for (const Point& place : faces.places()) held.push_back(inside(place, rectangle.front()));
+      const MultiPolygon joined = faces.joined(held);
+      EXPECT_TRUE(geos.valid(geos.surface(joined).get())) << seed;
+      EXPECT_NEAR(area(joined), area(rectangle), 1e-5) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace streetgen
