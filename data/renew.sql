@@ -31,7 +31,7 @@ BEGIN
     DROP EXTENSION streetgen;
     CREATE EXTENSION streetgen;
     FOR known IN SELECT * FROM known_model LOOP
-        PERFORM streetgen._add_tables(known.name, known.srid);
+        PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._add_tables(known.name, known.srid);
         PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
         SELECT string_agg(c, ', ') INTO missing FROM (SELECT pg_temp.columns_of('streetgen_renewed') EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         PERFORM streetgen.drop_model('streetgen_renewed');
