@@ -120,15 +120,30 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS 'What a run for some axes asks, writes and gathers, and its cells: stale axes near the asked ones are asked too.';
 
+CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- In the model's schema, so that a session plans its view once. No run mixes settings: any edge tells.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._setting_changed() RETURNS boolean
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    RETURN coalesce((SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.axis_used LIMIT 1), false);
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_setting_changed()', 'Were settings changed since the streets were computed?');
+END $$;
+COMMENT ON FUNCTION streetgen._make_setting_changed(name) IS 'Makes the function of a model that tells whether its settings changed.';
+
 CREATE OR REPLACE FUNCTION streetgen._setting_changed(model name) RETURNS boolean
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     changed boolean;
 BEGIN
-    -- No run mixes settings: any edge tells.
-    EXECUTE format('SELECT (SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.axis_used LIMIT 1)', model) INTO changed;
-    RETURN coalesce(changed, false);
+    EXECUTE format('SELECT %I._setting_changed()', model) INTO changed;
+    RETURN changed;
 END $$;
 COMMENT ON FUNCTION streetgen._setting_changed(name) IS 'Were settings of the model changed since its streets were computed?';
 

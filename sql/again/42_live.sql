@@ -203,7 +203,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model);
+    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 
