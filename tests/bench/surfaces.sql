@@ -1,7 +1,7 @@
 -- Surfaces alone, of model `timed` as generate computes them: the first steps of its statement, written into a bare table.
 CREATE PROCEDURE bench.surfaces(INOUT rows bigint) LANGUAGE plpgsql SET search_path = pg_catalog, public SET enable_nestloop = off SET work_mem = '64MB' AS $$
 DECLARE
-    whole constant text := regexp_replace(streetgen._upsert_statement('timed'), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
+    whole constant text := regexp_replace(streetgen._upsert_statement('timed', many => true), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
 BEGIN
     DROP SCHEMA IF EXISTS surfaces CASCADE;
     CREATE SCHEMA surfaces;
