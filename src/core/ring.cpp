@@ -215,23 +215,13 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
 }
 
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
-// the flat end of an arm reaches past its neighbours' axes, their kerbs hold; where past a limit,
-// the section there.
+// the flat end of an arm reaches past its neighbours' axes, their kerbs hold.
 bool covers(const Ring& ring, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const auto held = [&](std::size_t arm, const Point& p) {
     if (inside(p, {ring})) return true;
     const std::size_t at = sector(arms, p);
     return at != arm && (at + 1) % arms.size() != arm;
-  };
-  const auto on_section = [&](std::size_t arm, const Point& p) {
-    for (std::size_t k = 0; k < arms.size(); ++k) {
-      const double abscissa = nearest_abscissa(p, arms[k].line);
-      if (k != arm && abscissa >= arms[k].limit &&
-          distance_to_line(p, arms[k].line) <= half_at(arms[k], abscissa))
-        return true;
-    }
-    return false;
   };
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const Arm& arm = arms[k];
@@ -242,7 +232,7 @@ bool covers(const Ring& ring, const std::vector<Arm>& arms) {
       const Line border = border_across(arm, abscissa);
       const Point across = unit(border[1] - border[0]) * inwards;
       for (const Point& p : {border[0] + across, border[1] - across})
-        if (!held(k, p) && !(i == 0 && on_section(k, p))) return false;
+        if (!held(k, p)) return false;
     }
   }
   return true;

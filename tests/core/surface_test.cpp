@@ -174,23 +174,6 @@ TEST(IntersectionRing, IsOnePieceWhereArcsEndAtBorderLines) {
   EXPECT_FALSE(intersection_ring(axes, {6, 6, 6}, {3, 3, 3}).empty());
 }
 
-// Along the wide axis to the south the limit is nearer to the node than the flat end of the third
-// axis reaches: that ground is on the section.
-TEST(IntersectionSurface, EndsAtTheLimitsAlsoWhereAFlatEndReachesPastOne) {
-  const Point node{6573692.629, 5572976.156, 0};
-  const std::vector<Line> axes = {{node, {6573693.974, 5573068.774, 0}},
-                                  {node, {6573690.578, 5572834.891, 0}},
-                                  {node, {6573781.233, 5573011.446, 0}}};
-  const MultiPolygon surface = intersection_surface(axes, {12, 12, 6}, {3, 3, 3});
-  const Point south = unit(axes[1][1] - axes[1][0]);
-  double farthest = 0;
-  for (const Point& p : surface.at(0).at(0)) farthest = std::max(farthest, dot(p - node, south));
-  const Point third = unit(axes[2][1] - axes[2][0]);
-  const double limit = ((3 + 3) + (6 + 3) * dot(south, third)) / cross(south, third);
-  EXPECT_LT(limit, 3 * cross(south, third));
-  EXPECT_NEAR(farthest, limit, 1e-6);
-}
-
 TEST(IntersectionSurface, RefusesListsOfDifferentLength) {
   EXPECT_THROW(intersection_surface({ray(0, 5), ray(2, 5)}, {7}, {5, 5}), Error);
 }
