@@ -42,10 +42,11 @@ DECLARE
     there bigint[];
     width_of float8[];
 BEGIN
-    SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
+    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
+    SELECT max(value::float8) FILTER (WHERE name IN ('reach', 'max_arc_distance')), max(value::float8) FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
-        INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'tolerance', 'width_default');
+        INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
     -- What the asked axes can change: along the network, and by their roadway.
     SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (
         WITH line AS MATERIALIZED (
@@ -61,17 +62,27 @@ BEGIN
     SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
            coalesce(array_agg(axis_id) FILTER (WHERE axis_id <> ALL (asked) AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)), '{}')
         INTO there, width_of, stale FROM %1$I.axis_used u WHERE axis_id = ANY (written);
-    -- What that depends on, with whatever may share a node: ends are never 10 m apart. OFFSET: by axis, not by width.
-    SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') INTO gathered FROM (
-        SELECT DISTINCT a.axis_id, a.geom FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis l USING (axis_id) JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (w.width + widest) / 2)
-            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest)) / 2)) n
-        JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10);
+    -- What that depends on. Axes are looked up once for all lines that begin in one cell; OFFSET: their widths by axis, not by width.
+    WITH line AS MATERIALIZED (
+        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + w.width / 2 AS margin, ST_Expand(geom, reach + (w.width + widest) / 2) AS box
+        FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis USING (axis_id)),
+    beside AS MATERIALIZED (
+        SELECT b.x, b.y, a.axis_id, a.geom, coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest) / 2 AS half
+        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box)
+    SELECT coalesce(array_agg(DISTINCT b.axis_id), '{}') INTO gathered FROM beside b JOIN line l USING (x, y) WHERE b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half);
+    -- With what meets it farther on: that bounds its edges.
+    SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
+        WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
+        SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.from_node = m.node_id UNION SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.to_node = m.node_id
+        EXCEPT SELECT unnest(gathered)) e JOIN %1$I.axis USING (axis_id);
     -- A run writes every axis near the asked ones whole, ends included.
     SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (
-        SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
-        UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
-        UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line,
-        streetgen._cell(ST_XMin(geom) - margin, ST_YMin(geom) - margin, ST_XMax(geom) + margin, ST_YMax(geom) + margin, size) cell;
+        -- Most lie in the same few cells: the middles of their outermost.
+        SELECT DISTINCT (floor((ST_XMin(geom) - margin) / size) + 0.5) * size AS west, (floor((ST_YMin(geom) - margin) / size) + 0.5) * size AS south,
+            (floor((ST_XMax(geom) + margin) / size) + 0.5) * size AS east, (floor((ST_YMax(geom) + margin) / size) + 0.5) * size AS north FROM (
+            SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
+            UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
+            UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line) box, streetgen._cell(west, south, east, north, size) cell;
 END $body$ $sql$, model);
     PERFORM streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes, all that these are computed with, and the cells of all that it reads or writes, ascending');
 END $$;
@@ -85,7 +96,7 @@ DECLARE
     outside bigint[];
 BEGIN
     -- No pair of roadways reaches farther.
-    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name = 'reach'$sql$, model) INTO far;
+    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')$sql$, model) INTO far;
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
 size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
