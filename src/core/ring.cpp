@@ -190,7 +190,7 @@ MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>
   for (const Line& border : borders)
     for (const Point& end : border)
       std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
-  return geos.valid(geos.surface(moved).get()) ? moved : surface;
+  return geos.valid(moved) ? moved : surface;
 }
 
 double angle_about(const Point& node, const Point& p) {
@@ -241,7 +241,7 @@ bool covers(const Ring& ring, const std::vector<Arm>& arms) {
 bool simple(Geos& geos, const Outline& outline) {
   const Ring& ring = outline.ring;
   return outline.whole && ring.size() >= 4 && signed_area(ring) > 0 &&
-         geos.valid(geos.polygon({ring}).get());
+         geos.valid(MultiPolygon{{ring}});
 }
 
 }  // namespace
