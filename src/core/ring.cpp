@@ -216,10 +216,10 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
 
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
 // the flat end of an arm reaches past its neighbours' axes, their kerbs hold.
-bool covers(const Ring& ring, const std::vector<Arm>& arms) {
+bool covers(const Polygon& polygon, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const auto held = [&](std::size_t arm, const Point& p) {
-    if (inside(p, {ring})) return true;
+    if (inside(p, polygon)) return true;
     const std::size_t at = sector(arms, p);
     return at != arm && (at + 1) % arms.size() != arm;
   };
@@ -312,7 +312,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
-  if (simple(geos, outline) && covers(outline.ring, arms)) {
+  if (simple(geos, outline) && covers({outline.ring}, arms)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
     return {united(parts), false};
