@@ -6,6 +6,7 @@
 #include "offset.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
+#include "union.hpp"
 
 namespace streetgen {
 
@@ -306,8 +307,8 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   outline.ring = closed(std::move(outline.ring));
   std::vector<Line> borders;
   for (const Arm& arm : arms) borders.push_back(arm.border);
-  const auto united = [&](const std::vector<MultiPolygon>& parts) {
-    return ending_on(geos, geos.polygons(geos.unite(parts).get()), borders);
+  const auto whole = [&](const std::vector<MultiPolygon>& parts) {
+    return ending_on(geos, united(parts), borders);
   };
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
@@ -315,7 +316,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   if (simple(geos, outline) && covers({outline.ring}, arms)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
-    return {united(parts), false};
+    return {whole(parts), false};
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
@@ -329,7 +330,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     }
   }
   if (parts.empty()) return {};
-  return {united(parts), true};
+  return {whole(parts), true};
 }
 
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
