@@ -8,6 +8,12 @@
 
 namespace streetgen {
 
+struct GridCell {
+  std::int64_t x, y;  // steps of the grid
+  bool operator<(const GridCell& o) const { return x != o.x ? x < o.x : y < o.y; }
+  bool operator==(const GridCell& o) const { return x == o.x && y == o.y; }
+};
+
 // Lines are noded once, by snap rounding on a grid finer than a micrometre with exact predicates:
 // what comes out crosses nowhere, and the same crossing is the same point in every arrangement. The
 // lines' own vertices stay where they are; of two in one place of the grid the first holds for
@@ -24,7 +30,7 @@ class Arrangement {
 
  private:
   struct Node {
-    std::int64_t x, y;  // steps of the grid
+    GridCell cell;
     Point point;
   };
   // From a node to the next; its twin, the way back, has the index ^ 1.

@@ -120,7 +120,7 @@ class Settlement {
     rest.erase(std::remove_if(rest.begin(), rest.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
                rest.end());
-    if (!geos_.valid(geos_.surface(rest).get())) return geos_.polygons(geos_.unite({rest}).get());
+    if (!geos_.valid(rest)) return geos_.polygons(geos_.unite({rest}).get());
     return rest;
   }
 
