@@ -37,7 +37,7 @@ left_interconnection AS MATERIALIZED (
         FROM (SELECT node_id FROM new_node WHERE asked UNION ALL SELECT node_id FROM left_node) n,
             LATERAL (SELECT * FROM {model}.interconnection k WHERE k.node_id = n.node_id {by_key}) k
         WHERE k.interconnection_id NOT IN (SELECT interconnection_id FROM new_interconnection WHERE NOT fresh) OFFSET 0) k
-    WHERE {whole} OR NOT EXISTS (
-        SELECT FROM {model}.lane l JOIN {model}.edge e USING (edge_id)
-        WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis)))$part$, places)) $$;
+    WHERE {whole}
+        OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_in)) IN (SELECT axis_id FROM asked_axis)
+            AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out)) IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnections(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';
