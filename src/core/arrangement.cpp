@@ -138,6 +138,10 @@ Point Arrangement::position(int node) const {
   return {nodes_[node].cell.x * step_, nodes_[node].cell.y * step_, 0};
 }
 
+Point Arrangement::on_grid(const GridCell& cell) const {
+  return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
+}
+
 void Arrangement::node(const std::vector<Line>& lines) {
   Box box;
   for (const Line& line : lines)
@@ -159,8 +163,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
     }
   }
   const std::vector<Segment> segments = segments_of(rounded);
-  for (const Cell& cell : crossings(segments))
-    places.emplace_back(cell, Point{origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0});
+  for (const Cell& cell : crossings(segments)) places.emplace_back(cell, on_grid(cell));
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [cell, point] : places)
@@ -284,7 +287,7 @@ void Arrangement::place_walks() {
   }
 }
 
-MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
+MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
   const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
   std::vector<bool> used(halves_.size());
   std::vector<std::size_t> at(nodes_.size(), nowhere);
@@ -307,7 +310,8 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
       Ring points;
       for (const int node : part) {
         cells.push_back(nodes_[node].cell);
-        points.push_back(nodes_[node].point);
+        points.push_back(vertices == Vertices::own ? nodes_[node].point
+                                                   : on_grid(nodes_[node].cell));
       }
       points.push_back(points.front());
       if (counter_clockwise(cells)) {
