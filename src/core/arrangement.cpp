@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "overlap.hpp"
@@ -86,6 +87,24 @@ std::vector<Cell> crossings(const std::vector<Segment>& segments) {
   return cells;
 }
 
+bool counter_clockwise(const std::vector<Cell>& ring) {
+  Wide sum = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) sum += turn(ring[0], ring[i - 1], ring[i]);
+  return sum > 0;
+}
+
+// A place in half steps, that is on no side of the ring.
+bool holds(const std::vector<Cell>& ring, const Cell& place) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Cell &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const Cell a{2 * p.x, 2 * p.y}, b{2 * q.x, 2 * q.y};
+    if ((a.y > place.y) == (b.y > place.y)) continue;
+    odd ^= (turn(a, b, place) > 0) == (b.y > a.y);
+  }
+  return odd;
+}
+
 // A ring that touches itself comes apart into rings that do not.
 // `at` holds `nowhere` for each node.
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
@@ -119,6 +138,10 @@ Point Arrangement::position(int node) const {
   return {nodes_[node].cell.x * step_, nodes_[node].cell.y * step_, 0};
 }
 
+Point Arrangement::on_grid(const GridCell& cell) const {
+  return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
+}
+
 void Arrangement::node(const std::vector<Line>& lines) {
   Box box;
   for (const Line& line : lines)
@@ -140,8 +163,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
     }
   }
   const std::vector<Segment> segments = segments_of(rounded);
-  for (const Cell& cell : crossings(segments))
-    places.emplace_back(cell, Point{origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0});
+  for (const Cell& cell : crossings(segments)) places.emplace_back(cell, on_grid(cell));
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [cell, point] : places)
@@ -265,12 +287,13 @@ void Arrangement::place_walks() {
   }
 }
 
-MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
+MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
   const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
   std::vector<bool> used(halves_.size());
   std::vector<std::size_t> at(nodes_.size(), nowhere);
+  std::vector<std::vector<Cell>> shells;
+  std::vector<std::pair<Cell, Ring>> holes;  // with a place on the border, in half steps
   MultiPolygon out;
-  std::vector<Ring> holes;
   for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
     if (used[start] || !borders(start)) continue;
     std::vector<int> ring;
@@ -282,27 +305,36 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
       h = next;
     }
     for (const std::vector<int>& part : apart(ring, at)) {
+      if (part.size() < 3) continue;
+      std::vector<Cell> cells;
       Ring points;
-      for (const int node : part) points.push_back(nodes_[node].point);
+      for (const int node : part) {
+        cells.push_back(nodes_[node].cell);
+        points.push_back(vertices == Vertices::own ? nodes_[node].point
+                                                   : on_grid(nodes_[node].cell));
+      }
       points.push_back(points.front());
-      if (points.size() < 4) continue;
-      if (signed_area(points) > 0)
+      if (counter_clockwise(cells)) {
+        shells.push_back(std::move(cells));
         out.push_back({std::move(points)});
-      else
-        holes.push_back(std::move(points));
+      } else {
+        holes.push_back({{cells[0].x + cells[1].x, cells[0].y + cells[1].y}, std::move(points)});
+      }
     }
   }
-  std::sort(out.begin(), out.end(), [](const Polygon& a, const Polygon& b) {
-    return signed_area(a.front()) < signed_area(b.front());
+  std::vector<std::size_t> by_size(out.size());
+  std::iota(by_size.begin(), by_size.end(), 0);
+  std::sort(by_size.begin(), by_size.end(), [&](std::size_t i, std::size_t j) {
+    return signed_area(out[i].front()) < signed_area(out[j].front());
   });
-  for (Ring& hole : holes) {
-    const Point beside = (hole[0] + hole[1]) * 0.5;
-    const auto shell = std::find_if(out.begin(), out.end(), [&](const Polygon& polygon) {
-      return inside(beside, {polygon.front()});
-    });
-    if (shell != out.end()) shell->push_back(std::move(hole));
+  for (auto& [place, hole] : holes) {
+    const auto shell = std::find_if(by_size.begin(), by_size.end(),
+                                    [&](std::size_t i) { return holds(shells[i], place); });
+    if (shell != by_size.end()) out[*shell].push_back(std::move(hole));
   }
-  return out;
+  MultiPolygon sorted;
+  for (const std::size_t i : by_size) sorted.push_back(std::move(out[i]));
+  return sorted;
 }
 
 }  // namespace streetgen

@@ -25,8 +25,10 @@ class Arrangement {
   // A place in the face beside each walk along its border; a face with islands has several.
   const std::vector<Point>& places() const { return places_; }
 
-  // The faces whose walks are kept, as one.
-  MultiPolygon joined(const std::vector<bool>& kept) const;
+  // The faces whose walks are kept, as one. With the lines' own vertices rings that nearly touch
+  // may cross by less than a step; on the grid they do not.
+  enum class Vertices { own, on_grid };
+  MultiPolygon joined(const std::vector<bool>& kept, Vertices vertices = Vertices::own) const;
 
  private:
   struct Node {
@@ -44,7 +46,8 @@ class Arrangement {
   void connect();
   void walk();
   void place_walks();
-  Point position(int node) const;
+  Point position(int node) const;  // from the origin
+  Point on_grid(const GridCell& cell) const;
 
   double step_ = 0;  // metres
   Point origin_;

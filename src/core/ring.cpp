@@ -308,7 +308,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   std::vector<Line> borders;
   for (const Arm& arm : arms) borders.push_back(arm.border);
   const auto whole = [&](const std::vector<MultiPolygon>& parts) {
-    return ending_on(geos, united(parts), borders);
+    return ending_on(geos, united(geos, parts), borders);
   };
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)

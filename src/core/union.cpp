@@ -7,7 +7,7 @@
 
 namespace streetgen {
 
-MultiPolygon united(const std::vector<MultiPolygon>& parts) {
+MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
   std::vector<Line> lines;
   for (const MultiPolygon& part : parts)
     for (const Polygon& polygon : part) lines.insert(lines.end(), polygon.begin(), polygon.end());
@@ -18,7 +18,8 @@ MultiPolygon united(const std::vector<MultiPolygon>& parts) {
       return std::any_of(part.begin(), part.end(),
                          [&](const Polygon& polygon) { return inside(place, polygon); });
     }));
-  return faces.joined(kept);
+  const MultiPolygon joined = faces.joined(kept);
+  return geos.valid(joined) ? joined : faces.joined(kept, Arrangement::Vertices::on_grid);
 }
 
 }  // namespace streetgen
