@@ -27,8 +27,10 @@ class Owners {
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
         surfaces_(edges_ + layout.junctions.size()),
-        built_(surfaces_.size()) {
+        built_(surfaces_.size()),
+        served_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
+    claims_.reserve(surfaces_.size());
     for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(e));
     for (std::size_t n = 0; n < layout.junctions.size(); ++n)
       claims_.push_back(claim_of_intersection(static_cast<int>(n)));
@@ -103,19 +105,25 @@ class Owners {
 
   // What is wanted, and whatever may take part in what that becomes.
   std::vector<bool> needed_by_wanted() {
-    std::vector<bool> needed;
-    for (const Claim& claim : claims_) needed.push_back(claim.wanted);
-    if (std::find(needed.begin(), needed.end(), false) == needed.end()) return needed;
+    if (std::all_of(claims_.begin(), claims_.end(), [](const Claim& c) { return c.wanted; }))
+      return std::vector<bool>(claims_.size(), true);
+    std::vector<bool> needed(claims_.size());
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
-      if (!claims_[i].wanted) continue;
+      if (!claims_[i].wanted || served_[i]) continue;
+      needed[i] = true;
       for (const int other : vicinity().rivals(i)) needed[other] = true;
-      for (const int other : vicinity().enclosing(i)) needed[other] = true;
+    }
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!claims_[i].wanted || served_[i]) continue;
+      served_[i] = true;
+      for (const int other : vicinity().enclosing(i, needed)) needed[other] = true;
     }
     return needed;
   }
 
   std::vector<bool> needed_by(const std::vector<Hole>& holes) {
     std::vector<bool> needed(claims_.size());
+    if (built_ == std::vector<bool>(claims_.size(), true)) return needed;
     for (const Hole& hole : holes)
       for (const int i : vicinity().near(box_of({{hole.ring}}))) needed[i] = true;
     return needed;
@@ -173,7 +181,9 @@ class Owners {
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
-      if (!build(needed_by(holes)) && !ask_around(holes)) return holes;
+      if (build(needed_by(holes)) || ask_around(holes)) continue;
+      vicinity_.reset();
+      return holes;
     }
   }
 
@@ -210,7 +220,7 @@ class Owners {
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<Surface> surfaces_;
-  std::vector<bool> built_;
+  std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;
   std::optional<Vicinity> vicinity_;
   std::vector<std::pair<int, int>> disputes_;
