@@ -1,12 +1,11 @@
 #include "owners.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "claims.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
-#include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "surfaces.hpp"
@@ -31,9 +30,9 @@ class Owners {
         served_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
     claims_.reserve(surfaces_.size());
-    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(e));
+    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(layout, e));
     for (std::size_t n = 0; n < layout.junctions.size(); ++n)
-      claims_.push_back(claim_of_intersection(static_cast<int>(n)));
+      claims_.push_back(claim_of_intersection(layout, static_cast<int>(n)));
     for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
   }
 
@@ -45,46 +44,6 @@ class Owners {
   }
 
  private:
-  void add_axis(Claim& claim, int edge) const {
-    const StreetAxis& axis = layout_.axis_of(edge);
-    claim.edges.push_back(edge);
-    claim.importance = std::min(claim.importance, axis.importance);
-    claim.width = std::max({claim.width, axis.width, axis.width_end});
-  }
-
-  Claim claim_of_section(int e) const {
-    const Edge& edge = layout_.streets.network.edges[e];
-    const double start = layout_.streets.limits[2 * e].abscissa,
-                 end = layout_.streets.limits[2 * e + 1].abscissa;
-    Claim claim;
-    claim.wanted = layout_.streets.asked_edges[e];
-    claim.level = edge.level;
-    if (start < end) claim.skeleton.push_back({&layout_.arms[2 * e].line, start, end});
-    claim.axis_id = edge.axis_id;
-    claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
-    add_axis(claim, e);
-    return claim;
-  }
-
-  Claim claim_of_intersection(int node) const {
-    const NodeAnchor& anchor = layout_.streets.network.nodes[node].anchors.front();
-    Claim claim;
-    claim.wanted = layout_.streets.asked_nodes[node];
-    claim.level = layout_.level_of(node);
-    claim.axis_id = anchor.axis_id;
-    claim.place = 2 * std::llround(1000 * anchor.abscissa);
-    for (const EdgeEnd& end : layout_.junctions[node].ends) {
-      const Line& along = layout_.arms[2 * end.edge].line;
-      const double limit = layout_.arm(end).limit, total = length(along);
-      if (limit > 0)
-        claim.skeleton.push_back(
-            {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
-      add_axis(claim, end.edge);
-      claim.axis_id = std::min(claim.axis_id, layout_.axis_of(end.edge).axis_id);
-    }
-    return claim;
-  }
-
   // Whether any of them was not built yet.
   bool build(const std::vector<bool>& needed) {
     bool more = false;
