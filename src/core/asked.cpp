@@ -30,10 +30,8 @@ class Change {
       mark_near(place.point, place.met ? met_ : places_);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (layout_.axis_of(e).outer) continue;
-      for (const int node : {edges_[e].from_node, edges_[e].to_node}) {
-        if (met_[node]) moved_.edges[e] = true;
-        if (met_[node] || follows_met(node)) moved_.nodes[node] = true;
-      }
+      for (const int node : {edges_[e].from_node, edges_[e].to_node})
+        if (met_[node] || follows_met(node)) moved_.edges[e] = moved_.nodes[node] = true;
     }
     return moved_;
   }
@@ -86,8 +84,7 @@ class Change {
     moved_.edges[e] = true;
   }
 
-  // A corner there looked at a node that is met: its arc may lie elsewhere, its limits were
-  // compared.
+  // A corner there looked at a node that is met.
   bool follows_met(int node) const {
     const auto& followed = layout_.junctions[node].followed;
     return std::any_of(followed.begin(), followed.end(), [&](int other) { return met_[other]; });
