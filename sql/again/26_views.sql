@@ -1,0 +1,91 @@
+-- Views of a model: its axes with the values used, and what is seen of several tables at once.
+
+CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
+FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
+SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN width_end END, width_used) AS width_end,
+       forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
+       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       speed_used AS speed, coalesce(importance_known, (v ->> 'importance_default')::integer) AS importance,
+       streetgen.wanted_radius(radius, importance_known, speed_used, width_used, v ->> 'radius_by_importance', v ->> 'turning_mode') AS radius,
+       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
+                          CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
+       hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
+           (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE axis_a = a.axis_id OR axis_b = a.axis_id
+               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE axis_id = a.axis_id) o))
+           || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
+       setting_hash
+FROM %1$I.axis a CROSS JOIN (SELECT settings AS v, setting_hash FROM %1$I.setting_used) s
+LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+-- OFFSET 0: each step is computed once, not again in every expression that names it.
+CROSS JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
+           coalesce(importance, class_importance) AS importance_known,
+           (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) AS kerb_width OFFSET 0) known
+CROSS JOIN LATERAL (
+    SELECT coalesce(kerb_width, believed, least(200, streetgen.estimated_width(lanes_stated, class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)
+               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used
+    FROM (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) k OFFSET 0) w
+CROSS JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
+CROSS JOIN LATERAL (
+    SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8) END,
+               CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
+CROSS JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,
+           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used OFFSET 0) l
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
+WITH RECURSIVE crossed AS (
+    SELECT from_node, to_node FROM %1$I.edge JOIN %1$I.section s USING (edge_id)
+    WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM %1$I.intersection) AND to_node IN (SELECT node_id FROM %1$I.intersection)
+), touching AS (
+    SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+), joined AS (
+    SELECT node_id, node_id AS other FROM %1$I.intersection
+    UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+)
+SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id) GROUP BY node_id, i.level
+$sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
+SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b,
+       CASE WHEN a.lane_out = b.lane_out THEN 'merging' ELSE 'crossing' END AS kind,
+       CASE WHEN a.lane_out = b.lane_out THEN ST_EndPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom
+FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
+WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
+$sql$, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
+SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind, importance, e.level, e.width, e.lane_count, surface
+FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+UNION ALL
+SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count, surface
+FROM %1$I.intersection i LEFT JOIN LATERAL (
+    SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node THEN width_end END) AS width, lane_count
+    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id LIMIT 1) first ON true
+LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.roadway IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without overlap. An intersection is named after its first edge: the most important, then the widest, then that of the smallest axis_id'$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';
