@@ -31,7 +31,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint)
 COMMENT ON FUNCTION streetgen._computed_section(bigint) IS 'The sections of streets computed in this statement: those of asked edges.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint)
-    RETURNS TABLE(number integer, node integer, edge_a integer, end_a text, edge_b integer, end_b text, centre geometry, radius_wanted float8, radius float8, arc geometry, method text)
+    RETURNS TABLE(number integer, node integer, edge_a integer, end_a text, edge_b integer, end_b text,
+        centre geometry, radius_wanted float8, radius float8, arc geometry, method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_corner';
 COMMENT ON FUNCTION streetgen._computed_corner(bigint) IS 'The corners of streets computed in this statement; centre and arc are NULL where there is no arc; radii in m.';
 
@@ -57,7 +58,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint)
 COMMENT ON FUNCTION streetgen._computed_marking(bigint) IS 'What is painted across and on the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint)
-    RETURNS TABLE(number integer, node integer, lane_in integer, lane_out integer, turn text, angle float8, plausible boolean, reason text, control geometry, geom geometry)
+    RETURNS TABLE(number integer, node integer, lane_in integer, lane_out integer, turn text, angle float8,
+        plausible boolean, reason text, control geometry, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_interconnection';
 COMMENT ON FUNCTION streetgen._computed_interconnection(bigint) IS 'The pairs of lanes of streets computed in this statement, and the paths between them.';
 

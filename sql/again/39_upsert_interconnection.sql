@@ -18,12 +18,13 @@ drawn AS MATERIALIZED (
            CASE WHEN r.of_core AND d.control IS NULL THEN p.geom
                 ELSE streetgen._trajectory(r.name, i.geom, i.along_axis, o.geom, o.along_axis, n.geom, d.control, r.tolerance) END AS geom
     FROM rule r, streetgen._computed_interconnection((SELECT streets FROM computed)) p
-    JOIN new_node n ON n.number = p.node JOIN new_lane i ON i.number = p.lane_in JOIN new_lane o ON o.number = p.lane_out LEFT JOIN decided d USING (lane_in, lane_out)
+    JOIN new_node n ON n.number = p.node JOIN new_lane i ON i.number = p.lane_in JOIN new_lane o ON o.number = p.lane_out
+    LEFT JOIN decided d USING (lane_in, lane_out)
     WHERE ((SELECT NOT of_core FROM rule) OR EXISTS (SELECT FROM decided)) AND (NOT r.of_core OR d.lane_in IS NOT NULL))$part$, places),
     streetgen._upsert_rows(places, 'interconnection', id => 'interconnection_id', same => 'lane_in, lane_out',
         columns => 'node_id, turn, angle, plausible, reason, connecting, control, geom, method', rows => $part$
-        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM lane_ids)[lane_in] AS lane_in, (SELECT ids FROM lane_ids)[lane_out] AS lane_out,
-               turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
+        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM lane_ids)[lane_in] AS lane_in,
+               (SELECT ids FROM lane_ids)[lane_out] AS lane_out, turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
                CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
                coalesce(d.geom, p.geom) AS geom, CASE WHEN d.by_hand THEN 'by_hand' ELSE 'hypothesis' END AS method
         FROM streetgen._computed_interconnection((SELECT streets FROM computed)) p LEFT JOIN drawn d USING (lane_in, lane_out)
@@ -38,6 +39,8 @@ left_interconnection AS MATERIALIZED (
             LATERAL (SELECT * FROM {model}.interconnection k WHERE k.node_id = n.node_id {by_key}) k
         WHERE k.interconnection_id NOT IN (SELECT interconnection_id FROM new_interconnection WHERE NOT fresh) OFFSET 0) k
     WHERE {whole}
-        OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_in)) IN (SELECT axis_id FROM asked_axis)
-            AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out)) IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
+        OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_in))
+                IN (SELECT axis_id FROM asked_axis)
+            AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out))
+                IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnections(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';

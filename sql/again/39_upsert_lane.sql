@@ -5,7 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lanes(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'lane', id => 'lane_id', same => 'edge_id, ordinality', named => true,
         columns => 'lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method', rows => $part$
-        SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method
+        SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width,
+               axis_offset, turn, geom, surface, method
         FROM streetgen._computed_lane((SELECT streets FROM computed)) WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$,
         there => $part$
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked$part$),

@@ -41,7 +41,8 @@ old_turn AS (
     SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
     FROM old_edge WHERE edge_id NOT IN (SELECT edge_id FROM same_edge)),
 other_edge AS (
-    SELECT number, axis_id, (SELECT ids FROM node_ids)[from_node] AS from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
+    SELECT number, axis_id, (SELECT ids FROM node_ids)[from_node] AS from_node,
+           row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
     FROM written_edge WHERE number NOT IN (SELECT number FROM same_edge)),
 kept_edge AS (
     SELECT number, edge_id FROM same_edge UNION ALL SELECT e.number, o.edge_id FROM other_edge e JOIN old_turn o USING (axis_id, from_node, turn))$part$, places),
@@ -50,7 +51,8 @@ kept_edge AS (
             'width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash',
         rows => $part$
         SELECT coalesce(edge_id, nextval('{quoted_model}.edge_edge_id_seq')) AS edge_id, number, lanes_asked AS asked, axis_id,
-               (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node, level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
+               (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
+               level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash
         FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance,
                      u.estimated, u.input_hash, u.setting_hash
@@ -64,6 +66,6 @@ left_node AS MATERIALIZED (
         UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {bare}
         EXCEPT SELECT node_id FROM new_node) o
     WHERE {whole}
-        OR (SELECT true FROM {model}.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
-            AND (SELECT true FROM {model}.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL)$part$, places)) $$;
+        OR (SELECT true FROM {model}.edge WHERE from_node = o.node_id AND axis_id NOT IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
+            AND (SELECT true FROM {model}.edge WHERE to_node = o.node_id AND axis_id NOT IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL)$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_network(jsonb) IS 'Part of the one statement: new_node and new_edge, and node_ids and edge_ids, by which surfaces and lanes find the ids of theirs.';

@@ -14,8 +14,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surfaces(places jsonb) RETURNS text
         gone => '(SELECT count(*) FROM gone_edge)'),
     streetgen._upsert_rows(places, 'corner', id => 'corner_id', same => 'node_id, edge_a, end_a, edge_b, end_b',
         columns => 'centre, radius_wanted, radius, arc, method', rows => $part$
-        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM edge_ids)[edge_a] AS edge_a, end_a, (SELECT ids FROM edge_ids)[edge_b] AS edge_b, end_b,
-               centre, radius_wanted, radius, arc, method
+        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM edge_ids)[edge_a] AS edge_a, end_a,
+               (SELECT ids FROM edge_ids)[edge_b] AS edge_b, end_b, centre, radius_wanted, radius, arc, method
         FROM streetgen._computed_corner((SELECT streets FROM computed))
         WHERE (SELECT ids FROM node_ids)[node] > 0 AND (SELECT ids FROM edge_ids)[edge_a] > 0 AND (SELECT ids FROM edge_ids)[edge_b] > 0$part$,
         there => $part$
