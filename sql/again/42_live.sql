@@ -81,6 +81,8 @@ BEGIN
     IF current_setting('lock_timeout') = '0' THEN
         EXECUTE format($sql$SELECT set_config('lock_timeout', value || 's', true) FROM %I.setting WHERE name = 'lock_timeout'$sql$, model);
     END IF;
+    -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
     PERFORM streetgen._enter(model, wait => true, alone => false);
 END $$;
 COMMENT ON FUNCTION streetgen._enter_edit(name) IS 'Before an edit: setting lock_timeout where the session has none, and the model locked beside other editors.';
@@ -99,8 +101,6 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     AS $body$
 BEGIN
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
-        -- TRUNCATE takes its table before it enters: who entered must not wait for it.
-        LOCK TABLE %1$I.override_place IN ACCESS SHARE MODE;
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;
