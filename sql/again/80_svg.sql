@@ -17,12 +17,15 @@ shape(layer, style, line, geom, id) AS (
     SELECT 1 + level * 10, CASE method WHEN 'contested' THEN 'section contested' ELSE 'section' END, false, surface, edge_id FROM %1$I.section
     UNION ALL SELECT 2 + level * 10, CASE method WHEN 'contested' THEN 'intersection contested' WHEN 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id FROM %1$I.intersection
     -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
-    UNION ALL SELECT 3 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    UNION ALL SELECT 3 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    UNION ALL SELECT 900, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3
+    UNION ALL SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
+    UNION ALL SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
+    -- Below the line in the middle of the street, which runs along it.
+    UNION ALL SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3
     UNION ALL SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size WHERE method = 'hypothesis' AND pixel < 3
     UNION ALL SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc hard' END, true, ST_CurveToLine(arc, 16), corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3
     UNION ALL SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path' ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size WHERE pixel < 0.5
+    -- Lanes between crossed limits join paths.
+    UNION ALL SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits' AND pixel < 0.5
     UNION ALL SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report),
 drawn AS (
     SELECT layer, id, format('<path class="%%s" d="%%s"/>', style || CASE WHEN line THEN ' line' ELSE '' END, ST_AsSVG(ST_Translate(geom, -x, -y), 0, 2)) AS path
