@@ -32,7 +32,7 @@ drawn AS (
     FROM shape, size WHERE geom && box AND NOT ST_IsEmpty(geom))
 SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%%s" height="%%s" viewBox="0 0 %%s %%s">', $2, greatest(1, round(($2 * h / w)::numeric)), round(w::numeric, 3), round(h::numeric, 3)) || E'\n'
     || '<style>.section{fill:#c9ccd1}.intersection{fill:#b3b8c0}.transition{fill:#c3b8d6}.contested{fill:#d9c7a7}path{fill-rule:evenodd}.line{fill:none;stroke-width:' || round((pixel * 1)::numeric, 4)
-    || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' || round((pixel * 1.5)::numeric, 4) || '}.hard{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' || round((pixel * 0.7)::numeric, 4) || '}.implausible{stroke:#9ca3af;stroke-opacity:.4;stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}'
+    || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' || round((pixel * 1.5)::numeric, 4) || '}.hard{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' || round((pixel * 0.7)::numeric, 4) || '}.implausible{stroke:#6b7280;stroke-opacity:.5;stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}'
     || CASE WHEN pixel < 3 THEN '' ELSE '.section,.intersection{fill:#4b5563;stroke:#4b5563;stroke-width:' || round((pixel * 0.6)::numeric, 4) || '}' END || '</style>' || E'\n'
     || '<rect width="100%%" height="100%%" fill="#f3f1ea"/>' || E'\n' || coalesce((SELECT string_agg(path, E'\n' ORDER BY layer, id) FROM drawn), '') || E'\n</svg>\n' FROM size
 $sql$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) INTO drawing USING extent, width;
