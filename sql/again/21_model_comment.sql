@@ -180,6 +180,8 @@ BEGIN
         ('report', 'axis_b', 'the other axis, or the same'),
         ('report', 'measure', 'width of the cluster or length of the axis, metres'),
         ('report', 'geom', 'place'),
+        ('setting_used', 'settings', 'name of each to its value'),
+        ('setting_used', 'setting_hash', 'their hash'),
         ('axis_used', 'axis_id', 'the axis'),
         ('axis_used', 'geom', 'the axis of the road'),
         ('axis_used', 'level', 'level of the axis'),

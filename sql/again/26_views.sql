@@ -5,12 +5,13 @@ CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     AS $$
 BEGIN
     EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
+FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$, model);
+    EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
-WITH s AS (
-    SELECT jsonb_object_agg(name, value) AS v,
-           hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
-    FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
-)
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN width_end END, width_used) AS width_end,
        forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
@@ -26,7 +27,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE axis_id = a.axis_id) o))
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM %1$I.axis a CROSS JOIN s
+FROM %1$I.axis a CROSS JOIN (SELECT settings AS v, setting_hash FROM %1$I.setting_used) s
 LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
 -- OFFSET 0: each step is computed once, not again in every expression that names it.
 CROSS JOIN LATERAL (

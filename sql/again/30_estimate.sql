@@ -11,9 +11,23 @@ CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_w
 COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
 
 CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN (table_of ->> (SELECT coalesce(max(key::integer) FILTER (WHERE key::integer <= importance), min(key::integer)) FROM jsonb_object_keys(table_of) key WHERE importance IS NOT NULL)::text)::float8;
-COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance to number: the last at or before the importance, before the first entry the first; NULL for none.';
+    -- Planned once a session, unlike a query in SQL that cannot be inlined.
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    FOR entry IN REVERSE least(importance, 99) .. 1 LOOP
+        IF table_of ? entry::text THEN
+            RETURN table_of ->> entry::text;
+        END IF;
+    END LOOP;
+    FOR entry IN 1 .. 99 LOOP
+        IF table_of ? entry::text THEN
+            RETURN table_of ->> entry::text;
+        END IF;
+    END LOOP;
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance (1 to 99) to number: the last at or before the importance, before the first entry the first; NULL for none.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -26,13 +40,13 @@ CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed fl
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT count(*)::integer FROM unnest(string_to_array(kinds, '|')) kind WHERE kind IN ('general', 'bus') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) + cardinality(array_positions(string_to_array(kinds, '|'), 'bus'));
 COMMENT ON FUNCTION streetgen.driving_lanes(text) IS 'How many lanes of a list of kinds are general or bus lanes.';
 
 CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width float8, parking_lane_width float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT coalesce(sum(CASE kind WHEN 'cycle' THEN cycle_lane_width WHEN 'parking' THEN parking_lane_width END), 0) FROM unnest(string_to_array(kinds, '|')) kind $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'cycle')) * cycle_lane_width + cardinality(array_positions(string_to_array(kinds, '|'), 'parking')) * parking_lane_width;
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
 
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer

@@ -28,6 +28,14 @@ CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     AS $$
 BEGIN
     EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._used(axes bigint[], OUT axis_id bigint[], OUT width float8[], OUT input_hash bigint[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+    AS $body$
+BEGIN
+    SELECT coalesce(array_agg(u.axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'), coalesce(array_agg(u.input_hash), '{}') INTO axis_id, width, input_hash
+        FROM %1$I.axis_used u WHERE u.axis_id = ANY (axes);
+END $body$ $sql$, model);
+    EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
@@ -38,18 +46,18 @@ DECLARE
     tolerance float8;
     -- No roadway is wider.
     widest float8;
-    -- Of the written axes those that are not deleted, and their widths.
-    there bigint[];
-    width_of float8[];
+    used record;
 BEGIN
-    SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8) FILTER (WHERE name = 'cell_size'),
+    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
+    SELECT max(value::float8) FILTER (WHERE name IN ('reach', 'max_arc_distance')), max(value::float8) FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
-        INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'cell_size', 'tolerance', 'width_default');
+        INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
+    used := %1$I._used(asked);
     -- What the asked axes can change: along the network, and by their roadway.
     SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (
         WITH line AS MATERIALIZED (
-            SELECT geom, greatest(width, width_end) AS width FROM %1$I.axis_used WHERE axis_id = ANY (asked)
+            SELECT geom, u.width FROM unnest(used.axis_id, used.width) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
             UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
         -- Where limits cross, the far end of an edge moves too, however far.
         far_end AS MATERIALIZED (
@@ -58,24 +66,34 @@ BEGIN
         UNION SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
         UNION SELECT unnest(asked)) w;
-    SELECT coalesce(array_agg(axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'),
-           coalesce(array_agg(axis_id) FILTER (WHERE axis_id <> ALL (asked) AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)), '{}')
-        INTO there, width_of, stale FROM %1$I.axis_used u WHERE axis_id = ANY (written);
-    -- What that depends on, with whatever may share a node: ends are never 10 m apart. OFFSET: by axis, not by width.
-    SELECT coalesce(array_agg(DISTINCT c.axis_id), '{}') INTO gathered FROM (
-        SELECT DISTINCT a.axis_id, a.geom FROM unnest(there, width_of) w(axis_id, width) JOIN %1$I.axis l USING (axis_id) JOIN %1$I.axis a ON a.geom && ST_Expand(l.geom, reach + (w.width + widest) / 2)
-            AND ST_DWithin(a.geom, l.geom, reach + (w.width + coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest)) / 2)) n
-        JOIN %1$I.axis c ON ST_DWithin(n.geom, c.geom, 10);
+    used := %1$I._used(written);
+    stale := ARRAY(SELECT DISTINCT axis_id FROM unnest(used.axis_id, used.input_hash) u(axis_id, input_hash) JOIN %1$I.edge e USING (axis_id) WHERE e.input_hash <> u.input_hash AND axis_id <> ALL (asked));
+    -- What that depends on. Axes are looked up once for all lines that begin in one cell; OFFSET: their widths by axis, not by width.
+    WITH line AS MATERIALIZED (
+        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + w.width / 2 AS margin, ST_Expand(geom, reach + (w.width + widest) / 2) AS box
+        FROM unnest(used.axis_id, used.width) w(axis_id, width) JOIN %1$I.axis USING (axis_id)),
+    beside AS MATERIALIZED (
+        SELECT b.x, b.y, a.axis_id, a.geom, coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest) / 2 AS half
+        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box)
+    SELECT coalesce(array_agg(DISTINCT b.axis_id), '{}') INTO gathered FROM beside b JOIN line l USING (x, y) WHERE b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half);
+    -- With what meets it farther on: that bounds its edges.
+    SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
+        WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
+        SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.from_node = m.node_id UNION SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.to_node = m.node_id
+        EXCEPT SELECT unnest(gathered)) e JOIN %1$I.axis USING (axis_id);
     -- A run writes every axis near the asked ones whole, ends included.
     SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (
-        SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
-        UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
-        UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line,
-        streetgen._cell(ST_XMin(geom) - margin, ST_YMin(geom) - margin, ST_XMax(geom) + margin, ST_YMax(geom) + margin, size) cell;
+        -- Most lie in the same few cells: the middles of their outermost.
+        SELECT DISTINCT (floor((ST_XMin(geom) - margin) / size) + 0.5) * size AS west, (floor((ST_YMin(geom) - margin) / size) + 0.5) * size AS south,
+            (floor((ST_XMax(geom) + margin) / size) + 0.5) * size AS east, (floor((ST_YMax(geom) + margin) / size) + 0.5) * size AS north FROM (
+            SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
+            UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
+            UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line) box, streetgen._cell(west, south, east, north, size) cell;
 END $body$ $sql$, model);
-    PERFORM streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes, all that these are computed with, and the cells of all that it reads or writes, ascending');
+    PERFORM streetgen._own_function(model, '_used(bigint[])', 'Of axes those that are there, with their greatest width and the hash of what they are computed from'),
+        streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes, all that these are computed with, and the cells of all that it reads or writes, ascending');
 END $$;
-COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the function of a model that tells how far a run for some axes reaches.';
+COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the functions of a model that tell how far a run for some axes reaches.';
 
 CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], missed integer[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -85,7 +103,7 @@ DECLARE
     outside bigint[];
 BEGIN
     -- No pair of roadways reaches farther.
-    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name = 'reach'$sql$, model) INTO far;
+    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')$sql$, model) INTO far;
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
 size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
@@ -124,13 +142,13 @@ CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- In the model's schema, so that a session plans its view once. No run mixes settings: any edge tells.
+    -- No run mixes settings: any edge tells.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._setting_changed() RETURNS boolean
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
     AS $body$
 BEGIN
-    RETURN coalesce((SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.axis_used LIMIT 1), false);
+    RETURN coalesce((SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.setting_used), false);
 END $body$ $sql$, model);
     PERFORM streetgen._own_function(model, '_setting_changed()', 'Were settings changed since the streets were computed?');
 END $$;

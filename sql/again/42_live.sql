@@ -100,10 +100,11 @@ BEGIN
 END $body$ $sql$, model, model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._follow_axis() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET plan_cache_mode = force_generic_plan
     AS $body$
 DECLARE
     changed bigint[];
+    elsewhere bigint[];
     live boolean := streetgen._live(%2$L);
 BEGIN
     IF TG_OP = 'TRUNCATE' THEN
@@ -125,8 +126,11 @@ BEGIN
     ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
         PERFORM streetgen._drop_results(%2$L, changed);
     ELSIF live THEN
-        IF TG_OP <> 'DELETE' THEN
-            PERFORM streetgen._check_place(%2$L, changed);
+        -- Ten kilometres around streets that are there the scale is known to hold.
+        elsewhere := ARRAY(SELECT axis_id FROM %1$I.axis a WHERE axis_id = ANY (changed)
+            AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.geom && ST_Expand(a.geom, 10000) AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1));
+        IF elsewhere <> '{}' THEN
+            PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L, elsewhere));
         END IF;
         PERFORM streetgen._follow(%2$L, changed);
     END IF;
@@ -182,22 +186,6 @@ END $body$ $sql$, model, model);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS 'Makes the triggers by which the streets of a model follow its axes and overrides.';
-
-CREATE OR REPLACE FUNCTION streetgen._check_place(model name, axes bigint[]) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    elsewhere bigint[];
-BEGIN
-    -- Ten kilometres around streets that are there the scale is known to hold.
-    EXECUTE format($sql$SELECT array_agg(axis_id) FROM %1$I.axis a WHERE axis_id = ANY ($1)
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.geom && ST_Expand(a.geom, 10000)
-            AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1)$sql$, model) INTO elsewhere USING axes;
-    IF elsewhere IS NOT NULL THEN
-        PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE axis_id = ANY (%L)', model, elsewhere));
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._check_place(name, bigint[]) IS 'Raises as _check_scale for axes far from the streets that are there.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -35,20 +35,18 @@ const Edge* edge_of(const Network& network, const SectionLimitOverride& put) {
 
 double least_limit(const Arm& arm) { return std::min(0.1, length(arm.line) / 4); }
 
-std::vector<std::optional<double>> limits_by_hand(const Network& network,
-                                                  const std::vector<Arm>& arms,
-                                                  const EndsOfNode& ends_of,
-                                                  const std::vector<SectionLimitOverride>& puts) {
-  std::vector<std::optional<double>> limits(arms.size());
+LimitsByHand limits_by_hand(const Layout& layout, const std::vector<SectionLimitOverride>& puts) {
+  LimitsByHand limits(layout.arms.size());
+  const auto& edges = layout.streets.network.edges;
+  const auto dead_end = [&](int node) { return layout.junctions[node].dead_end(); };
   const auto least = [&](int node, const Arm& arm) {
-    return ends_of(node).size() > 1 ? least_limit(arm) : 0;
+    return dead_end(node) ? 0 : least_limit(arm);
   };
   for (const SectionLimitOverride& put : puts) {
-    const Edge* edge = edge_of(network, put);
-    if (edge == nullptr) continue;
-    if (ends_of(put.at_start ? edge->from_node : edge->to_node).size() < 2) continue;
-    const int e = static_cast<int>(edge - network.edges.data());
-    const Arm& along = arms[2 * e];
+    const Edge* edge = edge_of(layout.streets.network, put);
+    if (edge == nullptr || dead_end(put.at_start ? edge->from_node : edge->to_node)) continue;
+    const int e = static_cast<int>(edge - edges.data());
+    const Arm& along = layout.arms[2 * e];
     const double total = length(along.line);
     const double share =
         (put.abscissa - edge->start_abscissa) / (edge->end_abscissa - edge->start_abscissa);
@@ -59,41 +57,37 @@ std::vector<std::optional<double>> limits_by_hand(const Network& network,
   return limits;
 }
 
-RadiiByHand radii_by_hand(const Network& network, const std::vector<Arm>& arms,
-                          const EndsOfNode& ends_of, const std::vector<CornerOverride>& wanted,
-                          double tolerance) {
+RadiiByHand radii_by_hand(const Layout& layout, const std::vector<CornerOverride>& wanted) {
   RadiiByHand radii;
   if (wanted.empty()) return radii;
   std::vector<Box> places;
-  for (const Node& node : network.nodes) places.push_back(box_of(node.point, node.point));
+  for (const Node& node : layout.streets.network.nodes)
+    places.push_back(box_of(node.point, node.point));
   const BoxIndex nodes(places);
-  const auto next = [&](int node, std::size_t i) {
-    return ends_of(node)[(i + 1) % ends_of(node).size()];
-  };
-  const auto corners_of = [&](int node, const CornerOverride& put) {
-    const auto axis_of = [&](const EdgeEnd& end) { return network.edges[end.edge].axis_id; };
+  const auto corners_of = [&](const Junction& junction, const CornerOverride& put) {
     std::vector<std::size_t> corners;
-    const std::vector<EdgeEnd>& ends = ends_of(node);
-    for (std::size_t i = 0; i < ends.size() && ends.size() > 1; ++i)
-      if (axis_of(ends[i]) == put.axis_a && axis_of(next(node, i)) == put.axis_b)
+    for (std::size_t i = 0; i < junction.ends.size() && !junction.dead_end(); ++i)
+      if (layout.axis_of(junction.ends[i].edge).axis_id == put.axis_a &&
+          layout.axis_of(junction.next(i).edge).axis_id == put.axis_b)
         corners.push_back(i);
     return corners;
   };
   for (const CornerOverride& put : wanted) {
     int nearest = -1;
-    double least = 3 * tolerance;
+    double least = 3 * layout.settings.tolerance;
     std::vector<std::size_t> meant;
     for (const int n : nodes.near(box_of(put.place, put.place), least)) {
-      const double away = distance(network.nodes[n].point, put.place);
+      const double away = distance(layout.streets.network.nodes[n].point, put.place);
       if (away > least || (away == least && nearest >= 0)) continue;
-      std::vector<std::size_t> corners = corners_of(n, put);
+      std::vector<std::size_t> corners = corners_of(layout.junctions[n], put);
       if (corners.empty()) continue;
       nearest = n;
       least = away;
       meant = std::move(corners);
     }
     for (const std::size_t i : meant) {
-      const Arm &a = arms[slot(ends_of(nearest)[i])], &b = arms[slot(next(nearest, i))];
+      const Junction& junction = layout.junctions[nearest];
+      const Arm &a = layout.arm(junction.ends[i]), &b = layout.arm(junction.next(i));
       const Arm towards{{planar(a.line.front()), planar(put.place)}, 0, 0, 0, {}};
       if (meant.size() > 1 && least > on_node && angle_between(a, towards) > angle_between(a, b))
         continue;

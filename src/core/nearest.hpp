@@ -1,8 +1,12 @@
-// The ground nearest to some of many sites.
+// Whose site is nearest: ground between two owners.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "box_index.hpp"
+#include "overlap.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {
@@ -12,8 +16,34 @@ struct Site {
   bool first = true;  // belongs to the first of two owners
 };
 
-// The union of the Voronoi cells of the first owner's sites.  Of sites in one place (10
-// micrometres) the earlier one counts.  Cells reach at least `far` metres beyond the sites.
-MultiPolygon nearest_to_first(const std::vector<Site>& sites, double far);
+// The Voronoi cells of the sites, told apart by owner, as far as a box shows them.  Of sites in one
+// place (10 micrometres) the earlier one counts.
+class NearestOwner {
+ public:
+  NearestOwner(const std::vector<Site>& sites, const Box& within);  // one site or more
+
+  // Of a place in the box.
+  bool first_owns(const Point& place) const;
+  // The edges between cells of different owners that come into the box, and what of them lies up
+  // to a metre outside. Those that go on from each other have an end in common.
+  std::vector<std::pair<Point, Point>> border() const;
+
+ private:
+  class Edge;
+
+  double square(int site, const Point& p) const;
+  // Of some sites, or of all.
+  template <class Use>
+  void each_near(const Point& p, double reach, Use use) const;
+  int nearest(const Point& p) const;
+  Edge edge_between(int first, int second) const;
+  // Pairs on the border, of each of its lines at least one.
+  std::vector<std::pair<int, int>> some_pairs() const;
+
+  Box within_;  // from the origin, as all below
+  Point origin_;
+  std::vector<Site> sites_;
+  std::optional<BoxIndex> index_;  // where they are many
+};
 
 }  // namespace streetgen

@@ -90,7 +90,7 @@ class Settlement {
     for (const int rival : rivals_[claim]) append_near(*claims_[rival].surface, ground, lines);
     const auto append_border = [&](int i, int j) {
       for (const Line& line : rivalry(i, j).border())
-        if (ground.comes_near(line[0], line[1])) lines.push_back(line);
+        if (ground.comes_near(line.front(), line.back())) lines.push_back(line);
     };
     for (const int rival : rivals_[claim])
       append_border(std::min(claim, rival), std::max(claim, rival));

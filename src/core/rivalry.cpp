@@ -95,21 +95,26 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
   }
 }
 
-// The parts of the segment on the ground of both, each a little longer.
+// The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
+// a little on. Segments that go on from each other keep their common end.
 void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
                    std::vector<Line>& parts) {
   std::vector<double> cuts{0, 1};
   a.cut(from, to, cuts);
   b.cut(from, to, cuts);
   std::sort(cuts.begin(), cuts.end());
-  const Point along = to - from;
-  const double size = norm(along);
-  if (size == 0) return;
+  const Point along = to - from, past = along * (beyond / norm(along));
+  const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    const Point middle = from + along * ((cuts[i - 1] + cuts[i]) / 2);
-    if (!a.holds(middle) || !b.holds(middle)) continue;
-    const Point past = along * (beyond / size);
-    parts.push_back({from + along * cuts[i - 1] - past, from + along * cuts[i] + past});
+    if (!shared(from + along * ((cuts[i - 1] + cuts[i]) / 2))) continue;
+    Line part;
+    const Point start = i == 1 ? from : from + along * cuts[i - 1];
+    const Point end = i + 1 == cuts.size() ? to : from + along * cuts[i];
+    if (i > 1 || !shared(start - past)) part.push_back(start - past);
+    if (i == 1) part.push_back(start);
+    if (i + 1 == cuts.size()) part.push_back(end);
+    if (i + 1 < cuts.size() || !shared(end + past)) part.push_back(end + past);
+    parts.push_back(std::move(part));
   }
 }
 
@@ -125,30 +130,19 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   const bool first_wins = before(*a.claim, *b.claim);
   crossed_ = skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
-  second_owns_all_ = crossed_ && !first_wins;
   if (crossed_) return;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
   sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);
   sample(first_wins ? *b.claim : *a.claim, within, !first_wins, sites);
-  const auto count =
-      std::count_if(sites.begin(), sites.end(), [](const Site& s) { return s.first; });
-  first_owns_all_ = count > 0 && count == static_cast<std::ptrdiff_t>(sites.size());
-  second_owns_all_ = count == 0;
-  if (first_owns_all_ || second_owns_all_) return;
-  nearer_to_first_ = nearest_to_first(
-      sites, distance({within.min_x, within.min_y, 0}, {within.max_x, within.max_y, 0}));
-  for (const Polygon& polygon : nearer_to_first_)
-    for (const Ring& ring : polygon)
-      for (std::size_t i = 1; i < ring.size(); ++i)
-        if (box_of(ring[i - 1], ring[i]).meets(within, 0))
-          append_shared(*a.ground, *b.ground, ring[i - 1], ring[i], border_);
+  if (sites.empty()) return;
+  nearest_.emplace(sites, within);
+  for (const auto& [from, to] : nearest_->border())
+    append_shared(*a.ground, *b.ground, from, to, border_);
 }
 
 bool Rivalry::first_owns(const Point& place) const {
-  if (first_owns_all_ || second_owns_all_) return first_owns_all_;
-  return std::any_of(nearer_to_first_.begin(), nearer_to_first_.end(),
-                     [&](const Polygon& polygon) { return inside(place, polygon); });
+  return nearest_ ? nearest_->first_owns(place) : first_owns_all_;
 }
 
 }  // namespace streetgen

@@ -1,8 +1,10 @@
 // Two claims on the same ground: which of them owns a place.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "nearest.hpp"
 #include "overlap.hpp"
 #include "ownership.hpp"
 
@@ -27,8 +29,8 @@ class Rivalry {
 
  private:
   bool crossed_ = false;
-  bool first_owns_all_ = false, second_owns_all_ = false;
-  MultiPolygon nearer_to_first_;
+  bool first_owns_all_ = false;
+  std::optional<NearestOwner> nearest_;
   std::vector<Line> border_;
 };
 

@@ -1,8 +1,10 @@
 #include "vicinity.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
-#include "box_index.hpp"
+#include "groups.hpp"
 #include "hole.hpp"
 #include "polyline.hpp"
 
@@ -11,25 +13,69 @@ namespace streetgen {
 namespace {
 
 constexpr double noise = 1e-3;  // metres, of coordinates made in two ways
+constexpr double longest = 10;  // metres of axis in one box
 
-void add_stretch(Box& box, const Arm& arm, double start, double end) {
-  Box axis;
-  for (const Point& p : substring(arm.line, start, end)) axis.add(p);
-  const Box roadway = axis.grown(std::max(arm.half_start, arm.half_end) + noise);
-  box.add({roadway.min_x, roadway.min_y, 0});
-  box.add({roadway.max_x, roadway.max_y, 0});
+void add_stretch(Extent& extent, const Arm& arm, double start, double end) {
+  const double reach = std::max(arm.half_start, arm.half_end) + noise;
+  const Line line = substring(arm.line, start, end);
+  extent.add(box_of(line.front(), line.front()).grown(reach));
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    const double pieces = std::ceil(norm(along) / longest);
+    for (double k = 0; k < pieces; ++k)
+      extent.add(
+          box_of(line[i - 1] + along * (k / pieces), line[i - 1] + along * ((k + 1) / pieces))
+              .grown(reach));
+  }
+}
+
+// Between both axes and the arc.
+void add_fillet(Extent& extent, const Arm& a, const Arm& b, const CornerArc& corner) {
+  Box box;
+  for (const Point& p : substring(a.line, 0, corner.abscissa_a)) box.add(p);
+  for (const Point& p : substring(b.line, 0, corner.abscissa_b)) box.add(p);
+  const Point &from = corner.arc.start, &to = corner.arc.end;
+  box.add(from);
+  box.add(to);
+  const double side = cross(to - from, corner.arc.middle - from);
+  for (const Point& way : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
+    const Point outermost = corner.centre + way * corner.radius;
+    if (cross(to - from, outermost - from) * side > 0) box.add(outermost);
+  }
+  extent.add(box.grown(noise));
+}
+
+std::vector<Box> boxes_of(const std::vector<Extent>& extents) {
+  std::vector<Box> boxes;
+  for (const Extent& extent : extents) boxes.push_back(extent.box);
+  return boxes;
 }
 
 }  // namespace
 
-Box section_extent(const Arm& arm, double start, double end) {
-  Box box;
-  add_stretch(box, arm, start, end);
-  return box;
+void Extent::add(const Box& part) {
+  parts.push_back(part);
+  box.add({part.min_x, part.min_y, 0});
+  box.add({part.max_x, part.max_y, 0});
 }
 
-Box intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
-  Box box;
+bool Extent::meets(const Extent& other, double margin) const {
+  if (!box.meets(other.box, margin)) return false;
+  return std::any_of(parts.begin(), parts.end(), [&](const Box& part) {
+    return part.meets(other.box, margin) &&
+           std::any_of(other.parts.begin(), other.parts.end(),
+                       [&](const Box& of_other) { return part.meets(of_other, margin); });
+  });
+}
+
+Extent section_extent(const Arm& arm, double start, double end) {
+  Extent extent;
+  add_stretch(extent, arm, start, end);
+  return extent;
+}
+
+Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+  Extent extent;
   for (std::size_t i = 0; i < arms.size(); ++i) {
     double reach = arms[i].limit;
     // Limits that crossed lie before what the corners asked for.
@@ -38,31 +84,67 @@ Box intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& ga
       if (left.meets) reach = std::max(reach, left.corner.abscissa_a);
       if (right.meets) reach = std::max(reach, right.corner.abscissa_b);
     }
-    add_stretch(box, arms[i], 0, std::min(reach, length(arms[i].line)));
+    add_stretch(extent, arms[i], 0, std::min(reach, length(arms[i].line)));
   }
-  for (const Gap& gap : gaps) {
-    // An arc lies between its ends and its centre.
-    if (gap.meets)
-      for (const Point& p : {gap.corner.arc.start, gap.corner.arc.end, gap.corner.centre})
-        box.add(p);
-    for (const Ring& ring : gap.beyond)
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i].meets) add_fillet(extent, arms[i], arms[(i + 1) % arms.size()], gaps[i].corner);
+    for (const Ring& ring : gaps[i].beyond) {
+      Box box;
       for (const Point& p : ring) box.add(p);
-  }
-  return box;
-}
-
-std::vector<int> rings(const std::vector<Box>& extents, const std::vector<bool>& asked) {
-  const BoxIndex index(extents);
-  std::vector<int> ring;
-  for (const bool is_asked : asked) ring.push_back(is_asked ? 0 : far_away);
-  for (int next = 1; next <= last_ring; ++next) {
-    const double margin = next == 2 ? hole_extent : 0;
-    for (std::size_t i = 0; i < extents.size(); ++i) {
-      if (ring[i] >= next) continue;
-      for (const int j : index.near(extents[i], margin)) ring[j] = std::min(ring[j], next);
+      extent.add(box);
     }
   }
-  return ring;
+  return extent;
 }
+
+Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims)
+    : extents_(std::move(extents)),
+      claims_(claims),
+      index_(boxes_of(extents_)),
+      touching_(extents_.size()) {}
+
+const std::vector<int>& Vicinity::touching(int claim) {
+  auto& found = touching_[claim];
+  if (!found) {
+    found.emplace();
+    for (const int other : index_.near(extents_[claim].box, 0))
+      if (other != claim && extents_[claim].meets(extents_[other], 0)) found->push_back(other);
+  }
+  return *found;
+}
+
+std::vector<int> Vicinity::rivals(int claim) {
+  std::vector<int> rivals;
+  for (const int other : touching(claim))
+    if (tile(claims_[claim], claims_[other])) rivals.push_back(other);
+  return rivals;
+}
+
+// What meets the others about the claim by way of one of its neighbours alone closes no ring.
+std::vector<int> Vicinity::enclosing(int claim) {
+  std::vector<int> near;
+  std::map<int, int> place;  // in near
+  for (const int other : index_.near(extents_[claim].box, hole_extent))
+    if (other != claim && claims_[other].level == claims_[claim].level &&
+        extents_[claim].meets(extents_[other], hole_extent)) {
+      place[other] = static_cast<int>(near.size());
+      near.push_back(other);
+    }
+  Groups joined(static_cast<int>(near.size()));
+  for (const int one : near)
+    for (const int other : touching(one))
+      if (const auto at = place.find(other); at != place.end()) joined.join(place[one], at->second);
+  std::map<int, int> neighbours;  // of the claim, by group
+  for (const int other : touching(claim))
+    if (const auto at = place.find(other); at != place.end()) ++neighbours[joined.of(at->second)];
+  std::vector<int> enclosing;
+  for (const int other : near)
+    if (const auto group = neighbours.find(joined.of(place[other]));
+        group != neighbours.end() && group->second > 1)
+      enclosing.push_back(other);
+  return enclosing;
+}
+
+std::vector<int> Vicinity::near(const Box& box) const { return index_.near(box, 0); }
 
 }  // namespace streetgen

@@ -1,24 +1,50 @@
-// Which surfaces take part in what the asked ones become, told before any is built.
+// Which surfaces take part in what another one becomes, told before they are built.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "box_index.hpp"
 #include "overlap.hpp"
+#include "ownership.hpp"
 #include "ring.hpp"
 
 namespace streetgen {
 
-// A box that holds the section between two abscissas, round ends included.
-Box section_extent(const Arm& arm, double start, double end);
+// Boxes that hold a surface together.
+struct Extent {
+  Box box;  // holds all parts
+  std::vector<Box> parts;
 
-// A box that holds the intersection; gaps[i] lies between arms[i] and arms[i + 1], none at a dead
-// end.
-Box intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
+  void add(const Box& part);
+  bool meets(const Extent& other, double margin) const;
+};
 
-// Of each extent how far it is from the asked ones: 0 is asked, 1 may share ground with these, 2
-// may border on a hole beside those, 3 may share ground with these, `far_away` neither.
-constexpr int last_ring = 3;
-constexpr int far_away = last_ring + 1;
-std::vector<int> rings(const std::vector<Box>& extents, const std::vector<bool>& asked);
+// Holds the section between two abscissas, round ends included.
+Extent section_extent(const Arm& arm, double start, double end);
+
+// Holds the intersection; gaps[i] lies between arms[i] and arms[i + 1], none at a dead end.
+Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
+
+// Claims by where their surfaces may lie.
+class Vicinity {
+ public:
+  // extents[i] is that of claims[i]; the claims outlive the vicinity.
+  Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims);
+
+  // Those that may share ground with the claim and tile with it.
+  std::vector<int> rivals(int claim);
+  // Those that may close a ring around a hole beside the claim, within `hole_extent` of it.
+  std::vector<int> enclosing(int claim);
+  std::vector<int> near(const Box& box) const;
+
+ private:
+  const std::vector<int>& touching(int claim);
+
+  std::vector<Extent> extents_;
+  const std::vector<Claim>& claims_;
+  BoxIndex index_;
+  std::vector<std::optional<std::vector<int>>> touching_;
+};
 
 }  // namespace streetgen

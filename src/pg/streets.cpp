@@ -1,20 +1,64 @@
-// streetgen._streets: the whole pipeline over a set of axes, one row per result.
+// streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
+#include <unordered_map>
+
 #include "progress.hpp"
 #include "streets_call.hpp"
+#include "streets_give.hpp"
 #include "streets_input.hpp"
 #include "streets_rows.hpp"
 
 namespace streetgen::pg {
 namespace {
 
-Rows computed_rows(const StreetsCall& call) {
+ComputedStreets compute_streets(const StreetsCall& call) {
   const StreetsInput input = read_input(call);
-  const Streets result = streets(input.axes, input.settings, input.overrides, input.former);
-  const Lanes traffic = lanes(result, input.lanes, input.lane_overrides, input.lane_settings);
-  return rows_of(result, traffic,
-                 interconnections(result, input.axes, traffic.lanes, input.restrictions,
-                                  input.interconnection_settings),
-                 input.srid, input.has_z);
+  Streets result = streets(input.axes, input.settings, input.overrides, input.former);
+  Lanes traffic = lanes(result, input.lanes, input.lane_overrides, input.lane_settings);
+  std::vector<Interconnection> pairs = interconnections(
+      result, input.axes, traffic.lanes, input.restrictions, input.interconnection_settings);
+  return computed_streets(std::move(result), std::move(traffic), std::move(pairs), input.srid,
+                          input.has_z);
+}
+
+// Computations of statements under way, by number: each is there until its statement has ended.
+class Kept {
+ public:
+  explicit Kept(ComputedStreets computed) : computed_(std::move(computed)) {
+    all()[number_] = &computed_;
+  }
+  ~Kept() { all().erase(number_); }
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+
+  std::int64_t number() const { return number_; }
+
+  static const ComputedStreets* find(std::int64_t number) {
+    const auto found = all().find(number);
+    return found == all().end() ? nullptr : found->second;
+  }
+
+ private:
+  static std::unordered_map<std::int64_t, const ComputedStreets*>& all() {
+    static std::unordered_map<std::int64_t, const ComputedStreets*> kept;
+    return kept;
+  }
+  static std::int64_t next() {
+    static std::int64_t last = 0;
+    return ++last;
+  }
+
+  std::int64_t number_ = next();
+  ComputedStreets computed_;
+};
+
+Datum give_table(FunctionCallInfo fcinfo, const Table& table) {
+  const ComputedStreets* computed = Kept::find(PG_GETARG_INT64(0));
+  if (computed == nullptr)
+    ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
+                    errmsg("no streets of number %lld are kept",
+                           static_cast<long long>(PG_GETARG_INT64(0))),
+                    errhint("They are kept until the statement ends that computed them.")));
+  return give(fcinfo, table, *computed);
 }
 
 }  // namespace
@@ -22,14 +66,30 @@ Rows computed_rows(const StreetsCall& call) {
 
 STREETGEN_FUNCTION(streetgen_streets) {
   using namespace streetgen::pg;
+  if (PG_ARGISNULL(0) || PG_ARGISNULL(2)) PG_RETURN_NULL();
   StreetsCall call;
   take(fcinfo, &call);
-  InitMaterializedSRF(fcinfo, 0);
-  Slot<Rows>* slot = make_slot<Rows>(CurrentMemoryContext);
-  begin_progress(call.count);
-  const Outcome outcome = compute([&] { slot->value = new Rows(computed_rows(call)); });
+  Slot<Kept>* slot = make_slot<Kept>(fcinfo->flinfo->fn_mcxt);
+  begin_progress(call.axes.count);
+  const Outcome outcome = compute([&] { slot->value = new Kept(compute_streets(call)); });
   end_progress();
   report(outcome);
-  give(*slot->value, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
-  PG_RETURN_NULL();
+  PG_RETURN_INT64(slot->value->number());
 }
+
+#define STREETGEN_TABLE(table)                                              \
+  STREETGEN_FUNCTION(streetgen_computed_##table) {                          \
+    return streetgen::pg::give_table(fcinfo, streetgen::pg::table##_table); \
+  }
+
+STREETGEN_TABLE(node)
+STREETGEN_TABLE(edge)
+STREETGEN_TABLE(section_limit)
+STREETGEN_TABLE(section)
+STREETGEN_TABLE(corner)
+STREETGEN_TABLE(intersection)
+STREETGEN_TABLE(lane)
+STREETGEN_TABLE(lane_separator)
+STREETGEN_TABLE(marking)
+STREETGEN_TABLE(interconnection)
+STREETGEN_TABLE(report)

@@ -1,142 +1,184 @@
 #include "streets_call.hpp"
 
 extern "C" {
+#include <access/htup_details.h>
 #include <catalog/pg_type.h>
 #include <utils/array.h>
-#include <utils/builtins.h>
-#include <utils/lsyscache.h>
+#include <utils/jsonb.h>
+#include <utils/typcache.h>
 }
 
 namespace streetgen::pg {
 
 namespace {
 
-// Arrays that belong together: one element each for every axis, override and the like.
-struct Columns {
-  FunctionCallInfo fcinfo;
+// An argument that is an array of rows; NULL is none.
+struct Rows {
   const char* of;
-  int count = -1;  // of the first one read
+  int count = 0;
+  TupleDesc type = nullptr;
+  Datum* values = nullptr;  // column by column
+  bool* nulls = nullptr;
 };
 
-// One column of a list: an array argument as long as the others, without NULL.
-Datum* column(Columns* list, int argument, const char* name, Oid type) {
-  FunctionCallInfo fcinfo = list->fcinfo;
-  int16 size;
-  bool by_value;
-  char align;
-  get_typlenbyvalalign(type, &size, &by_value, &align);
-  Datum* datums;
-  bool* nulls;
-  int found;
-  deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), type, size, by_value, align, &datums, &nulls,
-                    &found);
-  for (int i = 0; i < found; ++i)
-    if (nulls[i])
+Rows rows(FunctionCallInfo fcinfo, int argument, const char* of) {
+  Rows rows{of};
+  if (PG_ARGISNULL(argument)) return rows;
+  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
+  Datum* elements;
+  bool* missing;
+  deconstruct_array(array, ARR_ELEMTYPE(array), -1, false, TYPALIGN_DOUBLE, &elements, &missing,
+                    &rows.count);
+  rows.type = lookup_rowtype_tupdesc_copy(ARR_ELEMTYPE(array), -1);
+  const int width = rows.type->natts;
+  auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * width));
+  auto* nulls = static_cast<bool*>(palloc(sizeof(bool) * width));
+  rows.values = static_cast<Datum*>(
+      palloc_extended(sizeof(Datum) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
+  rows.nulls = static_cast<bool*>(
+      palloc_extended(sizeof(bool) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
+  for (int row = 0; row < rows.count; ++row) {
+    if (missing[row])
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("%s is NULL at position %d of the %s", name, i + 1, list->of)));
-  if (list->count >= 0 && found != list->count)
-    ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
-                    errmsg("%s has %d elements for %d %s", name, found, list->count, list->of)));
-  list->count = found;
-  return datums;
+                      errmsg("row %d of the %s is NULL", row + 1, of)));
+    HeapTupleHeader header = DatumGetHeapTupleHeader(elements[row]);
+    HeapTupleData tuple;
+    tuple.t_len = HeapTupleHeaderGetDatumLength(header);
+    ItemPointerSetInvalid(&tuple.t_self);
+    tuple.t_tableOid = InvalidOid;
+    tuple.t_data = header;
+    heap_deform_tuple(&tuple, rows.type, values, nulls);
+    for (int i = 0; i < width; ++i) {
+      const Size at = static_cast<Size>(i) * rows.count + row;
+      rows.nulls[at] = nulls[i];
+      const bool packed = TupleDescAttr(rows.type, i)->attlen == -1 && !nulls[i];
+      rows.values[at] = packed ? PointerGetDatum(PG_DETOAST_DATUM_PACKED(values[i])) : values[i];
+    }
+  }
+  return rows;
 }
 
-// One of geometries.
-Datum* bytes_column(Columns* list, int argument, const char* name) {
-  Datum* datums = column(list, argument, name, BYTEAOID);
-  for (int i = 0; i < list->count; ++i)
-    datums[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(datums[i]));
-  return datums;
+// A column of the row type, by its name there; NULL where it may be missing.
+Column column_or_null(const Rows& rows, const char* name, Oid type) {
+  if (rows.type == nullptr) return {};
+  for (int i = 0; i < rows.type->natts; ++i) {
+    const FormData_pg_attribute* attribute = TupleDescAttr(rows.type, i);
+    const Size first = static_cast<Size>(i) * rows.count;
+    if (strcmp(NameStr(attribute->attname), name) == 0 && attribute->atttypid == type)
+      return {rows.values + first, rows.nulls + first};
+  }
+  elog(ERROR, "the %s have no column %s", rows.of, name);
+}
+
+Column column(const Rows& rows, const char* name, Oid type) {
+  const Column found = column_or_null(rows, name, type);
+  for (int row = 0; row < rows.count; ++row)
+    if (found.nulls[row])
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+                      errmsg("%s is NULL in row %d of the %s", name, row + 1, rows.of)));
+  return found;
+}
+
+// A JSON object of words; what is no word there has no value.
+void take_settings(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
+  auto& settings = call->settings;
+  settings.count = 0;
+  if (PG_ARGISNULL(argument)) return;
+  Jsonb* object = PG_GETARG_JSONB_P(argument);
+  if (!JB_ROOT_IS_OBJECT(object))
+    ereport(ERROR,
+            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("settings are no JSON object")));
+  const Size bytes = sizeof(char*) * (JB_ROOT_COUNT(object) + 1);
+  settings.names = static_cast<const char**>(palloc(bytes));
+  settings.values = static_cast<const char**>(palloc(bytes));
+  JsonbIterator* iterator = JsonbIteratorInit(&object->root);
+  JsonbValue item;
+  JsonbIteratorToken token;
+  while ((token = JsonbIteratorNext(&iterator, &item, true)) != WJB_DONE) {
+    const bool word = item.type == jbvString;
+    if (token == WJB_KEY)
+      settings.names[settings.count] = pnstrdup(item.val.string.val, item.val.string.len);
+    else if (token == WJB_VALUE)
+      settings.values[settings.count++] =
+          word ? pnstrdup(item.val.string.val, item.val.string.len) : nullptr;
+  }
 }
 
 }  // namespace
 
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
-  Columns axes{fcinfo, "axes"}, transitions{fcinfo, "transitions"};
-  Columns overrides{fcinfo, "lane overrides"};
-  Columns restrictions{fcinfo, "turn restrictions"};
-  Columns former_edges{fcinfo, "former edges"}, former_places{fcinfo, "former places"};
-  Columns limits{fcinfo, "section limit overrides"}, corners{fcinfo, "corner overrides"};
-  call->axis_id = column(&axes, 0, "axis_id", INT8OID);
-  call->geom = bytes_column(&axes, 1, "geom");
-  call->width = column(&axes, 2, "width", FLOAT8OID);
-  call->width_end = column(&axes, 3, "width_end", FLOAT8OID);
-  call->radius = column(&axes, 4, "radius", FLOAT8OID);
-  call->importance = column(&axes, 5, "importance", INT4OID);
-  call->level = column(&axes, 6, "level", INT4OID);
-  call->count = axes.count;
-  call->srid = PG_GETARG_INT32(7);
-  call->tolerance = PG_GETARG_FLOAT8(8);
-  call->crossing = text_to_cstring(PG_GETARG_TEXT_PP(9));
-  call->max_arc_distance = PG_GETARG_FLOAT8(10);
-  call->radius_minimal = PG_GETARG_FLOAT8(11);
-  call->transition_length = PG_GETARG_FLOAT8(12);
-  call->transition_kind = text_to_cstring(PG_GETARG_TEXT_PP(13));
-  call->radius_rule = text_to_cstring(PG_GETARG_TEXT_PP(14));
-  call->round_dead_ends = PG_GETARG_BOOL(15);
-  call->max_hole_area = PG_GETARG_FLOAT8(16);
-  call->reach = PG_GETARG_FLOAT8(17);
-  call->short_axis = text_to_cstring(PG_GETARG_TEXT_PP(18));
-  call->transition_axis = column(&transitions, 19, "transition_axis", INT8OID);
-  call->transition_which = column(&transitions, 20, "transition_which", TEXTOID);
-  call->transition_kind_of = column(&transitions, 21, "transition_kind_of", TEXTOID);
-  call->transition_length_of = column(&transitions, 22, "transition_length_of", FLOAT8OID);
-  call->transition_count = transitions.count;
-  call->lanes_forward = column(&axes, 23, "lanes_forward", INT4OID);
-  call->lanes_backward = column(&axes, 24, "lanes_backward", INT4OID);
-  call->kind_forward = column(&axes, 25, "kind_forward", TEXTOID);
-  call->kind_backward = column(&axes, 26, "kind_backward", TEXTOID);
-  call->lane_width_forward = column(&axes, 27, "lane_width_forward", TEXTOID);
-  call->lane_width_backward = column(&axes, 28, "lane_width_backward", TEXTOID);
-  call->turn_forward = column(&axes, 29, "turn_forward", TEXTOID);
-  call->turn_backward = column(&axes, 30, "turn_backward", TEXTOID);
-  call->override_axis = column(&overrides, 31, "override_axis", INT8OID);
-  call->override_abscissa = column(&overrides, 32, "override_abscissa", FLOAT8OID);
-  call->override_ordinality = column(&overrides, 33, "override_ordinality", INT4OID);
-  call->override_direction = column(&overrides, 34, "override_direction", TEXTOID);
-  call->override_width = column(&overrides, 35, "override_width", FLOAT8OID);
-  call->override_count = overrides.count;
-  call->lane_order = text_to_cstring(PG_GETARG_TEXT_PP(36));
-  call->driving_side = text_to_cstring(PG_GETARG_TEXT_PP(37));
-  call->lane_width_minimal = PG_GETARG_FLOAT8(38);
-  call->cycle_lane_width = PG_GETARG_FLOAT8(39);
-  call->parking_lane_width = PG_GETARG_FLOAT8(40);
-  call->edge_lines = PG_GETARG_BOOL(41);
-  call->speed = column(&axes, 42, "speed", FLOAT8OID);
-  call->restriction_from = column(&restrictions, 43, "restriction_from", INT8OID);
-  call->restriction_to = column(&restrictions, 44, "restriction_to", INT8OID);
-  call->restriction_x = column(&restrictions, 45, "restriction_x", FLOAT8OID);
-  call->restriction_y = column(&restrictions, 46, "restriction_y", FLOAT8OID);
-  call->restriction_kind = column(&restrictions, 47, "restriction_kind", TEXTOID);
-  call->restriction_turn = column(&restrictions, 48, "restriction_turn", TEXTOID);
-  call->restriction_count = restrictions.count;
-  call->u_turn = PG_GETARG_BOOL(49);
-  call->trajectory = text_to_cstring(PG_GETARG_TEXT_PP(50));
-  call->trajectory_tolerance = PG_GETARG_FLOAT8(51);
-  call->trajectory_radius = PG_GETARG_FLOAT8(52);
-  call->changed = column(&axes, 53, "changed", BOOLOID);
-  call->beside = column(&axes, 54, "beside", BOOLOID);
-  call->former_axis = column(&former_edges, 55, "former_axis", INT8OID);
-  call->former_geom = bytes_column(&former_edges, 56, "former_geom");
-  for (int i = 0; i < 4; ++i)
-    call->former_limits[i] = column(&former_edges, 57 + i, "former_limits", FLOAT8OID);
-  call->former_edge_count = former_edges.count;
-  call->former_x = column(&former_places, 61, "former_x", FLOAT8OID);
-  call->former_y = column(&former_places, 62, "former_y", FLOAT8OID);
-  call->former_met = column(&former_places, 63, "former_met", BOOLOID);
-  call->former_place_count = former_places.count;
-  call->override_line = bytes_column(&overrides, 64, "override_line");
-  call->limit_axis = column(&limits, 65, "limit_axis", INT8OID);
-  call->limit_abscissa = column(&limits, 66, "limit_abscissa", FLOAT8OID);
-  call->limit_which = column(&limits, 67, "limit_which", TEXTOID);
-  call->limit_count = limits.count;
-  call->corner_a = column(&corners, 68, "corner_a", INT8OID);
-  call->corner_b = column(&corners, 69, "corner_b", INT8OID);
-  call->corner_x = column(&corners, 70, "corner_x", FLOAT8OID);
-  call->corner_y = column(&corners, 71, "corner_y", FLOAT8OID);
-  call->corner_radius = column(&corners, 72, "corner_radius", FLOAT8OID);
-  call->corner_count = corners.count;
-  call->outer = column(&axes, 73, "outer", BOOLOID);
+  call->srid = PG_GETARG_INT32(0);
+  take_settings(fcinfo, 1, call);
+
+  const Rows axes = rows(fcinfo, 2, "axes");
+  call->axes = {axes.count,
+                column(axes, "axis_id", INT8OID),
+                column(axes, "geom", BYTEAOID),
+                column(axes, "level", INT4OID),
+                column(axes, "width", FLOAT8OID),
+                column(axes, "width_end", FLOAT8OID),
+                column(axes, "radius", FLOAT8OID),
+                column(axes, "importance", INT4OID),
+                column(axes, "speed", FLOAT8OID),
+                column(axes, "lanes_forward", INT4OID),
+                column(axes, "lanes_backward", INT4OID),
+                column_or_null(axes, "kind_forward", TEXTOID),
+                column_or_null(axes, "kind_backward", TEXTOID),
+                column_or_null(axes, "lane_width_forward", TEXTOID),
+                column_or_null(axes, "lane_width_backward", TEXTOID),
+                column_or_null(axes, "turn_forward", TEXTOID),
+                column_or_null(axes, "turn_backward", TEXTOID),
+                column(axes, "changed", BOOLOID),
+                column(axes, "beside", BOOLOID),
+                column(axes, "outer_axis", BOOLOID)};
+
+  const Rows transitions = rows(fcinfo, 3, "transitions");
+  call->transitions = {transitions.count, column(transitions, "axis_id", INT8OID),
+                       column(transitions, "which", TEXTOID), column(transitions, "kind", TEXTOID),
+                       column(transitions, "length", FLOAT8OID)};
+
+  const Rows limits = rows(fcinfo, 4, "section limits");
+  call->limits = {limits.count, column(limits, "axis_id", INT8OID),
+                  column(limits, "abscissa", FLOAT8OID), column(limits, "which", TEXTOID)};
+
+  const Rows corners = rows(fcinfo, 5, "corners");
+  call->corners = {corners.count,
+                   column(corners, "axis_a", INT8OID),
+                   column(corners, "axis_b", INT8OID),
+                   column(corners, "x", FLOAT8OID),
+                   column(corners, "y", FLOAT8OID),
+                   column(corners, "radius", FLOAT8OID)};
+
+  const Rows lanes = rows(fcinfo, 6, "lanes");
+  call->lanes = {lanes.count,
+                 column(lanes, "axis_id", INT8OID),
+                 column(lanes, "abscissa", FLOAT8OID),
+                 column(lanes, "ordinality", INT4OID),
+                 column_or_null(lanes, "along_axis", BOOLOID),
+                 column_or_null(lanes, "width", FLOAT8OID),
+                 column_or_null(lanes, "line", BYTEAOID)};
+
+  const Rows restrictions = rows(fcinfo, 7, "turn restrictions");
+  call->restrictions = {restrictions.count,
+                        column(restrictions, "from_axis", INT8OID),
+                        column(restrictions, "to_axis", INT8OID),
+                        column(restrictions, "x", FLOAT8OID),
+                        column(restrictions, "y", FLOAT8OID),
+                        column(restrictions, "kind", TEXTOID),
+                        column_or_null(restrictions, "turn", TEXTOID)};
+
+  const Rows edges = rows(fcinfo, 8, "former edges");
+  call->former_edges = {edges.count,
+                        column(edges, "axis_id", INT8OID),
+                        column(edges, "geom", BYTEAOID),
+                        column(edges, "wanted_start", FLOAT8OID),
+                        column(edges, "start", FLOAT8OID),
+                        column(edges, "wanted_end", FLOAT8OID),
+                        column(edges, "end", FLOAT8OID)};
+
+  const Rows places = rows(fcinfo, 9, "former places");
+  call->former_places = {places.count, column(places, "x", FLOAT8OID),
+                         column(places, "y", FLOAT8OID), column(places, "met", BOOLOID)};
 }
 
 }  // namespace streetgen::pg

@@ -5,42 +5,56 @@
 
 namespace streetgen::pg {
 
-struct StreetsCall {
-  int count;
-  Datum *axis_id, *geom, *width, *width_end, *radius, *importance, *level;
-  int srid;
-  double tolerance, max_arc_distance, radius_minimal, transition_length, max_hole_area, reach;
-  const char *crossing, *transition_kind, *radius_rule, *short_axis;
-  bool round_dead_ends;
-  int transition_count;
-  Datum *transition_axis, *transition_which, *transition_kind_of, *transition_length_of;
-  Datum *lanes_forward, *lanes_backward;
-  Datum *turn_forward, *turn_backward, *kind_forward, *kind_backward;
-  Datum *lane_width_forward, *lane_width_backward;
-  int override_count;
-  Datum *override_axis, *override_abscissa, *override_ordinality, *override_direction;
-  Datum *override_width, *override_line;
-  const char *lane_order, *driving_side;
-  double lane_width_minimal, cycle_lane_width, parking_lane_width;
-  bool edge_lines;
-  Datum *speed;
-  int restriction_count;
-  Datum *restriction_from, *restriction_to, *restriction_x, *restriction_y;
-  Datum *restriction_kind, *restriction_turn;
-  bool u_turn;
-  const char *trajectory;
-  double trajectory_tolerance, trajectory_radius;
-  Datum *changed, *beside, *outer;
-  int former_edge_count, former_place_count;
-  Datum *former_axis, *former_geom, *former_limits[4];
-  Datum *former_x, *former_y, *former_met;
-  int limit_count;
-  Datum *limit_axis, *limit_abscissa, *limit_which;
-  int corner_count;
-  Datum *corner_a, *corner_b, *corner_x, *corner_y, *corner_radius;
+// A column of rows that are one argument together.
+struct Column {
+  const Datum* values;
+  const bool* nulls;
 };
 
-// Raises where a list has a NULL or lists that belong together differ in length.
-void take(FunctionCallInfo fcinfo, StreetsCall *call);
+struct StreetsCall {
+  int srid;
+  struct {
+    int count;
+    const char **names, **values;  // NULL: no value
+  } settings;
+  struct {
+    int count;
+    Column axis_id, geom, level, width, width_end, radius, importance, speed;
+    Column lanes_forward, lanes_backward, kind_forward, kind_backward;
+    Column lane_width_forward, lane_width_backward, turn_forward, turn_backward;
+    Column changed, beside, outer_axis;
+  } axes;
+  struct {
+    int count;
+    Column axis_id, which, kind, length;
+  } transitions;
+  struct {
+    int count;
+    Column axis_id, abscissa, which;
+  } limits;
+  struct {
+    int count;
+    Column axis_a, axis_b, x, y, radius;
+  } corners;
+  struct {
+    int count;
+    Column axis_id, abscissa, ordinality, along_axis, width, line;
+  } lanes;
+  struct {
+    int count;
+    Column from_axis, to_axis, x, y, kind, turn;
+  } restrictions;
+  struct {
+    int count;
+    Column axis_id, geom, wanted_start, start, wanted_end, end;
+  } former_edges;
+  struct {
+    int count;
+    Column x, y, met;
+  } former_places;
+};
+
+// Raises where a row lacks a value that it needs.
+void take(FunctionCallInfo fcinfo, StreetsCall* call);
 
 }  // namespace streetgen::pg

@@ -1,8 +1,9 @@
-// The rows of streetgen._streets into the tuplestore of its call.
-#include "streets_rows.hpp"
+#include "streets_give.hpp"
 
 extern "C" {
 #include <catalog/pg_type.h>
+#include <funcapi.h>
+#include <parser/parse_coerce.h>
 #include <utils/array.h>
 #include <utils/builtins.h>
 #include <utils/tuplestore.h>
@@ -10,55 +11,126 @@ extern "C" {
 
 namespace streetgen::pg {
 
-void give(const Rows& rows, ReturnSetInfo* result) {
+namespace {
+
+struct GivenColumn {
+  Oid type;
+  bool is_cast;  // from bytea
+  FmgrInfo cast;
+};
+
+GivenColumn given_column(const FormData_pg_attribute* attribute) {
+  GivenColumn column{attribute->atttypid, false, {}};
+  Oid cast;
+  switch (column.type) {
+    case BOOLOID:
+    case INT4OID:
+    case INT8OID:
+    case FLOAT8OID:
+    case TEXTOID:
+    case BYTEAOID:
+    case INT8ARRAYOID:
+    case FLOAT8ARRAYOID:
+      return column;
+  }
+  if (find_coercion_pathway(column.type, BYTEAOID, COERCION_EXPLICIT, &cast) != COERCION_PATH_FUNC)
+    elog(ERROR, "column %s has a type that nothing computed becomes", NameStr(attribute->attname));
+  fmgr_info(cast, &column.cast);
+  column.is_cast = true;
+  return column;
+}
+
+Datum bigints(const std::vector<std::int64_t>& numbers) {
+  const int count = static_cast<int>(numbers.size());
+  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
+  for (int i = 0; i < count; ++i) datums[i] = Int64GetDatum(numbers[i]);
+  return PointerGetDatum(construct_array(datums, count, INT8OID, 8, true, TYPALIGN_DOUBLE));
+}
+
+Datum doubles(const std::vector<double>& numbers) {
+  const int count = static_cast<int>(numbers.size());
+  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
+  for (int i = 0; i < count; ++i) datums[i] = Float8GetDatum(numbers[i]);
+  return PointerGetDatum(construct_array(datums, count, FLOAT8OID, 8, true, TYPALIGN_DOUBLE));
+}
+
+// Its cast takes no type modifier.
+Datum geometry_datum(const Ewkb& geometry, GivenColumn* column) {
+  const Datum bytes = bytes_datum(geometry.bytes);
+  return column->is_cast ? FunctionCall1(&column->cast, bytes) : bytes;
+}
+
+// The value of a column, which is of its type: else an error, not a wild read.
+Datum datum_of(const Value& value, GivenColumn* column) {
+  switch (column->type) {
+    case BOOLOID:
+      if (const bool* given = std::get_if<bool>(&value)) return BoolGetDatum(*given);
+      break;
+    case INT4OID:
+      if (const auto* given = std::get_if<std::int32_t>(&value)) return Int32GetDatum(*given);
+      break;
+    case INT8OID:
+      if (const auto* given = std::get_if<std::int64_t>(&value)) return Int64GetDatum(*given);
+      break;
+    case FLOAT8OID:
+      if (const double* given = std::get_if<double>(&value)) return Float8GetDatum(*given);
+      break;
+    case TEXTOID:
+      if (const auto* given = std::get_if<std::string>(&value))
+        return PointerGetDatum(
+            cstring_to_text_with_len(given->data(), static_cast<int>(given->size())));
+      break;
+    case INT8ARRAYOID:
+      if (const auto* given = std::get_if<std::vector<std::int64_t>>(&value))
+        return bigints(*given);
+      break;
+    case FLOAT8ARRAYOID:
+      if (const auto* given = std::get_if<std::vector<double>>(&value)) return doubles(*given);
+      break;
+    default:
+      if (const auto* given = std::get_if<Ewkb>(&value)) return geometry_datum(*given, column);
+  }
+  elog(ERROR, "a computed value is not of its column's type %u", column->type);
+}
+
+}  // namespace
+
+Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed) {
+  InitMaterializedSRF(fcinfo, 0);
+  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+  const int width = result->setDesc->natts;
+  auto* columns = static_cast<GivenColumn*>(palloc(sizeof(GivenColumn) * width));
+  for (int i = 0; i < width; ++i) columns[i] = given_column(TupleDescAttr(result->setDesc, i));
+  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * width));
+  auto* nulls = static_cast<bool*>(palloc(sizeof(bool) * width));
+  Slot<Row>* slot = make_slot<Row>(CurrentMemoryContext);
   MemoryContext per_row =
       AllocSetContextCreate(CurrentMemoryContext, "streetgen row", ALLOCSET_DEFAULT_SIZES);
-  for (const Row& row : rows) {
+  const std::size_t count = table.count(computed);
+  for (std::size_t at = 0; at < count; ++at) {
+    CHECK_FOR_INTERRUPTS();
+    bool is_row = false;
+    const Outcome outcome = compute([&] {
+      if (slot->value == nullptr) slot->value = new Row;
+      is_row = table.fill(computed, at, *slot->value);
+    });
+    report(outcome);
+    if (!is_row) continue;
+    const Row& row = *slot->value;
+    if (static_cast<int>(row.size()) != width)
+      elog(ERROR, "a computed row has %d values for %d columns", static_cast<int>(row.size()),
+           width);
     MemoryContext outer = MemoryContextSwitchTo(per_row);
-    Datum values[22];
-    bool nulls[22] = {false};
-    values[0] = CStringGetTextDatum(row.relation);
-    values[1] = Int32GetDatum(row.row_index);
-    values[2] = Int64GetDatum(row.axis_id);
-    const int indices[4] = {row.node_a, row.node_b, row.edge_a, row.edge_b};
-    for (int i = 0; i < 4; ++i) {
-      values[3 + i] = Int32GetDatum(indices[i]);
-      nulls[3 + i] = indices[i] < 0;
+    for (int i = 0; i < width; ++i) {
+      nulls[i] = std::holds_alternative<std::monostate>(row[i]);
+      datums[i] = nulls[i] ? 0 : datum_of(row[i], &columns[i]);
     }
-    values[7] = BoolGetDatum(row.start_a);
-    values[8] = BoolGetDatum(row.start_b);
-    values[9] = Int32GetDatum(row.level);
-    values[10] = Float8GetDatum(row.measure_1);
-    values[11] = Float8GetDatum(row.measure_2);
-    nulls[12] = row.geom_1.empty();
-    if (!nulls[12]) values[12] = bytes_datum(row.geom_1);
-    nulls[13] = row.geom_2.empty();
-    if (!nulls[13]) values[13] = bytes_datum(row.geom_2);
-    const int anchors = static_cast<int>(row.anchor_axis.size());
-    auto* of_axes = static_cast<Datum*>(palloc(sizeof(Datum) * (anchors + 1)));
-    auto* of_abscissas = static_cast<Datum*>(palloc(sizeof(Datum) * (anchors + 1)));
-    for (int i = 0; i < anchors; ++i) {
-      of_axes[i] = Int64GetDatum(row.anchor_axis[i]);
-      if (!row.anchor_abscissa.empty()) of_abscissas[i] = Float8GetDatum(row.anchor_abscissa[i]);
-    }
-    values[14] = PointerGetDatum(construct_array(of_axes, anchors, INT8OID, 8, true, 'd'));
-    values[15] = PointerGetDatum(construct_array(
-        of_abscissas, row.anchor_abscissa.empty() ? 0 : anchors, FLOAT8OID, 8, true, 'd'));
-    values[16] = CStringGetTextDatum(row.method);
-    values[17] = Int32GetDatum(row.lane_position);
-    nulls[17] = row.lane_position < 0;
-    values[18] = Int32GetDatum(row.ordinality);
-    nulls[18] = row.ordinality < 0;
-    const std::string* words[3] = {&row.side, &row.kind, &row.turn};
-    for (int i = 0; i < 3; ++i) {
-      nulls[19 + i] = words[i]->empty();
-      if (!nulls[19 + i]) values[19 + i] = CStringGetTextDatum(words[i]->c_str());
-    }
-    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+    tuplestore_putvalues(result->setResult, result->setDesc, datums, nulls);
     MemoryContextSwitchTo(outer);
     MemoryContextReset(per_row);
   }
   MemoryContextDelete(per_row);
+  return 0;
 }
 
 }  // namespace streetgen::pg

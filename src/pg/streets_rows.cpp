@@ -1,6 +1,7 @@
 #include "streets_rows.hpp"
 
 #include <unordered_set>
+#include <utility>
 
 #include "lane_text.hpp"
 #include "wkb.hpp"
@@ -8,6 +9,13 @@
 namespace streetgen::pg {
 
 namespace {
+
+Form flat(const ComputedStreets& computed) { return {computed.srid, false}; }
+Form with_z(const ComputedStreets& computed) { return {computed.srid, computed.has_z}; }
+
+Value index(std::size_t i) { return static_cast<std::int32_t>(i); }
+Value end_name(bool at_start) { return std::string(at_start ? "start" : "end"); }
+Value name(const char* text) { return std::string(text); }
 
 const char* issue_name(NetworkIssue issue) {
   switch (issue) {
@@ -19,107 +27,6 @@ const char* issue_name(NetworkIssue issue) {
       return "collapsed_axis";
   }
   return "";
-}
-
-Row& add(Rows& rows, const char* relation) {
-  rows.emplace_back();
-  rows.back().relation = relation;
-  return rows.back();
-}
-
-void append_network(const Streets& streets, Form with_z, Form flat, Rows& rows) {
-  const Network& network = streets.network;
-  for (std::size_t i = 0; i < network.nodes.size(); ++i) {
-    Row& row = add(rows, "node");
-    row.row_index = static_cast<int>(i);
-    row.start_a = streets.asked_nodes[i];
-    row.geom_1 = write_point(network.nodes[i].point, with_z);
-    for (const NodeAnchor& anchor : network.nodes[i].anchors) {
-      row.anchor_axis.push_back(anchor.axis_id);
-      row.anchor_abscissa.push_back(anchor.abscissa);
-    }
-  }
-  for (std::size_t i = 0; i < network.edges.size(); ++i) {
-    const Edge& edge = network.edges[i];
-    Row& row = add(rows, "edge");
-    row.row_index = static_cast<int>(i);
-    row.axis_id = edge.axis_id;
-    row.node_a = edge.from_node;
-    row.node_b = edge.to_node;
-    row.start_a = streets.asked_edges[i];
-    row.start_b = streets.asked_nodes[edge.from_node] || streets.asked_nodes[edge.to_node];
-    row.level = edge.level;
-    row.measure_1 = edge.start_abscissa;
-    row.measure_2 = edge.end_abscissa;
-    row.geom_1 = write_line(edge.line, with_z);
-  }
-  for (const NetworkReport& report : network.reports) {
-    Row& row = add(rows, "report");
-    row.axis_id = report.axis_a;
-    row.anchor_axis = {report.axis_b};
-    row.measure_1 = report.measure;
-    row.geom_1 = write_point(report.point, flat);
-    row.method = issue_name(report.issue);
-  }
-}
-
-// The edges of axes that have an asked edge, or one at an asked node: rows of others are not written.
-std::vector<bool> edges_of_asked_axes(const Streets& streets) {
-  const auto& edges = streets.network.edges;
-  std::unordered_set<std::int64_t> asked;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (streets.asked_edges[e] || streets.asked_nodes[edges[e].from_node] ||
-        streets.asked_nodes[edges[e].to_node])
-      asked.insert(edges[e].axis_id);
-  std::vector<bool> written;
-  for (const Edge& edge : edges) written.push_back(asked.count(edge.axis_id) > 0);
-  return written;
-}
-
-void append_streets(const Streets& streets, Form with_z, Form flat, Rows& rows) {
-  const std::vector<bool> written = edges_of_asked_axes(streets);
-  for (const SectionLimit& limit : streets.limits) {
-    if (!written[limit.edge]) continue;
-    Row& row = add(rows, "section_limit");
-    row.edge_a = limit.edge;
-    row.start_a = limit.at_start;
-    row.measure_1 = limit.wanted_abscissa;
-    row.measure_2 = limit.abscissa;
-    row.geom_1 = write_point(limit.point, with_z);
-    row.geom_2 = write_line(limit.border_line, flat);
-    row.method = method_name(limit.method);
-  }
-  for (const Corner& corner : streets.corners) {
-    if (!written[corner.edge_a] || !written[corner.edge_b]) continue;
-    Row& row = add(rows, "corner");
-    row.row_index = static_cast<int>(rows.size());
-    row.node_a = corner.node;
-    row.edge_a = corner.edge_a;
-    row.start_a = corner.at_start_a;
-    row.edge_b = corner.edge_b;
-    row.start_b = corner.at_start_b;
-    row.measure_1 = corner.radius_wanted;
-    row.measure_2 = corner.radius;
-    if (corner.centre) row.geom_1 = write_point(*corner.centre, flat);
-    if (corner.arc) row.geom_2 = write_arc(*corner.arc, flat);
-    row.method = method_name(corner.method);
-  }
-  for (const Section& section : streets.sections) {
-    Row& row = add(rows, "section");
-    row.edge_a = section.edge;
-    row.level = streets.network.edges[section.edge].level;
-    row.measure_1 = section.contested_area;
-    row.geom_1 = write_surface(section.surface, flat);
-    row.method = method_name(section.method);
-  }
-  for (const Intersection& intersection : streets.intersections) {
-    Row& row = add(rows, "intersection");
-    row.node_a = intersection.node;
-    row.level = intersection.level;
-    row.measure_1 = intersection.contested_area;
-    row.geom_1 = write_surface(intersection.surface, flat);
-    row.method = method_name(intersection.method);
-  }
 }
 
 const char* separator_kind_name(SeparatorKind kind) {
@@ -146,74 +53,147 @@ const char* marking_kind_name(MarkingKind kind) {
   return "";
 }
 
-void append_lanes(const Lanes& lanes, Form flat, Rows& rows) {
-  for (std::size_t i = 0; i < lanes.lanes.size(); ++i) {
-    const Lane& lane = lanes.lanes[i];
-    Row& row = add(rows, "lane");
-    row.row_index = static_cast<int>(i);
-    row.edge_a = lane.edge;
-    row.start_a = lane.along_axis;
-    row.measure_1 = lane.width;
-    row.measure_2 = lane.axis_offset;
-    row.geom_1 = write_line(lane.line, flat);
-    row.geom_2 = write_surface(lane.surface, flat);
-    row.method = method_name(lane.method);
-    row.lane_position = lane.position;
-    row.ordinality = lane.ordinality;
-    row.side = lane_side_name(lane.side);
-    row.kind = lane_kind_name(lane.kind);
-    row.turn = turn_text(lane.turns);
-  }
-  for (const LaneSeparator& separator : lanes.separators) {
-    Row& row = add(rows, "lane_separator");
-    row.edge_a = separator.edge;
-    row.start_a = separator.dashed;
-    row.measure_2 = separator.axis_offset;
-    row.geom_1 = write_line(separator.line, flat);
-    row.geom_2 = write_surface(separator.surface, flat);
-    row.lane_position = separator.position;
-    row.kind = separator_kind_name(separator.kind);
-  }
-  for (const Marking& marking : lanes.markings) {
-    Row& row = add(rows, "marking");
-    row.edge_a = marking.edge;
-    row.node_a = marking.node;
-    row.geom_1 = write_line(marking.line, flat);
-    row.geom_2 = write_surface(marking.surface, flat);
-    row.lane_position = marking.position;
-    row.kind = marking_kind_name(marking.kind);
-  }
+template <class... Values>
+bool put(Row& row, Values&&... values) {
+  row.clear();
+  (row.emplace_back(std::forward<Values>(values)), ...);
+  return true;
 }
 
-void append_interconnections(const std::vector<Interconnection>& interconnections, Form flat,
-                             Rows& rows) {
-  for (std::size_t i = 0; i < interconnections.size(); ++i) {
-    const Interconnection& pair = interconnections[i];
-    Row& row = add(rows, "interconnection");
-    row.row_index = static_cast<int>(i);
-    row.node_a = pair.node;
-    row.edge_a = pair.lane_in;
-    row.edge_b = pair.lane_out;
-    row.start_a = pair.plausible;
-    row.measure_1 = pair.angle;
-    row.geom_1 = write_line(pair.line, flat);
-    row.geom_2 = write_point(pair.control, flat);
-    row.turn = turn_name(pair.turn);
-    row.kind = reason_name(pair.reason);
+bool lanes_asked(const Streets& streets, const Edge& edge) {
+  return streets.asked_nodes[edge.from_node] || streets.asked_nodes[edge.to_node];
+}
+
+bool fill_node(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const auto& node = computed.streets.network.nodes[i];
+  std::vector<std::int64_t> axes;
+  std::vector<double> abscissas;
+  for (const NodeAnchor& anchor : node.anchors) {
+    axes.push_back(anchor.axis_id);
+    abscissas.push_back(anchor.abscissa);
   }
+  return put(row, index(i), computed.streets.asked_nodes[i],
+             Ewkb{write_point(node.point, with_z(computed))}, std::move(axes),
+             std::move(abscissas));
+}
+
+bool fill_edge(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Edge& edge = computed.streets.network.edges[i];
+  return put(row, index(i), bool(computed.streets.asked_edges[i]),
+             lanes_asked(computed.streets, edge), edge.axis_id, edge.from_node, edge.to_node,
+             edge.level, edge.start_abscissa, edge.end_abscissa,
+             Ewkb{write_line(edge.line, with_z(computed))});
+}
+
+bool fill_section_limit(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const SectionLimit& limit = computed.streets.limits[i];
+  if (!computed.written_edges[limit.edge]) return false;
+  return put(row, limit.edge, end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
+             Ewkb{write_point(limit.point, with_z(computed))},
+             Ewkb{write_line(limit.border_line, flat(computed))}, name(method_name(limit.method)));
+}
+
+bool fill_section(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Section& section = computed.streets.sections[i];
+  return put(row, section.edge, computed.streets.network.edges[section.edge].level,
+             Ewkb{write_surface(section.surface, flat(computed))},
+             name(method_name(section.method)), section.contested_area);
+}
+
+bool fill_corner(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Corner& corner = computed.streets.corners[i];
+  if (!computed.written_edges[corner.edge_a] || !computed.written_edges[corner.edge_b])
+    return false;
+  Value centre, arc;
+  if (corner.centre) centre = Ewkb{write_point(*corner.centre, flat(computed))};
+  if (corner.arc) arc = Ewkb{write_arc(*corner.arc, flat(computed))};
+  return put(row, corner.node, corner.edge_a, end_name(corner.at_start_a), corner.edge_b,
+             end_name(corner.at_start_b), std::move(centre), corner.radius_wanted, corner.radius,
+             std::move(arc), name(method_name(corner.method)));
+}
+
+bool fill_intersection(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Intersection& intersection = computed.streets.intersections[i];
+  return put(row, intersection.node, intersection.level,
+             Ewkb{write_surface(intersection.surface, flat(computed))},
+             name(method_name(intersection.method)), intersection.contested_area);
+}
+
+bool fill_lane(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Lane& lane = computed.lanes.lanes[i];
+  Value turn;
+  if (lane.turns != 0) turn = turn_text(lane.turns);
+  return put(row, index(i), lane.edge, lane.ordinality, lane.position,
+             name(lane_side_name(lane.side)), lane.along_axis, name(lane_kind_name(lane.kind)),
+             lane.width, lane.axis_offset, std::move(turn),
+             Ewkb{write_line(lane.line, flat(computed))},
+             Ewkb{write_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
+}
+
+bool fill_lane_separator(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const LaneSeparator& separator = computed.lanes.separators[i];
+  return put(row, separator.edge, separator.position, name(separator_kind_name(separator.kind)),
+             separator.dashed, separator.axis_offset,
+             Ewkb{write_line(separator.line, flat(computed))},
+             Ewkb{write_surface(separator.surface, flat(computed))});
+}
+
+bool fill_marking(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Marking& marking = computed.lanes.markings[i];
+  return put(row, marking.edge, marking.position, marking.node,
+             name(marking_kind_name(marking.kind)), Ewkb{write_line(marking.line, flat(computed))},
+             Ewkb{write_surface(marking.surface, flat(computed))});
+}
+
+bool fill_interconnection(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const Interconnection& pair = computed.interconnections[i];
+  return put(row, pair.node, pair.lane_in, pair.lane_out, name(turn_name(pair.turn)), pair.angle,
+             pair.plausible, name(reason_name(pair.reason)),
+             Ewkb{write_point(pair.control, flat(computed))},
+             Ewkb{write_line(pair.line, flat(computed))});
+}
+
+bool fill_report(const ComputedStreets& computed, std::size_t i, Row& row) {
+  const NetworkReport& report = computed.streets.network.reports[i];
+  return put(row, name(issue_name(report.issue)), report.axis_a, report.axis_b, report.measure,
+             Ewkb{write_point(report.point, flat(computed))});
+}
+
+std::vector<bool> written_edges(const Streets& streets) {
+  const auto& edges = streets.network.edges;
+  std::unordered_set<std::int64_t> asked;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (streets.asked_edges[e] || lanes_asked(streets, edges[e])) asked.insert(edges[e].axis_id);
+  std::vector<bool> written;
+  for (const Edge& edge : edges) written.push_back(asked.count(edge.axis_id) > 0);
+  return written;
 }
 
 }  // namespace
 
-Rows rows_of(const Streets& streets, const Lanes& lanes,
-             const std::vector<Interconnection>& interconnections, int srid, bool has_z) {
-  const Form with_z{srid, has_z}, flat{srid, false};
-  Rows rows;
-  append_network(streets, with_z, flat, rows);
-  append_streets(streets, with_z, flat, rows);
-  append_lanes(lanes, flat, rows);
-  append_interconnections(interconnections, flat, rows);
-  return rows;
+ComputedStreets computed_streets(Streets streets, Lanes lanes,
+                                 std::vector<Interconnection> interconnections, int srid,
+                                 bool has_z) {
+  std::vector<bool> written = written_edges(streets);
+  return {std::move(streets), std::move(lanes), std::move(interconnections), srid, has_z,
+          std::move(written)};
 }
+
+using Computed = const ComputedStreets&;
+const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};
+const Table edge_table{[](Computed c) { return c.streets.network.edges.size(); }, fill_edge};
+const Table section_limit_table{[](Computed c) { return c.streets.limits.size(); },
+                                fill_section_limit};
+const Table section_table{[](Computed c) { return c.streets.sections.size(); }, fill_section};
+const Table corner_table{[](Computed c) { return c.streets.corners.size(); }, fill_corner};
+const Table intersection_table{[](Computed c) { return c.streets.intersections.size(); },
+                               fill_intersection};
+const Table lane_table{[](Computed c) { return c.lanes.lanes.size(); }, fill_lane};
+const Table lane_separator_table{[](Computed c) { return c.lanes.separators.size(); },
+                                 fill_lane_separator};
+const Table marking_table{[](Computed c) { return c.lanes.markings.size(); }, fill_marking};
+const Table interconnection_table{[](Computed c) { return c.interconnections.size(); },
+                                  fill_interconnection};
+const Table report_table{[](Computed c) { return c.streets.network.reports.size(); }, fill_report};
 
 }  // namespace streetgen::pg

@@ -1,42 +1,49 @@
-// The result of streetgen._streets: one row for each thing that the core found, in plain values.
+// What was computed, table by table: a row for each thing that the core found, in plain values.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "border.hpp"
 #include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/streets.hpp"
 
-extern "C" {
-#include <funcapi.h>
-}
-
 namespace streetgen::pg {
 
-struct Row {
-  const char* relation = "";
-  int row_index = 0;
-  std::int64_t axis_id = 0;
-  int node_a = -1, node_b = -1, edge_a = -1, edge_b = -1;  // -1: NULL
-  bool start_a = false, start_b = false;
-  int level = 0;
-  double measure_1 = 0, measure_2 = 0;
-  std::string geom_1, geom_2;  // empty: NULL
-  std::vector<std::int64_t> anchor_axis;
-  std::vector<double> anchor_abscissa;
-  const char* method = "";
-  int lane_position = -1, ordinality = -1;  // -1: NULL
-  std::string side, kind, turn;             // empty: NULL
+struct ComputedStreets {
+  Streets streets;
+  Lanes lanes;
+  std::vector<Interconnection> interconnections;
+  int srid = 0;
+  bool has_z = false;  // nodes, edges and section limits carry Z
+
+  // The edges of axes that have an asked edge, or one at an asked node: rows of others are not
+  // written.
+  std::vector<bool> written_edges;
 };
-using Rows = std::vector<Row>;
+ComputedStreets computed_streets(Streets streets, Lanes lanes,
+                                 std::vector<Interconnection> interconnections, int srid,
+                                 bool has_z);
 
-// Nodes, edges and section limits carry Z where `has_z`.
-Rows rows_of(const Streets& streets, const Lanes& lanes,
-             const std::vector<Interconnection>& interconnections, int srid, bool has_z);
+struct Ewkb {
+  std::string bytes;
+};
+// monostate: NULL.
+using Value = std::variant<std::monostate, bool, std::int32_t, std::int64_t, double, std::string,
+                           Ewkb, std::vector<std::int64_t>, std::vector<double>>;
+using Row = std::vector<Value>;
 
-void give(const Rows& rows, ReturnSetInfo* result);
+// The rows of a table, made one by one in the order of its columns in SQL.
+struct Table {
+  std::size_t (*count)(const ComputedStreets& computed);
+  // False: nothing is written of this one.
+  bool (*fill)(const ComputedStreets& computed, std::size_t index, Row& row);
+};
+
+extern const Table node_table, edge_table, section_limit_table, section_table, corner_table,
+    intersection_table, lane_table, lane_separator_table, marking_table, interconnection_table,
+    report_table;
 
 }  // namespace streetgen::pg

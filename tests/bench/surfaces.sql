@@ -1,11 +1,12 @@
--- Surfaces alone, of model `timed` as generate computes them: the first steps of its statement, written into a bare table.
+-- Surfaces alone, of model `timed` as generate computes them: the first part of its statement, written into a bare table.
 CREATE PROCEDURE bench.surfaces(INOUT rows bigint) LANGUAGE plpgsql SET search_path = pg_catalog, public SET enable_nestloop = off SET work_mem = '64MB' AS $$
-DECLARE
-    whole constant text := regexp_replace(streetgen._upsert_statement('timed', many => true), '[a-z_.]+ (= ANY \(\$[123]\)|IN \(SELECT axis_id FROM asked_axis\))', 'true', 'g');
 BEGIN
     DROP SCHEMA IF EXISTS surfaces CASCADE;
     CREATE SCHEMA surfaces;
-    EXECUTE 'CREATE TABLE surfaces.surface AS ' || regexp_replace(replace(replace(replace(split_part(whole, '-- The axes whose rows come out', 1), '$1', 'NULL::bigint[]'), '$2', 'NULL::bigint[]'), '$3', '''{}''::bigint[]'), ',\s*$', '')
-        || ' SELECT relation, row_index, geom_1::geometry AS surface FROM result WHERE relation IN (''section'', ''intersection'')';
+    CREATE TABLE surfaces.surface (relation text, surface geometry);
+    EXECUTE 'INSERT INTO surfaces.surface WITH ' || streetgen._upsert_input(streetgen._upsert_places('timed', whole => true, bare => true)) || $sql$
+        SELECT 'section', surface FROM streetgen._computed_section((SELECT streets FROM computed))
+        UNION ALL SELECT 'intersection', surface FROM streetgen._computed_intersection((SELECT streets FROM computed)) $sql$
+        USING NULL::bigint[], NULL::bigint[], NULL::bigint[];
     GET DIAGNOSTICS rows = ROW_COUNT;
 END $$;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -50,10 +51,22 @@ class RandomNode {
   std::vector<Gap> gaps_;
 };
 
-bool holds(const Box& box, const MultiPolygon& surface) {
-  const Box built = box_of(surface);
-  return surface.empty() || (box.holds({built.min_x, built.min_y, 0}, 0) &&
-                             box.holds({built.max_x, built.max_y, 0}, 0));
+bool holds(const Extent& extent, const Point& p) {
+  return extent.box.holds(p, 0) && std::any_of(extent.parts.begin(), extent.parts.end(),
+                                               [&](const Box& part) { return part.holds(p, 0); });
+}
+
+// Every decimetre of its boundary.
+bool holds(const Extent& extent, const MultiPolygon& surface) {
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon)
+      for (std::size_t i = 1; i < ring.size(); ++i) {
+        const double pieces = std::ceil(10 * distance(ring[i - 1], ring[i]));
+        for (double k = 0; k <= pieces; ++k)
+          if (!holds(extent, ring[i - 1] + (ring[i] - ring[i - 1]) * (k / std::max(1.0, pieces))))
+            return false;
+      }
+  return true;
 }
 
 TEST(Vicinity, AnExtentHoldsTheSurfaceThatIsBuilt) {
@@ -72,18 +85,50 @@ TEST(Vicinity, AnExtentHoldsTheSurfaceThatIsBuilt) {
   }
 }
 
-// A row of squares, one wide: b touches a, c lies within a hole's extent of b, d touches c.
-TEST(Vicinity, RingsGoFromTheAskedOneToWhatMayMatterToIt) {
-  const auto square = [](double x) {
-    Box box;
-    box.add({x, 0, 0});
-    box.add({x + 1, 1, 0});
-    return box;
+// Not its box: a long street that runs askew has most of that to itself.
+TEST(Vicinity, AnExtentLeavesOutWhatLiesFarFromTheAxis) {
+  const Extent street = section_extent({{{0, 0, 0}, {300, 300, 0}}, 4, 4, 0, {}}, 0, 400);
+  EXPECT_FALSE(holds(street, {200, 100, 0}));
+}
+
+Extent from_to(double min_x, double min_y, double max_x, double max_y) {
+  Extent extent;
+  extent.add({min_x, min_y, max_x, max_y});
+  return extent;
+}
+
+TEST(Vicinity, RivalsMeetTheClaimAndTileWithIt) {
+  std::vector<Claim> claims(4);
+  claims[2].level = 1;
+  for (int i = 0; i < 4; ++i) claims[i].edges = {i};
+  Vicinity vicinity(
+      {from_to(0, 0, 2, 2), from_to(1, 1, 3, 3), from_to(1, 1, 3, 3), from_to(2.5, 2.5, 4, 4)},
+      claims);
+  EXPECT_EQ(vicinity.rivals(0), std::vector<int>{1});
+  EXPECT_EQ(vicinity.rivals(1), (std::vector<int>{0, 3}));
+  EXPECT_EQ(vicinity.rivals(2), std::vector<int>{});
+}
+
+// About the first claim: two neighbours with a third behind both, and behind one of them a row of
+// others that leads nowhere.
+TEST(Vicinity, OnlyWhatMeetsTwoNeighboursEnclosesAHole) {
+  const std::vector<Claim> claims(6);
+  Vicinity vicinity({from_to(0, 0, 9, 1), from_to(0, 1, 1, 5), from_to(8, 1, 9, 5),
+                     from_to(0, 5, 9, 6), from_to(4, -3, 5, 0), from_to(4, -6, 5, -3)},
+                    claims);
+  EXPECT_EQ(vicinity.enclosing(0), (std::vector<int>{1, 2, 3}));
+}
+
+// Beyond the extent of a hole from the claim nothing closes a ring about one beside it.
+TEST(Vicinity, WhatEnclosesAHoleIsNear) {
+  const std::vector<Claim> claims(4);
+  const double far = 1 + hole_extent;
+  const auto ring = [&](double y) {
+    return std::vector<Extent>{from_to(0, 0, 9, 1), from_to(0, 1, 1, y), from_to(8, 1, 9, y),
+                               from_to(0, y, 9, y + 1)};
   };
-  const double c = 1.5 + hole_extent;
-  const std::vector<Box> extents{square(c + 2), square(c + 1), square(c), square(1), square(0)};
-  EXPECT_EQ(rings(extents, {false, false, false, false, true}),
-            (std::vector<int>{far_away, 3, 2, 1, 0}));
+  EXPECT_EQ(Vicinity(ring(far - 1), claims).enclosing(0), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(Vicinity(ring(far + 1), claims).enclosing(0), std::vector<int>{});
 }
 
 }  // namespace

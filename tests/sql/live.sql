@@ -346,6 +346,20 @@ SELECT 'deleted to the last axis, nothing is left', count(*) = 0 FROM derived();
 INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
 SELECT 'and it goes on from nothing', test.followed('town', 'once');
 
+-- A street is cut far from its corner, whose arc then bends nearer to the node: farther than reach, within max_arc_distance.
+SELECT streetgen.create_model('bend', 2154), streetgen.set('bend', 'reach', '10'), streetgen.set('bend', 'max_arc_distance', '200') \g /dev/null
+INSERT INTO bend.axis (axis_id, geom, width, radius) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650200 6860000)', 6, 50), (2, 'SRID=2154;LINESTRING(650000 6860000, 650000 6860200)', 6, 50),
+  (3, 'SRID=2154;LINESTRING(650007 6860030, 650007 6860100)', 10, 5);
+CREATE FUNCTION pg_temp.ceded() RETURNS float8 LANGUAGE sql AS $$ SELECT contested_area FROM bend.section JOIN bend.edge USING (edge_id) WHERE axis_id = 3 $$;
+SELECT pg_temp.ceded() AS ceded \gset
+INSERT INTO bend.axis (axis_id, geom, width) VALUES (4, 'SRID=2154;LINESTRING(650020 6860000, 650020 6859900)', 6);
+SELECT 'a street beside a far corner gets the ground that its arc gives up', pg_temp.ceded() < :ceded - 9;
+SELECT 'as from scratch', test.followed('bend', 'once');
+DELETE FROM bend.axis WHERE axis_id = 4;
+SELECT 'and loses it when the arc is back', pg_temp.ceded() = :ceded;
+SELECT 'as from scratch again', test.followed('bend', 'once');
+SELECT streetgen.drop_model('bend') \g /dev/null
+
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN

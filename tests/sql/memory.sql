@@ -35,7 +35,7 @@ CREATE TABLE call AS SELECT row_number() OVER () AS nth, * FROM (VALUES
   ('variable_buffer', 'none', 'streetgen.variable_buffer(a, array_fill(3::float8, ARRAY[ST_NPoints(a)]), ''both'', ''round'') FROM short_line'),
   ('variable_buffer', '22023', 'streetgen.variable_buffer(a, ''{1,2}'') FROM long_line'),
   ('turning_radius', 'none', 'streetgen.turning_radius(50, 7, ''setra'')'), ('turning_radius', '22023', 'streetgen.turning_radius(50, 7, ''other'')'),
-  ('_streets', 'none', '(' || test.streets('{}') || ')'), ('_streets', '22023', '(' || test.streets('{"trajectory_radius": "''NaN''"}') || ')')) v(name, state, expression);
+  ('_streets', 'none', '(' || test.streets('{}') || ')'), ('_streets', '22023', '(' || test.streets('{"trajectory_radius": "NaN"}') || ')')) v(name, state, expression);
 
 DO $$ BEGIN
   PERFORM streetgen.create_model('soak', 2154);

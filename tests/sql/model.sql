@@ -190,7 +190,7 @@ SELECT 'adopted models have their views', test.state('SELECT * FROM model_a.axis
 SELECT 'with comments: ' || m, NOT EXISTS (SELECT FROM pg_temp.uncommented(m)) FROM unnest('{model_a,"model Z\""}'::name[]) m;
 SELECT 'and readers', has_table_privilege('streetgen_test_reader', 'model_a.axis_used', 'SELECT') AND NOT has_table_privilege('streetgen_test_reader', 'model_renamed.axis_used', 'SELECT');
 SELECT 'of ' || view, has_table_privilege('streetgen_test_reader', 'model_a.' || view, 'SELECT') AND NOT has_table_privilege('public', 'model_a.' || view, 'SELECT')
-       AND has_table_privilege('public', '"model Z""".' || view, 'SELECT') FROM unnest('{axis_used,intersection_group,conflict,roadway,axis_editing,node_editing,override_place,edit_log}'::text[]) view;
+       AND has_table_privilege('public', '"model Z""".' || view, 'SELECT') FROM unnest('{setting_used,axis_used,intersection_group,conflict,roadway,axis_editing,node_editing,override_place,edit_log}'::text[]) view;
 SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('model_a');
 SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
 SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';

@@ -1,17 +1,23 @@
--- A call of streetgen._streets on two axes, with other arguments than these by name, as SQL.
-CREATE FUNCTION test.streets(given text) RETURNS text LANGUAGE sql AS $$
-    SELECT 'SELECT count(*) FROM streetgen._streets(' || string_agg(name || ' => ' || coalesce(given::jsonb ->> name, value), ', ') || ')' FROM (VALUES
-        ('axis_id', '''{7,8}'''), ('geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea, ''LINESTRING(0 0,0 50)''::geometry::bytea]'),
-        ('width', '''{7,6}'''), ('width_end', '''{7,6}'''), ('radius', '''{3,3}'''), ('importance', '''{4,4}'''), ('level', '''{0,0}'''), ('srid', '0'),
-        ('tolerance', '0.5'), ('crossing', '''over'''), ('max_arc_distance', '60'), ('radius_minimal', '0.15'), ('transition_length', '10'), ('transition_kind', '''left'''),
-        ('radius_rule', '''mean'''), ('round_dead_ends', 'true'), ('max_hole_area', '0.5'), ('reach', '60'), ('short_axis', '''reduce'''),
-        ('transition_axis', '''{7}'''), ('transition_which', '''{start}'''), ('transition_kind_of', '''{right}'''), ('transition_length_of', '''{9}'''),
-        ('lanes_forward', '''{1,2}'''), ('lanes_backward', '''{1,0}'''), ('kind_forward', '''{"",general|bus}'''), ('kind_backward', '''{"",""}'''),
-        ('lane_width_forward', '''{"",3|}'''), ('lane_width_backward', '''{"",""}'''), ('turn_forward', '''{left;through,""}'''), ('turn_backward', '''{"",""}'''),
-        ('override_axis', '''{7}'''), ('override_abscissa', '''{1}'''), ('override_ordinality', '''{1}'''), ('override_direction', '''{along}'''), ('override_width', '''{3}'''),
-        ('lane_order', '''right_first'''), ('driving_side', '''left'''), ('lane_width_minimal', '2'), ('cycle_lane_width', '1.5'), ('parking_lane_width', '2'), ('edge_lines', 'true'),
-        ('speed', '''{50,30}'''), ('restriction_from', '''{7}'''), ('restriction_to', '''{8}'''), ('restriction_x', '''{0}'''), ('restriction_y', '''{0}'''), ('restriction_kind', '''{only}'''), ('restriction_turn', '''{""}'''),
-        ('u_turn', 'true'), ('trajectory', '''arcs'''), ('trajectory_tolerance', '0.05'), ('trajectory_radius', '3'),
-        ('changed', '''{t,t}'''), ('beside', '''{f,f}'''), ('former_axis', '''{7}'''), ('former_geom', 'ARRAY[''LINESTRING(0 0,50 0)''::geometry::bytea]'), ('former_wanted_start', '''{0}'''), ('former_start', '''{0}'''), ('former_wanted_end', '''{50}'''), ('former_end', '''{50}'''), ('former_x', '''{}'''), ('former_y', '''{}'''), ('former_met', '''{}'''),
-        ('override_line', 'ARRAY[''LINESTRING(0 1,50 1)''::geometry::bytea]'), ('limit_axis', '''{7}'''), ('limit_abscissa', '''{9}'''), ('limit_which', '''{start}'''),
-        ('corner_a', '''{7}'''), ('corner_b', '''{8}'''), ('corner_x', '''{0}'''), ('corner_y', '''{0}'''), ('corner_radius', '''{4}'''), ('outer_axis', '''{f,f}''')) v(name, value) $$;
+-- A call of streetgen._streets on two axes, as SQL: given names settings, srid, or columns of a list (axes.width) with their values, one a row.
+CREATE FUNCTION test.streets(given jsonb) RETURNS text LANGUAGE sql AS $$
+    WITH list(name, type, columns) AS (VALUES
+        ('axes', 'street_axis', '{"axis_id": "{7,8}", "level": "{0,0}", "width": "{7,6}", "width_end": "{7,6}", "radius": "{3,3}", "importance": "{4,4}", "speed": "{50,30}",
+            "geom": ["LINESTRING(0 0,50 0)", "LINESTRING(0 0,0 50)"], "lanes_forward": "{1,2}", "lanes_backward": "{1,0}", "kind_forward": "{NULL,general|bus}", "kind_backward": "{NULL,NULL}",
+            "lane_width_forward": "{NULL,3|}", "lane_width_backward": "{NULL,NULL}", "turn_forward": "{left;through,NULL}", "turn_backward": "{NULL,NULL}",
+            "changed": "{t,t}", "beside": "{f,f}", "outer_axis": "{f,f}"}'::jsonb),
+        ('transitions', 'street_transition', '{"axis_id": "{7}", "which": "{start}", "kind": "{right}", "length": "{9}"}'),
+        ('limits', 'street_limit', '{"axis_id": "{7}", "abscissa": "{9}", "which": "{start}"}'),
+        ('corners', 'street_corner', '{"axis_a": "{7}", "axis_b": "{8}", "x": "{0}", "y": "{0}", "radius": "{4}"}'),
+        ('lanes', 'street_lane', '{"axis_id": "{7}", "abscissa": "{1}", "ordinality": "{1}", "along_axis": "{t}", "width": "{3}", "line": ["LINESTRING(0 1,50 1)"]}'),
+        ('restrictions', 'street_restriction', '{"from_axis": "{7}", "to_axis": "{8}", "x": "{0}", "y": "{0}", "kind": "{only}", "turn": "{NULL}"}'),
+        ('former_edges', 'former_edge', '{"axis_id": "{7}", "geom": ["LINESTRING(0 0,50 0)"], "wanted_start": "{0}", "start": "{0}", "wanted_end": "{50}", "end": "{50}"}'),
+        ('former_places', 'former_place', '{"x": "{1}", "y": "{2}", "met": "{t}"}')),
+    given_list AS (
+        SELECT name, type, columns || coalesce((SELECT jsonb_object_agg(substr(key, length(name) + 2), value) FROM jsonb_each(given) WHERE starts_with(key, name || '.')), '{}') AS columns FROM list),
+    argument AS (
+        SELECT format('%s => (SELECT array_agg(ROW (%s)::streetgen.%s) FROM ROWS FROM (%s) t(%s))', name, string_agg(quote_ident(attname), ', ' ORDER BY attnum), type,
+            string_agg(CASE jsonb_typeof(columns -> attname) WHEN 'array' THEN format('unnest(ARRAY(SELECT w::geometry::bytea FROM unnest(%L::text[]) w))', ARRAY(SELECT jsonb_array_elements_text(columns -> attname)))
+                       ELSE format('unnest(%L::%s[])', columns ->> attname, format_type(atttypid, atttypmod)) END, ', ' ORDER BY attnum), string_agg(quote_ident(attname), ', ' ORDER BY attnum)) AS text
+        FROM given_list JOIN pg_attribute ON attrelid = ('streetgen.' || type)::regclass GROUP BY name, type)
+    SELECT format('SELECT count(*) FROM streetgen._streets(srid => %s, settings => %L, %s)', coalesce(given ->> 'srid', '0'),
+        (SELECT jsonb_object_agg(name, value) FROM streetgen._default_setting()) || given, string_agg(text, ', ')) FROM argument $$;

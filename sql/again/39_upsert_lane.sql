@@ -1,0 +1,25 @@
+-- The one statement, lanes and what is painted on them.
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_lanes(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',',
+    streetgen._upsert_rows(places, 'lane', id => 'lane_id', same => 'edge_id, ordinality',
+        columns => 'lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method', rows => $part$
+        SELECT l.lane, e.edge_id, e.axis_id, l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.width, l.axis_offset, l.turn, l.geom, l.surface, l.method
+        FROM streetgen._computed_lane((SELECT streets FROM computed)) l JOIN new_edge e USING (edge)$part$,
+        there => $part$
+        SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked$part$),
+    streetgen._upsert_rows(places, 'lane_separator', id => 'lane_separator_id', same => 'edge_id, lane_position',
+        columns => 'kind, dashed, axis_offset, geom, surface', rows => $part$
+        SELECT e.edge_id, s.lane_position, s.kind, s.dashed, s.axis_offset, s.geom, s.surface
+        FROM streetgen._computed_lane_separator((SELECT streets FROM computed)) s JOIN new_edge e USING (edge)$part$,
+        there => $part$
+        SELECT s.lane_separator_id FROM new_edge e, LATERAL (
+            SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s WHERE e.asked$part$),
+    streetgen._upsert_rows(places, 'marking', id => 'marking_id', same => 'edge_id, kind, lane_position',
+        columns => 'node_id, geom, surface', rows => $part$
+        SELECT e.edge_id, m.kind, m.lane_position, n.node_id, m.geom, m.surface
+        FROM streetgen._computed_marking((SELECT streets FROM computed)) m JOIN new_edge e USING (edge) JOIN new_node n USING (node)$part$,
+        there => $part$
+        SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked$part$)) $$;
+COMMENT ON FUNCTION streetgen._upsert_lanes(jsonb) IS 'Part of the one statement: lanes, separators and markings of new_edge; new_lane has number lane of the computation.';

@@ -1,0 +1,81 @@
+-- The rows that streetgen._streets computes streets from.
+CREATE TYPE streetgen.street_axis AS (
+    axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer, speed float8,
+    lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text,
+    lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
+    changed boolean, beside boolean, outer_axis boolean
+);
+COMMENT ON TYPE streetgen.street_axis IS 'An axis with the values used, and what an edit has to do with it.';
+COMMENT ON COLUMN streetgen.street_axis.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_axis.geom IS 'LINESTRING, EWKB';
+COMMENT ON COLUMN streetgen.street_axis.level IS 'axes of other levels do not meet it';
+COMMENT ON COLUMN streetgen.street_axis.width IS 'width kerb to kerb at its start, m';
+COMMENT ON COLUMN streetgen.street_axis.width_end IS 'width kerb to kerb at its end, m';
+COMMENT ON COLUMN streetgen.street_axis.radius IS 'radius that its corners want, m';
+COMMENT ON COLUMN streetgen.street_axis.importance IS '1 highest';
+COMMENT ON COLUMN streetgen.street_axis.speed IS 'km/h';
+COMMENT ON COLUMN streetgen.street_axis.lanes_forward IS 'lanes along the axis';
+COMMENT ON COLUMN streetgen.street_axis.lanes_backward IS 'lanes against the axis';
+COMMENT ON COLUMN streetgen.street_axis.kind_forward IS 'kinds of the lanes along the axis, parted by |; NULL: general';
+COMMENT ON COLUMN streetgen.street_axis.kind_backward IS 'kinds of the lanes against the axis, parted by |; NULL: general';
+COMMENT ON COLUMN streetgen.street_axis.lane_width_forward IS 'widths of the lanes along the axis, m, parted by |; NULL: shares';
+COMMENT ON COLUMN streetgen.street_axis.lane_width_backward IS 'widths of the lanes against the axis, m, parted by |; NULL: shares';
+COMMENT ON COLUMN streetgen.street_axis.turn_forward IS 'turns painted on the lanes along the axis, parted by |; NULL: none';
+COMMENT ON COLUMN streetgen.street_axis.turn_backward IS 'turns painted on the lanes against the axis, parted by |; NULL: none';
+COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
+COMMENT ON COLUMN streetgen.street_axis.beside IS 'did it lie beside ground of a changed axis before the change?';
+COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
+
+CREATE TYPE streetgen.street_transition AS (axis_id bigint, which text, kind text, length float8);
+COMMENT ON TYPE streetgen.street_transition IS 'The change of width at one end of an axis, instead of the settings transition_kind and transition_length.';
+COMMENT ON COLUMN streetgen.street_transition.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_transition.which IS 'which end: start or end';
+COMMENT ON COLUMN streetgen.street_transition.kind IS 'symmetric, left or right';
+COMMENT ON COLUMN streetgen.street_transition.length IS 'm';
+
+CREATE TYPE streetgen.street_limit AS (axis_id bigint, abscissa float8, which text);
+COMMENT ON TYPE streetgen.street_limit IS 'Where the intersection at one end of an edge ends, by hand.';
+COMMENT ON COLUMN streetgen.street_limit.axis_id IS 'the axis of the edge';
+COMMENT ON COLUMN streetgen.street_limit.abscissa IS 'the place, m along the axis';
+COMMENT ON COLUMN streetgen.street_limit.which IS 'which end of the edge: start or end';
+
+CREATE TYPE streetgen.street_corner AS (axis_a bigint, axis_b bigint, x float8, y float8, radius float8);
+COMMENT ON TYPE streetgen.street_corner IS 'The radius of a corner by hand, counter-clockwise from one axis to the next at a node.';
+COMMENT ON COLUMN streetgen.street_corner.axis_a IS 'the axis it begins at';
+COMMENT ON COLUMN streetgen.street_corner.axis_b IS 'the axis it ends at';
+COMMENT ON COLUMN streetgen.street_corner.x IS 'abscissa of a place near the node, in the plane';
+COMMENT ON COLUMN streetgen.street_corner.y IS 'its ordinate';
+COMMENT ON COLUMN streetgen.street_corner.radius IS 'm';
+
+CREATE TYPE streetgen.street_lane AS (axis_id bigint, abscissa float8, ordinality integer, along_axis boolean, width float8, line bytea);
+COMMENT ON TYPE streetgen.street_lane IS 'A lane by hand: direction, width and line, each NULL where it stays as computed.';
+COMMENT ON COLUMN streetgen.street_lane.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_lane.abscissa IS 'a place on the edge, m along the axis';
+COMMENT ON COLUMN streetgen.street_lane.ordinality IS 'number of the lane on the edge';
+COMMENT ON COLUMN streetgen.street_lane.along_axis IS 'does traffic run along the axis?';
+COMMENT ON COLUMN streetgen.street_lane.width IS 'm';
+COMMENT ON COLUMN streetgen.street_lane.line IS 'LINESTRING, EWKB';
+
+CREATE TYPE streetgen.street_restriction AS (from_axis bigint, to_axis bigint, x float8, y float8, kind text, turn text);
+COMMENT ON TYPE streetgen.street_restriction IS 'What traffic may not do at a node, or only may.';
+COMMENT ON COLUMN streetgen.street_restriction.from_axis IS 'the axis that traffic comes by';
+COMMENT ON COLUMN streetgen.street_restriction.to_axis IS 'the axis that it goes on by';
+COMMENT ON COLUMN streetgen.street_restriction.x IS 'abscissa of a place near the node, in the plane';
+COMMENT ON COLUMN streetgen.street_restriction.y IS 'its ordinate';
+COMMENT ON COLUMN streetgen.street_restriction.kind IS 'no or only';
+COMMENT ON COLUMN streetgen.street_restriction.turn IS 'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
+
+CREATE TYPE streetgen.former_edge AS (axis_id bigint, geom bytea, wanted_start float8, start float8, wanted_end float8, "end" float8);
+COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with the abscissas of its section limits.';
+COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.former_edge.geom IS 'LINESTRING, EWKB';
+COMMENT ON COLUMN streetgen.former_edge.wanted_start IS 'limit wanted at its start, m along the edge';
+COMMENT ON COLUMN streetgen.former_edge.start IS 'limit at its start, m along the edge';
+COMMENT ON COLUMN streetgen.former_edge.wanted_end IS 'limit wanted at its end, m along the edge';
+COMMENT ON COLUMN streetgen.former_edge."end" IS 'limit at its end, m along the edge';
+
+CREATE TYPE streetgen.former_place AS (x float8, y float8, met boolean);
+COMMENT ON TYPE streetgen.former_place IS 'A node whose surroundings changed axes may have given up ground to.';
+COMMENT ON COLUMN streetgen.former_place.x IS 'abscissa in the plane';
+COMMENT ON COLUMN streetgen.former_place.y IS 'ordinate in the plane';
+COMMENT ON COLUMN streetgen.former_place.met IS 'did a corner follow a changed axis to there?';

@@ -1,0 +1,223 @@
+#include "owners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "hole.hpp"
+#include "ownership.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
+#include "surfaces.hpp"
+#include "vicinity.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// A surface whose neighbours took less than this keeps its method.
+constexpr double contested_at_least = 0.01;
+
+// One claim an edge, then one a node.
+class Owners {
+ public:
+  Owners(Layout& layout, const Moved& moved)
+      : layout_(layout),
+        edges_(static_cast<int>(layout.axes.size())),
+        moved_(moved.edges),
+        surfaces_(edges_ + layout.junctions.size()),
+        built_(surfaces_.size()) {
+    moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
+    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(e));
+    for (std::size_t n = 0; n < layout.junctions.size(); ++n)
+      claims_.push_back(claim_of_intersection(static_cast<int>(n)));
+    for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
+  }
+
+  void settle() {
+    const std::vector<Hole> holes = build_what_matters();
+    settle_ownership(geos_, claims_, disputes_);
+    give_holes(geos_, claims_, holes);
+    give_rows();
+  }
+
+ private:
+  void add_axis(Claim& claim, int edge) const {
+    const StreetAxis& axis = layout_.axis_of(edge);
+    claim.edges.push_back(edge);
+    claim.importance = std::min(claim.importance, axis.importance);
+    claim.width = std::max({claim.width, axis.width, axis.width_end});
+  }
+
+  Claim claim_of_section(int e) const {
+    const Edge& edge = layout_.streets.network.edges[e];
+    const double start = layout_.streets.limits[2 * e].abscissa,
+                 end = layout_.streets.limits[2 * e + 1].abscissa;
+    Claim claim;
+    claim.wanted = layout_.streets.asked_edges[e];
+    claim.level = edge.level;
+    if (start < end) claim.skeleton.push_back({&layout_.arms[2 * e].line, start, end});
+    claim.axis_id = edge.axis_id;
+    claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
+    add_axis(claim, e);
+    return claim;
+  }
+
+  Claim claim_of_intersection(int node) const {
+    const NodeAnchor& anchor = layout_.streets.network.nodes[node].anchors.front();
+    Claim claim;
+    claim.wanted = layout_.streets.asked_nodes[node];
+    claim.level = layout_.level_of(node);
+    claim.axis_id = anchor.axis_id;
+    claim.place = 2 * std::llround(1000 * anchor.abscissa);
+    for (const EdgeEnd& end : layout_.junctions[node].ends) {
+      const Line& along = layout_.arms[2 * end.edge].line;
+      const double limit = layout_.arm(end).limit, total = length(along);
+      if (limit > 0)
+        claim.skeleton.push_back(
+            {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+      add_axis(claim, end.edge);
+      claim.axis_id = std::min(claim.axis_id, layout_.axis_of(end.edge).axis_id);
+    }
+    return claim;
+  }
+
+  // Whether any of them was not built yet.
+  bool build(const std::vector<bool>& needed) {
+    bool more = false;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!needed[i] || built_[i]) continue;
+      more = built_[i] = true;
+      poll_cancel();
+      if (i < edges_) {
+        tell_progress("sections", i, edges_);
+        surfaces_[i] = section_of(geos_, layout_, i);
+      } else {
+        tell_progress("intersections", i - edges_, claims_.size() - edges_);
+        surfaces_[i] = intersection_of(geos_, layout_, i - edges_);
+      }
+    }
+    return more;
+  }
+
+  // What is wanted, and whatever may take part in what that becomes.
+  std::vector<bool> needed_by_wanted() {
+    std::vector<bool> needed;
+    for (const Claim& claim : claims_) needed.push_back(claim.wanted);
+    if (std::find(needed.begin(), needed.end(), false) == needed.end()) return needed;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!claims_[i].wanted) continue;
+      for (const int other : vicinity().rivals(i)) needed[other] = true;
+      for (const int other : vicinity().enclosing(i)) needed[other] = true;
+    }
+    return needed;
+  }
+
+  std::vector<bool> needed_by(const std::vector<Hole>& holes) {
+    std::vector<bool> needed(claims_.size());
+    for (const Hole& hole : holes)
+      for (const int i : vicinity().near(box_of({{hole.ring}}))) needed[i] = true;
+    return needed;
+  }
+
+  Vicinity& vicinity() {
+    if (!vicinity_) {
+      const auto& limits = layout_.streets.limits;
+      std::vector<Extent> extents;
+      for (int e = 0; e < edges_; ++e)
+        extents.push_back(section_extent(layout_.arms[2 * e], limits[2 * e].abscissa,
+                                         limits[2 * e + 1].abscissa));
+      for (std::size_t n = 0; n < layout_.junctions.size(); ++n)
+        extents.push_back(
+            intersection_extent(layout_.arms_of(static_cast<int>(n)), layout_.junctions[n].gaps));
+      vicinity_.emplace(std::move(extents), claims_);
+    }
+    return *vicinity_;
+  }
+
+  // Whether it was not asked for yet.
+  bool ask(int i) {
+    if (claims_[i].wanted) return false;
+    claims_[i].wanted = true;
+    auto& streets = layout_.streets;
+    if (i < edges_) {
+      if (!layout_.axis_of(i).outer) streets.asked_edges[i] = true;
+    } else if (!layout_.outer(i - edges_)) {
+      streets.asked_nodes[i - edges_] = true;
+    }
+    return true;
+  }
+
+  // What claims the same ground as something that moved.
+  void ask_rivals() {
+    for (const auto& [i, j] : disputes_) {
+      if (moved_[i]) ask(j);
+      if (moved_[j]) ask(i);
+    }
+  }
+
+  bool ask_around(const std::vector<Hole>& holes) {
+    bool more = false;
+    for (const Hole& hole : holes)
+      for (const int i : hole.around) more = ask(i) || more;
+    return more;
+  }
+
+  // Gives the holes beside what is wanted.
+  std::vector<Hole> build_what_matters() {
+    for (;;) {
+      build(needed_by_wanted());
+      disputes_ = disputes(claims_);
+      ask_rivals();
+      if (build(needed_by_wanted())) continue;
+      std::vector<Hole> holes =
+          holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
+      if (!build(needed_by(holes)) && !ask_around(holes)) return holes;
+    }
+  }
+
+  template <class Row>
+  void settle_row(Row& row, int i) {
+    row.method =
+        claims_[i].contested_area > contested_at_least ? Method::contested : surfaces_[i].method;
+    row.contested_area = claims_[i].contested_area;
+    row.surface = std::move(surfaces_[i].ground);
+  }
+
+  void give_rows() {
+    Streets& streets = layout_.streets;
+    for (int e = 0; e < edges_; ++e) {
+      if (!streets.asked_edges[e]) continue;
+      Section section;
+      section.edge = e;
+      settle_row(section, e);
+      streets.sections.push_back(std::move(section));
+    }
+    for (int i = edges_; i < static_cast<int>(claims_.size()); ++i) {
+      const int node = i - edges_;
+      if (!streets.asked_nodes[node] || layout_.junctions[node].dead_end()) continue;
+      Intersection intersection;
+      intersection.node = node;
+      intersection.level = claims_[i].level;
+      settle_row(intersection, i);
+      streets.intersections.push_back(std::move(intersection));
+    }
+  }
+
+  Layout& layout_;
+  const int edges_;
+  Geos geos_;
+  std::vector<bool> moved_;  // by claim, as are those that follow
+  std::vector<Surface> surfaces_;
+  std::vector<bool> built_;
+  std::vector<Claim> claims_;
+  std::optional<Vicinity> vicinity_;
+  std::vector<std::pair<int, int>> disputes_;
+};
+
+}  // namespace
+
+void settle_owners(Layout& layout, const Moved& moved) { Owners(layout, moved).settle(); }
+
+}  // namespace streetgen

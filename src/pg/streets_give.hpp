@@ -1,0 +1,12 @@
+// The rows of a table into the tuplestore of a call.
+#pragma once
+
+#include "border.hpp"
+#include "streets_rows.hpp"
+
+namespace streetgen::pg {
+
+// EWKB becomes what the column is by its cast from bytea: a geometry.
+Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed);
+
+}  // namespace streetgen::pg
