@@ -61,21 +61,29 @@ BEGIN
             UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
         -- Where limits cross, the far end of an edge moves too, however far.
         far_end AS MATERIALIZED (
-            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id))
-        SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.from_node = f.node_id UNION SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.to_node = f.node_id
-        UNION SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)),
+        meeting AS MATERIALIZED (
+            SELECT edge_id, axis_id, geom, greatest(width, width_end) AS width, 'start' AS which FROM far_end JOIN %1$I.edge ON from_node = node_id
+            UNION ALL SELECT edge_id, axis_id, geom, greatest(width, width_end), 'end' FROM far_end JOIN %1$I.edge ON to_node = node_id),
+        -- An intersection whose limit lies beyond the reach claims ground there too.
+        reaching AS MATERIALIZED (
+            SELECT geom, width FROM line UNION ALL SELECT geom, width FROM meeting m WHERE m.width / 2 + (
+                SELECT CASE m.which WHEN 'start' THEN l.abscissa ELSE ST_Length(m.geom) - l.abscissa END FROM %1$I.section_limit l WHERE (l.edge_id, l.which) = (m.edge_id, m.which)) > reach)
+        SELECT axis_id FROM meeting
+        UNION SELECT e.axis_id FROM reaching l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
         UNION SELECT unnest(asked)) w;
     used := %1$I._used(written);
     stale := ARRAY(SELECT DISTINCT axis_id FROM unnest(used.axis_id, used.input_hash) u(axis_id, input_hash) JOIN %1$I.edge e USING (axis_id) WHERE e.input_hash <> u.input_hash AND axis_id <> ALL (asked));
     -- What that depends on. Axes are looked up once for all lines that begin in one cell; OFFSET: their widths by axis, not by width.
     WITH line AS MATERIALIZED (
-        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + w.width / 2 AS margin, ST_Expand(geom, reach + (w.width + widest) / 2) AS box
-        FROM unnest(used.axis_id, used.width) w(axis_id, width) JOIN %1$I.axis USING (axis_id)),
+        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + u.width / 2 AS margin, ST_Expand(geom, reach + (u.width + widest) / 2) AS box
+        FROM unnest(used.axis_id, used.width) u(axis_id, width) JOIN %1$I.axis USING (axis_id)),
     beside AS MATERIALIZED (
         SELECT b.x, b.y, a.axis_id, a.geom, coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest) / 2 AS half
-        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box)
-    SELECT coalesce(array_agg(DISTINCT b.axis_id), '{}') INTO gathered FROM beside b JOIN line l USING (x, y) WHERE b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half);
+        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(used.axis_id)))
+    SELECT used.axis_id || coalesce(array_agg(DISTINCT axis_id), '{}') INTO gathered FROM beside b
+        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half));
     -- With what meets it farther on: that bounds its edges.
     SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
         WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
