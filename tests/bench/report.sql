@@ -20,8 +20,12 @@ figure(place, figure, measured, bar) AS (
     UNION ALL SELECT 7, 'nothing changed against a first run under live keys: ' || input, u.server / k.server, '<= 0.25' FROM cost u JOIN cost k USING (input) WHERE (u.part, u.phase) = ('build', 'unchanged') AND (k.part, k.phase) = ('keys', 'cold')
     UNION ALL SELECT 8, 'nothing changed against a first run: ' || input, u.server / c.server, CASE input WHEN 'paris_2014' THEN '<= 0.7' END FROM cost u JOIN cost c USING (input, part) WHERE part = 'build' AND u.phase = 'unchanged' AND c.phase = 'cold'
     UNION ALL SELECT 9, format('CPU an axis of %s axes against 10,000', l.axes), l.server / s.server, '<= 1.15' FROM an_axis l JOIN an_axis s ON l.input LIKE 'virtual%' AND s.input = 'virtual_10k' AND l.axes > s.axes
-    UNION ALL SELECT 10, 'private memory at a million axes, MB', peak, '<= 512' FROM median WHERE (input, part, phase) = ('virtual_1m', 'build', 'cold')
-    UNION ALL SELECT 11, 'an arc''s centre: two buffers against arc_centre', b.server / nullif(a.server, 0), NULL FROM cost a JOIN cost b USING (input, part) WHERE (input, part, a.phase, b.phase) = ('paris_2014', 'corner', 'arc_centre', 'buffers'))
+    UNION ALL SELECT 10, format('by clusters, CPU an axis of %s axes against %s', l.rows, s.rows), l.server / l.rows / (s.server / s.rows), '<= 1.15' FROM median l JOIN median s USING (part) WHERE part = 'clusters' AND l.input IN ('virtual_100k', 'virtual_1m') AND s.input = 'virtual_10k'
+    UNION ALL SELECT 11, 'private memory of the largest session at a million axes, MB', peak, '<= 512' FROM median WHERE (input, part) = ('virtual_1m', 'clusters')
+    UNION ALL SELECT 12, 'two sessions against one, both by 8 clusters, in wall time: ' || input, o.wall / t.wall, CASE input WHEN 'paris_2014' THEN '>= 1.7' END FROM median o JOIN median t USING (input, part) WHERE (part, o.phase, t.phase) = ('clusters', '8 clusters, sessions: 1', '8 clusters, sessions: 2')
+    UNION ALL SELECT 13, 'two sessions by 8 clusters against a first run, in wall time: ' || input, c.wall / t.wall, CASE input WHEN 'paris_2014' THEN '>= 1.1' END FROM median c JOIN median t USING (input) WHERE (c.part, c.phase, t.part, t.phase) = ('build', 'cold', 'clusters', '8 clusters, sessions: 2')
+    UNION ALL SELECT 14, 'the same, in CPU: ' || input, c.server / t.server, NULL FROM median c JOIN median t USING (input) WHERE (c.part, c.phase, t.part, t.phase) = ('build', 'cold', 'clusters', '8 clusters, sessions: 2')
+    UNION ALL SELECT 15, 'an arc''s centre: two buffers against arc_centre', b.server / nullif(a.server, 0), NULL FROM cost a JOIN cost b USING (input, part) WHERE (input, part, a.phase, b.phase) = ('paris_2014', 'corner', 'arc_centre', 'buffers'))
 SELECT pg_temp.line(figure, pg_temp.told(measured), bar) FROM figure ORDER BY place, figure;
 
 \echo
@@ -36,6 +40,12 @@ WHERE part = 'build' AND c.phase = 'cold' AND u.phase = 'unchanged' AND p.phase 
 SELECT pg_temp.header('input', 'part', 'phase', 'times', 'rows', 'CPU s', 'with the server''s own', 'wall s', 'private memory MB', 'disk MB');
 SELECT pg_temp.line(input, part, phase, turns::text, CASE WHEN rows > 0 THEN rows::text END, pg_temp.told(cpu), pg_temp.told(server), pg_temp.told(wall), pg_temp.told(peak), CASE WHEN part <> 'netconvert' THEN pg_temp.told(bytes) END)
 FROM median LEFT JOIN input USING (input) WHERE part IN ('keys', 'floor', 'surfaces', 'netconvert', 'corner') ORDER BY axes, input, array_position(ARRAY['keys', 'floor', 'surfaces', 'netconvert', 'corner'], part), phase;
+
+\echo
+\echo '### Clusters'
+SELECT pg_temp.header('input', 'axes', 'clusters', 'sessions', 'CPU s of all', 'CPU ms an axis', 'wall s', 'private memory of the largest session, MB');
+SELECT pg_temp.line(input, rows::text, split_part(phase, ' ', 1), split_part(phase, ': ', 2), pg_temp.told(server), pg_temp.told(1000 * server / rows), pg_temp.told(wall), pg_temp.told(peak))
+FROM median WHERE part = 'clusters' ORDER BY rows, split_part(phase, ' ', 1)::integer, phase;
 
 \echo
 \echo '### The papers'' experiments'
