@@ -69,7 +69,13 @@ BEGIN
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
     IF known.choice IS NOT NULL THEN
-        holds := value = ANY (known.choice) OR setting = 'trajectory' AND streetgen._trajectory_function(value) IS NOT NULL;
+        holds := value = ANY (known.choice);
+        IF NOT holds AND setting = 'trajectory' THEN
+            BEGIN
+                holds := streetgen._trajectory_function(value) IS NOT NULL;
+            EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN -- no name at all
+            END;
+        END IF;
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory' THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$' THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
