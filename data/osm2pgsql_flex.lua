@@ -39,6 +39,7 @@ end
 
 local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
     { column = 'restriction', type = 'text' },
+    { column = 'excepted', type = 'text' }, -- traffic that it does not hold for
     { column = 'from_way', type = 'bigint' },
     { column = 'to_way', type = 'bigint' },
     { column = 'via_way', type = 'bool' },
@@ -60,10 +61,11 @@ function osm2pgsql.process_relation(object)
         end
     end
     local geom = object:as_geometrycollection()
-    for _, from_way in ipairs(from) do
-        for _, to_way in ipairs(to) do
-            restriction:insert({ restriction = object.tags.restriction, from_way = from_way, to_way = to_way,
-                                 via_way = via_way, geom = geom })
+    -- One that lacks a way, or whose way the file cuts off, has a row too: the import reports it.
+    for i = 1, math.max(#from, 1) do
+        for j = 1, math.max(#to, 1) do
+            restriction:insert({ restriction = object.tags.restriction, excepted = object.tags.except,
+                                 from_way = from[i], to_way = to[j], via_way = via_way, geom = geom })
         end
     end
 end

@@ -30,11 +30,16 @@ BEGIN
     END LOOP;
     DROP EXTENSION streetgen;
     CREATE EXTENSION streetgen;
+    -- One new model for all that are alike, since what is made and dropped stays locked to the end.
+    CREATE TEMPORARY TABLE wanted_column (srid integer, dimension integer, description text) ON COMMIT DROP;
+    FOR known IN SELECT DISTINCT srid, dimension FROM known_model LOOP
+        PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
+        INSERT INTO wanted_column SELECT known.srid, known.dimension, pg_temp.columns_of('streetgen_renewed');
+        PERFORM streetgen.drop_model('streetgen_renewed');
+    END LOOP;
     FOR known IN SELECT * FROM known_model LOOP
         PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._add_tables(known.name, known.srid);
-        PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
-        SELECT string_agg(c, ', ') INTO missing FROM (SELECT pg_temp.columns_of('streetgen_renewed') EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
-        PERFORM streetgen.drop_model('streetgen_renewed');
+        SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension) = (known.srid, known.dimension) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         IF missing IS NOT NULL THEN
             RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',
                 HINT = format('Keep it with pg_dump -n %1$I and DROP SCHEMA %1$I CASCADE, or set STREETGEN_DATABASE to a new name.', known.name);

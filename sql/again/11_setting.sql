@@ -34,7 +34,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL),
     ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL),
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
-    ('reach', '60', 'm', 'an edit changes nothing farther away along the network', 10, 1000, NULL),
+    ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000, NULL),
     ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600, NULL),
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on'])
@@ -69,7 +69,13 @@ BEGIN
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
     IF known.choice IS NOT NULL THEN
-        holds := value = ANY (known.choice) OR setting = 'trajectory' AND streetgen._trajectory_function(value) IS NOT NULL;
+        holds := value = ANY (known.choice);
+        IF NOT holds AND setting = 'trajectory' THEN
+            BEGIN
+                holds := streetgen._trajectory_function(value) IS NOT NULL;
+            EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN -- no name at all
+            END;
+        END IF;
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory' THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$' THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;

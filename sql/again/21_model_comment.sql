@@ -34,7 +34,7 @@ BEGIN
         ('axis', 'lanes_backward', 'general and bus lanes against geom; NULL or 0: from lane_count'),
         ('axis', 'kind_forward', 'kinds of all lanes along geom, such as general|bus|cycle|parking, from left to right; NULL: general lanes only'),
         ('axis', 'kind_backward', 'the same against geom, from left to right in driving direction'),
-        ('axis', 'lane_width_forward', 'widths of the lanes along geom, such as 3.5||1.5, metres; empty: an equal share of what the others leave; cycle and parking lanes may be left out'),
+        ('axis', 'lane_width_forward', 'widths of the lanes along geom, such as 3.5||1.5, metres; empty or 0: an equal share of what the others leave; cycle and parking lanes may be left out'),
         ('axis', 'lane_width_backward', 'the same against geom'),
         ('axis', 'turn_forward', 'movements of the lanes along geom, as OSM''s turn:lanes: left|through;right; cycle and parking lanes may be left out'),
         ('axis', 'turn_backward', 'the same against geom, from left to right in driving direction'),

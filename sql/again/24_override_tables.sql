@@ -4,7 +4,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_override_tables(model name, srid inte
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE
-    finite constant text := 'NOT ST_IsEmpty(%1$s) AND ST_XMin(%1$s) BETWEEN -1e12 AND 1e12 AND ST_XMax(%1$s) BETWEEN -1e12 AND 1e12 AND ST_YMin(%1$s) BETWEEN -1e12 AND 1e12 AND ST_YMax(%1$s) BETWEEN -1e12 AND 1e12';
     statement text;
     relation name;
 BEGIN
@@ -43,7 +42,7 @@ BEGIN
         $t$CREATE INDEX IF NOT EXISTS kerb_point_override_axis ON %1$I.kerb_point_override (axis_id)$t$,
         $t$COMMENT ON TABLE %1$I.kerb_point_override IS 'By hand: places on the kerbs of an axis. The mean of their widths is its width, instead of width and width_end of the axis. generate never changes it; one whose axis is gone stays and is a row of check_model'$t$
     ] LOOP
-        EXECUTE format(statement, model, srid, format(finite, 'geom'), format(finite, 'line'));
+        EXECUTE format(statement, model, srid, streetgen._finite('geom'), streetgen._finite('line'));
     END LOOP;
     FOREACH relation IN ARRAY ARRAY['transition_override', 'lane_override', 'section_limit_override', 'corner_override', 'kerb_point_override'] LOOP
         EXECUTE format('CREATE INDEX IF NOT EXISTS %2$I ON %1$I.%3$I USING gist (geom)', model, relation || '_geom', relation);

@@ -37,7 +37,7 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule() RETURNS TABLE(relation name, 
     ('corner_override', 'radius', '0 to 200 m', '0 for no arc; delete the row to have it computed.'),
     ('kerb_point_override', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
     ('kerb_point_override', 'width', '0.001 to 200 m', 'Leave it empty: it is twice the distance from the axis.'),
-    ('interconnection_override', 'control', 'a point with coordinates', 'Leave it empty to have it computed.')
+    ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12', 'Leave it empty to have it computed.')
     $$;
 COMMENT ON FUNCTION streetgen._input_rule() IS 'What the constraints on columns of input tables ask for, in words, and the way out.';
 

@@ -80,7 +80,7 @@ COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS 'The form of a list of
 CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
-COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
 
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -11,16 +11,21 @@ CREATE OR REPLACE FUNCTION streetgen._trajectory(rule text, lane_in geometry, in
 DECLARE
     lane_from constant geometry := CASE WHEN in_along THEN lane_in ELSE ST_Reverse(lane_in) END;
     lane_to constant geometry := CASE WHEN out_along THEN lane_out ELSE ST_Reverse(lane_out) END;
+    rule_function regprocedure;
     path geometry;
 BEGIN
     IF control IS NOT NULL THEN
         RETURN streetgen.interconnection(lane_from, lane_to, control, 'control', tolerance);
     END IF;
-    EXECUTE format('SELECT %s($1, $2, $3, $4)', streetgen._trajectory_function(rule)::regproc) INTO path USING lane_from, lane_to, ST_Force2D(centre), tolerance;
+    rule_function := streetgen._trajectory_function(rule);
+    IF rule_function IS NULL THEN
+        RAISE EXCEPTION 'trajectory function % is gone', rule USING ERRCODE = '42883', HINT = 'Make it again, or set the trajectory to bezier or arcs.';
+    END IF;
+    EXECUTE format('SELECT %s($1, $2, $3, $4)', rule_function::regproc) INTO path USING lane_from, lane_to, ST_Force2D(centre), tolerance;
     IF (GeometryType(path) = 'LINESTRING' AND ST_SRID(path) = ST_SRID(lane_in) AND NOT ST_IsEmpty(path) AND ST_Length(path) < 'Infinity') IS NOT TRUE THEN
         RAISE EXCEPTION 'trajectory function % gave %, expected a LINESTRING of SRID %', rule, coalesce(left(ST_AsEWKT(path), 100), 'NULL'), ST_SRID(lane_in) USING ERRCODE = '22023',
             DETAIL = format('From lane %s to lane %s.', ST_AsText(lane_from, 2), ST_AsText(lane_to, 2)), HINT = 'Mend the function, or set the trajectory to bezier or arcs.';
     END IF;
     RETURN ST_Force2D(path);
 END $$;
-COMMENT ON FUNCTION streetgen._trajectory(text, geometry, boolean, geometry, boolean, geometry, geometry, float8) IS 'The path between two lanes (in the point order of their axes) with a control point of the user''s, else by the function of the user''s that the setting names. Another result than a line: 22023.';
+COMMENT ON FUNCTION streetgen._trajectory(text, geometry, boolean, geometry, boolean, geometry, geometry, float8) IS 'The path between two lanes (in the point order of their axes) with a control point of the user''s, else by the function of the user''s that the setting names. A function that is gone: 42883; another result than a line: 22023.';

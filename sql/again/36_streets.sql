@@ -10,58 +10,60 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: names and values as words, of all in streetgen._default_setting() that the core reads. No axes (NULL): NULL; any other list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
-    RETURNS TABLE(node integer, asked boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
-COMMENT ON FUNCTION streetgen._computed_node(bigint) IS 'The nodes of streets computed in this statement: asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on each, m. Streets that are not kept: 55000, as in all these.';
+    RETURNS TABLE(number integer, asked boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
+COMMENT ON FUNCTION streetgen._computed_node(bigint) IS 'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as in all these; asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on each, m. Streets that are not kept: 55000, as in all these.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
-    RETURNS TABLE(edge integer, asked boolean, lanes_asked boolean, axis_id bigint, from_node integer, to_node integer, level integer,
+    RETURNS TABLE(number integer, asked boolean, lanes_asked boolean, axis_id bigint, from_node integer, to_node integer, level integer,
         start_abscissa float8, end_abscissa float8, geom geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS 'The edges of streets computed in this statement: asked: its section comes out; lanes_asked: its lanes do; abscissas along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint)
-    RETURNS TABLE(edge integer, which text, wanted_abscissa float8, abscissa float8, geom geometry, border_line geometry, method text)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_section_limit';
+    RETURNS TABLE(number integer, edge integer, axis_id bigint, which text, wanted_abscissa float8, abscissa float8, geom geometry, border_line geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section_limit';
 COMMENT ON FUNCTION streetgen._computed_section_limit(bigint) IS 'The section limits of streets computed in this statement; abscissas along the edge, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint)
-    RETURNS TABLE(edge integer, level integer, surface geometry, method text, contested_area float8)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
+    RETURNS TABLE(number integer, edge integer, level integer, surface geometry, method text, contested_area float8)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
 COMMENT ON FUNCTION streetgen._computed_section(bigint) IS 'The sections of streets computed in this statement: those of asked edges.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint)
-    RETURNS TABLE(node integer, edge_a integer, end_a text, edge_b integer, end_b text, centre geometry, radius_wanted float8, radius float8, arc geometry, method text)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_corner';
+    RETURNS TABLE(number integer, node integer, edge_a integer, end_a text, edge_b integer, end_b text,
+        centre geometry, radius_wanted float8, radius float8, arc geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_corner';
 COMMENT ON FUNCTION streetgen._computed_corner(bigint) IS 'The corners of streets computed in this statement; centre and arc are NULL where there is no arc; radii in m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_intersection(streets bigint)
-    RETURNS TABLE(node integer, level integer, surface geometry, method text, contested_area float8)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_intersection';
+    RETURNS TABLE(number integer, node integer, level integer, surface geometry, method text, contested_area float8)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_intersection';
 COMMENT ON FUNCTION streetgen._computed_intersection(bigint) IS 'The intersections of streets computed in this statement: those of asked nodes where edges meet.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint)
-    RETURNS TABLE(lane integer, edge integer, ordinality integer, lane_position integer, side text, along_axis boolean, kind text,
+    RETURNS TABLE(number integer, edge integer, axis_id bigint, ordinality integer, lane_position integer, side text, along_axis boolean, kind text,
         width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
 COMMENT ON FUNCTION streetgen._computed_lane(bigint) IS 'The lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint)
-    RETURNS TABLE(edge integer, lane_position integer, kind text, dashed boolean, axis_offset float8, geom geometry, surface geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_lane_separator';
+    RETURNS TABLE(number integer, edge integer, lane_position integer, kind text, dashed boolean, axis_offset float8, geom geometry, surface geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane_separator';
 COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint) IS 'The lines between the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint)
-    RETURNS TABLE(edge integer, lane_position integer, node integer, kind text, geom geometry, surface geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_marking';
+    RETURNS TABLE(number integer, edge integer, lane_position integer, node integer, kind text, geom geometry, surface geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_marking';
 COMMENT ON FUNCTION streetgen._computed_marking(bigint) IS 'What is painted across and on the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint)
-    RETURNS TABLE(node integer, lane_in integer, lane_out integer, turn text, angle float8, plausible boolean, reason text, control geometry, geom geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_interconnection';
+    RETURNS TABLE(number integer, node integer, lane_in integer, lane_out integer, turn text, angle float8,
+        plausible boolean, reason text, control geometry, geom geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_interconnection';
 COMMENT ON FUNCTION streetgen._computed_interconnection(bigint) IS 'The pairs of lanes of streets computed in this statement, and the paths between them.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
-    RETURNS TABLE(issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_computed_report';
+    RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_report';
 COMMENT ON FUNCTION streetgen._computed_report(bigint) IS 'What the network step noticed while it computed streets in this statement.';

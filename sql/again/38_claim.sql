@@ -61,21 +61,29 @@ BEGIN
             UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
         -- Where limits cross, the far end of an edge moves too, however far.
         far_end AS MATERIALIZED (
-            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id))
-        SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.from_node = f.node_id UNION SELECT e.axis_id FROM far_end f JOIN %1$I.edge e ON e.to_node = f.node_id
-        UNION SELECT e.axis_id FROM line l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)),
+        meeting AS MATERIALIZED (
+            SELECT edge_id, axis_id, geom, greatest(width, width_end) AS width, 'start' AS which FROM far_end JOIN %1$I.edge ON from_node = node_id
+            UNION ALL SELECT edge_id, axis_id, geom, greatest(width, width_end), 'end' FROM far_end JOIN %1$I.edge ON to_node = node_id),
+        -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
+        reaching AS MATERIALIZED (
+            SELECT geom, width FROM line UNION ALL SELECT geom, width FROM meeting m WHERE EXISTS (SELECT FROM line l WHERE ST_DWithin(l.geom, m.geom, 3 * tolerance)) AND m.width / 2 + (
+                SELECT CASE m.which WHEN 'start' THEN l.abscissa ELSE ST_Length(m.geom) - l.abscissa END FROM %1$I.section_limit l WHERE (l.edge_id, l.which) = (m.edge_id, m.which)) > reach)
+        SELECT axis_id FROM meeting
+        UNION SELECT e.axis_id FROM reaching l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
         UNION SELECT unnest(asked)) w;
     used := %1$I._used(written);
     stale := ARRAY(SELECT DISTINCT axis_id FROM unnest(used.axis_id, used.input_hash) u(axis_id, input_hash) JOIN %1$I.edge e USING (axis_id) WHERE e.input_hash <> u.input_hash AND axis_id <> ALL (asked));
     -- What that depends on. Axes are looked up once for all lines that begin in one cell; OFFSET: their widths by axis, not by width.
     WITH line AS MATERIALIZED (
-        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + w.width / 2 AS margin, ST_Expand(geom, reach + (w.width + widest) / 2) AS box
-        FROM unnest(used.axis_id, used.width) w(axis_id, width) JOIN %1$I.axis USING (axis_id)),
+        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + u.width / 2 AS margin, ST_Expand(geom, reach + (u.width + widest) / 2) AS box
+        FROM unnest(used.axis_id, used.width) u(axis_id, width) JOIN %1$I.axis USING (axis_id)),
     beside AS MATERIALIZED (
         SELECT b.x, b.y, a.axis_id, a.geom, coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest) / 2 AS half
-        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box)
-    SELECT coalesce(array_agg(DISTINCT b.axis_id), '{}') INTO gathered FROM beside b JOIN line l USING (x, y) WHERE b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half);
+        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(used.axis_id)))
+    SELECT used.axis_id || coalesce(array_agg(DISTINCT axis_id), '{}') INTO gathered FROM beside b
+        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half));
     -- With what meets it farther on: that bounds its edges.
     SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
         WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
@@ -99,22 +107,29 @@ CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], missed 
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    reach float8;
     far float8;
     outside bigint[];
 BEGIN
     -- No pair of roadways reaches farther.
-    EXECUTE format($sql$SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')$sql$, model) INTO far;
+    EXECUTE format($sql$SELECT max(value::float8), max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')$sql$, model) INTO reach, far;
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
 size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
-held AS (
-    SELECT DISTINCT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)),
+held AS MATERIALIZED (
+    SELECT geom FROM %1$I.edge WHERE axis_id IN (
+        SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2))),
+-- With the edges along which an intersection claims ground beside these.
+reached AS MATERIALIZED (
+    SELECT geom FROM held UNION ALL SELECT e.geom FROM %1$I.edge e JOIN %1$I.section_limit l USING (edge_id)
+    WHERE greatest(e.width, e.width_end) / 2 + CASE l.which WHEN 'start' THEN l.abscissa ELSE ST_Length(e.geom) - l.abscissa END > $4
+        AND EXISTS (SELECT FROM held h WHERE ST_DWithin(h.geom, e.geom, $3))),
 inside AS (
     SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
     WHERE axis_id = ANY ($1) AND cell = ANY ($2)
-    UNION ALL SELECT a.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.axis a ON ST_DWithin(a.geom, e.geom, $3)
-    UNION ALL SELECT f.axis_id FROM held JOIN %1$I.edge e USING (axis_id) JOIN %1$I.edge f ON ST_DWithin(f.geom, e.geom, $3))
-SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, missed, far;
+    UNION ALL SELECT a.axis_id FROM reached r JOIN %1$I.axis a ON ST_DWithin(a.geom, r.geom, $3)
+    UNION ALL SELECT e.axis_id FROM reached r JOIN %1$I.edge e ON ST_DWithin(e.geom, r.geom, $3))
+SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, missed, far, reach;
     RETURN outside;
 END $$;
 COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[]) IS 'Those of the axes for which a run reads or writes nothing in the cells missed.';

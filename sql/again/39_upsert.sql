@@ -11,10 +11,12 @@ COMMENT ON FUNCTION streetgen._filled(text, jsonb) IS 'A text with its places, {
 CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, whole boolean, bare boolean DEFAULT false) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT jsonb_build_object('model', quote_ident(model), 'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid, 'has_height', m.dimension = 3,
-        'whole', whole, 'bare', bare, 'by_key', CASE WHEN whole THEN '' ELSE 'OFFSET 0' END)
+    SELECT jsonb_build_object('model', quote_ident(model), 'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
+        'whole', whole, 'bare', bare, 'by_key', CASE WHEN whole THEN '' ELSE 'OFFSET 0' END,
+        'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
+            format('streetgen._with_height(c.geom, (SELECT a.geom FROM %I.axis a WHERE a.axis_id = c.axis_id))', model) END)
     FROM streetgen.model m WHERE m.name = model $$;
-COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean) IS 'The places of the one statement. {model}: the schema; {quoted_model}: the same between quotes; {srid}; true or false, which the planner takes out: {has_height}: nodes, edges and limits carry Z; {whole}: all axes are asked; {bare}: no derived row is there. {by_key}: keeps a lateral subquery apart, so that it is looked up row by row and not joined, where rows are few beside those of the model.';
+COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean) IS 'The places of the one statement. {model}: the schema; {quoted_model}: the same between quotes; {srid}; {whole}: all axes are asked, and {bare}: no derived row is there: true or false, which the planner takes out. {by_key}: where rows are few beside those of the model, keeps a lateral subquery apart, so that it is looked up row by row and not joined. {geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.
 CREATE OR REPLACE FUNCTION streetgen._with_height(place geometry, axis geometry) RETURNS geometry
@@ -27,40 +29,57 @@ CREATE OR REPLACE FUNCTION streetgen._with_height(place geometry, axis geometry)
     $$;
 COMMENT ON FUNCTION streetgen._with_height(geometry, geometry) IS 'A POINT or LINESTRING of the plane with the heights of the nearest places of an axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, id text, columns text, rows text, same text DEFAULT NULL, there text DEFAULT NULL, gone text DEFAULT NULL) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._columns_of(name text, columns text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT regexp_replace(columns, '\w+', name || '.\&', 'g') $$;
+COMMENT ON FUNCTION streetgen._columns_of(text, text) IS 'A list of columns, each with the name of the row that has it.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, id text, columns text, rows text, same text DEFAULT NULL,
+    named boolean DEFAULT false, there text DEFAULT NULL, gone text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT streetgen._filled($part$
 new_{relation} AS MATERIALIZED (
-    SELECT {new_id}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
+    SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
     FROM ({rows}
-        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({known}) = ({known_new}) {by_key}) old ON true),
+        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}) {by_key}) old ON true{order_named}),
 set_{relation} AS (
-    INSERT INTO {model}.{relation} ({written}) SELECT {written} FROM new_{relation} WHERE changed{on_conflict})$part$
+    INSERT INTO {model}.{relation} ({id}, {written})
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{order}{on_conflict})$part$
+    || CASE WHEN named THEN $part$,
+{relation}_ids AS MATERIALIZED (
+    SELECT array_agg(coalesce({id}, 0) ORDER BY number) AS ids
+    FROM generate_series(1, (SELECT max(number) FROM new_{relation})) number LEFT JOIN new_{relation} USING (number))$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
-    DELETE FROM {model}.{relation} WHERE NOT {bare} AND {id} = ANY (ARRAY(({there}) EXCEPT SELECT {id} FROM new_{relation})) RETURNING 1)$part$ END || $part$,
+    DELETE FROM {model}.{relation} WHERE NOT {bare} AND {id} = ANY (ARRAY(
+        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END || $part$,
 count_{relation} AS (
-    SELECT '{relation}', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), {gone}, count(*) FILTER (WHERE NOT changed), {hard}
+    SELECT '{relation}', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), {gone},
+           count(*) FILTER (WHERE NOT changed), {hard}
     FROM new_{relation})$part$,
-        places || jsonb_build_object('relation', relation, 'id', id, 'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
-            'new_id', CASE WHEN same IS NULL THEN '' ELSE format('coalesce(old.%1$s, nextval(''%2$s.%3$s_%1$s_seq'')) AS %1$s, ', id, places ->> 'quoted_model', relation) END,
-            'old_columns', regexp_replace(columns, '\w+', 'old.\&', 'g'), 'new_columns', regexp_replace(columns, '\w+', 'n.\&', 'g'),
-            'known', regexp_replace(coalesce(same, id), '\w+', 'o.\&', 'g'), 'known_new', regexp_replace(coalesce(same, id), '\w+', 'n.\&', 'g'),
-            'written', concat_ws(', ', id, same, columns),
-            'on_conflict', CASE WHEN (places ->> 'bare')::boolean THEN '' ELSE
-                format(' ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)', id, columns, regexp_replace(columns, '\w+', 'excluded.\&', 'g')) END,
+        places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
+            'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
+            'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
+            'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
+            'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
+            'id_new', CASE WHEN same IS NULL THEN id ELSE format('coalesce(%s, %s)', id, next_id) END,
+            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
+            'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
+                id, columns, streetgen._columns_of('excluded', columns)) END,
             'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
-            'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END)) $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query. id: its key; same: columns that tell which row there is the same, which then keeps its id, others get a new one; NULL: the query gives the id. columns: what else is written, where it differs. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_ and the relation has all columns of the query, id, fresh (not there yet) and changed; count_ the counts.';
+            'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END))
+    FROM (SELECT (places ->> 'bare')::boolean AS bare, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     -- RECURSIVE: parts may name what comes below them.
-    SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places), streetgen._upsert_lanes(places),
-            streetgen._upsert_interconnections(places), streetgen._upsert_report(places))
-        || (SELECT string_agg(format(E'\nSELECT * FROM count_%s', relation), ' UNION ALL' ORDER BY n) FROM unnest(streetgen._derived_tables()) WITH ORDINALITY t(relation, n)) $$;
+    SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places),
+            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places))
+        || (SELECT string_agg(format(E'\nSELECT * FROM count_%s', relation), ' UNION ALL' ORDER BY n)
+            FROM unnest(streetgen._derived_tables()) WITH ORDINALITY t(relation, n)) $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false)
@@ -75,7 +94,8 @@ DECLARE
     work_mem_before text := current_setting('work_mem');
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare)) USING written, gathered, changed;
+    RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare))
+        USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';

@@ -62,7 +62,8 @@ computed AS MATERIALIZED (
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
         transitions => (
-            SELECT array_agg(ROW (axis_id, which, coalesce(kind, v ->> 'transition_kind'), coalesce(length, (v ->> 'transition_length')::float8))::streetgen.street_transition)
+            SELECT array_agg(ROW (axis_id, which, coalesce(kind, v ->> 'transition_kind'),
+                coalesce(length, (v ->> 'transition_length')::float8))::streetgen.street_transition)
             FROM (SELECT DISTINCT ON (axis_id, which) * FROM {model}.transition_override WHERE {whole} OR axis_id = ANY ($2)
                   ORDER BY axis_id, which, transition_override_id DESC) o, setting),
         limits => (

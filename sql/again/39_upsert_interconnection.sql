@@ -3,25 +3,32 @@
 CREATE OR REPLACE FUNCTION streetgen._upsert_interconnections(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._filled($part$
-computed_interconnection AS MATERIALIZED (SELECT * FROM streetgen._computed_interconnection((SELECT streets FROM computed))),
+rule AS MATERIALIZED (
+    SELECT v ->> 'trajectory' AS name, v ->> 'trajectory' IN ('bezier', 'arcs') AS of_core, (v ->> 'trajectory_tolerance')::float8 AS tolerance,
+           3 * (v ->> 'tolerance')::float8 AS near FROM setting),
 decided AS MATERIALIZED (
-    SELECT DISTINCT ON (p.lane_in, p.lane_out) p.lane_in, p.lane_out, d.connecting, d.control
+    SELECT DISTINCT ON (i.number, o.number) i.number AS lane_in, o.number AS lane_out, d.connecting, d.control
     FROM {model}.interconnection_override d
     JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out)
-    JOIN computed_interconnection p ON (p.lane_in, p.lane_out) = (i.lane, o.lane) JOIN new_node n USING (node)
-    WHERE ST_DWithin(d.geom, n.geom, (SELECT 3 * (v ->> 'tolerance')::float8 FROM setting))
-    ORDER BY p.lane_in, p.lane_out, d.interconnection_override_id DESC),
--- Paths of the core, or of a function of the user.
-rule AS (SELECT v ->> 'trajectory' AS name, v ->> 'trajectory' IN ('bezier', 'arcs') AS drawn, (v ->> 'trajectory_tolerance')::float8 AS tolerance FROM setting)$part$, places),
+    JOIN new_edge e ON e.edge_id = i.edge_id JOIN new_node n ON n.node_id = CASE WHEN i.along_axis THEN e.to_node ELSE e.from_node END
+    WHERE ST_DWithin(d.geom, n.geom, (SELECT near FROM rule)) ORDER BY i.number, o.number, d.interconnection_override_id DESC),
+-- Pairs that are not all as computed: those decided by hand, or every one where a function of the user draws.
+drawn AS MATERIALIZED (
+    SELECT p.lane_in, p.lane_out, d.connecting, d.control, d.lane_in IS NOT NULL AS by_hand,
+           CASE WHEN r.of_core AND d.control IS NULL THEN p.geom
+                ELSE streetgen._trajectory(r.name, i.geom, i.along_axis, o.geom, o.along_axis, n.geom, d.control, r.tolerance) END AS geom
+    FROM rule r, streetgen._computed_interconnection((SELECT streets FROM computed)) p
+    JOIN new_node n ON n.number = p.node JOIN new_lane i ON i.number = p.lane_in JOIN new_lane o ON o.number = p.lane_out
+    LEFT JOIN decided d USING (lane_in, lane_out)
+    WHERE ((SELECT NOT of_core FROM rule) OR EXISTS (SELECT FROM decided)) AND (NOT r.of_core OR d.lane_in IS NOT NULL))$part$, places),
     streetgen._upsert_rows(places, 'interconnection', id => 'interconnection_id', same => 'lane_in, lane_out',
         columns => 'node_id, turn, angle, plausible, reason, connecting, control, geom, method', rows => $part$
-        SELECT n.node_id, i.lane_id AS lane_in, o.lane_id AS lane_out, p.turn, p.angle, p.plausible, p.reason, coalesce(d.connecting, p.plausible) AS connecting,
-               CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT drawn FROM rule) THEN p.control END AS control,
-               CASE WHEN d.control IS NULL AND (SELECT drawn FROM rule) THEN p.geom
-                    ELSE streetgen._trajectory((SELECT name FROM rule), i.geom, i.along_axis, o.geom, o.along_axis, n.geom, d.control, (SELECT tolerance FROM rule)) END AS geom,
-               CASE WHEN d.lane_in IS NULL THEN 'hypothesis' ELSE 'by_hand' END AS method
-        FROM computed_interconnection p JOIN new_node n USING (node) JOIN new_lane i ON i.lane = p.lane_in JOIN new_lane o ON o.lane = p.lane_out
-        LEFT JOIN decided d ON (d.lane_in, d.lane_out) = (p.lane_in, p.lane_out)$part$,
+        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM lane_ids)[lane_in] AS lane_in,
+               (SELECT ids FROM lane_ids)[lane_out] AS lane_out, turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
+               CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
+               coalesce(d.geom, p.geom) AS geom, CASE WHEN d.by_hand THEN 'by_hand' ELSE 'hypothesis' END AS method
+        FROM streetgen._computed_interconnection((SELECT streets FROM computed)) p LEFT JOIN drawn d USING (lane_in, lane_out)
+        WHERE (SELECT ids FROM node_ids)[node] > 0 AND (SELECT ids FROM lane_ids)[lane_in] > 0 AND (SELECT ids FROM lane_ids)[lane_out] > 0$part$,
         there => 'SELECT interconnection_id FROM left_interconnection'),
     streetgen._filled($part$
 -- One of which a lane lies on an axis that is not asked belongs to the run for that axis.
@@ -30,8 +37,10 @@ left_interconnection AS MATERIALIZED (
         SELECT k.interconnection_id, k.lane_in, k.lane_out
         FROM (SELECT node_id FROM new_node WHERE asked UNION ALL SELECT node_id FROM left_node) n,
             LATERAL (SELECT * FROM {model}.interconnection k WHERE k.node_id = n.node_id {by_key}) k
-        EXCEPT SELECT interconnection_id, lane_in, lane_out FROM new_interconnection) k
-    WHERE {whole} OR NOT EXISTS (
-        SELECT FROM {model}.lane l JOIN {model}.edge e USING (edge_id)
-        WHERE l.lane_id IN (k.lane_in, k.lane_out) AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis)))$part$, places)) $$;
+        WHERE k.interconnection_id NOT IN (SELECT interconnection_id FROM new_interconnection WHERE NOT fresh) OFFSET 0) k
+    WHERE {whole}
+        OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_in))
+                IN (SELECT axis_id FROM asked_axis)
+            AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out))
+                IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnections(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';

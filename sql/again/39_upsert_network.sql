@@ -10,9 +10,10 @@ asked_axis AS MATERIALIZED (
 written_edge AS MATERIALIZED (SELECT * FROM computed_edge WHERE {whole} OR axis_id IN (SELECT axis_id FROM asked_axis)),
 written_node AS MATERIALIZED (
     SELECT * FROM streetgen._computed_node((SELECT streets FROM computed))
-    WHERE node IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
+    WHERE number IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
 old_edge AS MATERIALIZED (
-    SELECT *, {whole} OR axis_id IN (SELECT axis_id FROM asked_axis) AS asked FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY ($1 || $2))),
+    SELECT *, {whole} OR axis_id IN (SELECT axis_id FROM asked_axis) AS asked
+    FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY ($1 || $2))),
 -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa.
 old_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM old_edge GROUP BY axis_id),
 old_anchor AS (
@@ -22,44 +23,49 @@ old_anchor AS (
     FROM old_edge JOIN old_span USING (axis_id)),
 new_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM computed_edge GROUP BY axis_id),
 new_anchor AS (
-    SELECT node, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round((abscissa * 100)::numeric) END AS place
-    FROM (SELECT node, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa FROM written_node WHERE NOT {bare}) a LEFT JOIN new_span USING (axis_id)),
-claim_of AS (SELECT node, node_id, min(axis_id) AS axis_id FROM new_anchor JOIN old_anchor USING (axis_id, place) GROUP BY node, node_id),
-heir AS (SELECT DISTINCT ON (node_id) node_id, node FROM claim_of ORDER BY node_id, axis_id, node),
-kept_node AS (SELECT node, min(node_id) AS node_id FROM heir GROUP BY node)$part$, places),
-    streetgen._upsert_rows(places, 'node', id => 'node_id', columns => 'geom', rows => $part$
-        SELECT coalesce(node_id, nextval('{quoted_model}.node_node_id_seq')) AS node_id, node, asked,
-               CASE WHEN {has_height} THEN streetgen._with_height(geom, (SELECT a.geom FROM {model}.axis a WHERE a.axis_id = anchor_axis[1])) ELSE geom END AS geom
-        FROM (SELECT n.*, k.node_id FROM written_node n LEFT JOIN kept_node k USING (node) ORDER BY node OFFSET 0) n$part$,
+    SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round((abscissa * 100)::numeric) END AS place
+    FROM (SELECT number, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa FROM written_node WHERE NOT {bare}) a
+    LEFT JOIN new_span USING (axis_id)),
+claim_of AS (SELECT number, node_id, min(axis_id) AS axis_id FROM new_anchor JOIN old_anchor USING (axis_id, place) GROUP BY number, node_id),
+heir AS (SELECT DISTINCT ON (node_id) node_id, number FROM claim_of ORDER BY node_id, axis_id, number),
+kept_node AS (SELECT number, min(node_id) AS node_id FROM heir GROUP BY number)$part$, places),
+    streetgen._upsert_rows(places, 'node', id => 'node_id', named => true, columns => 'geom', rows => $part$
+        SELECT coalesce(node_id, nextval('{quoted_model}.node_node_id_seq')) AS node_id, number, asked, {geom_with_height} AS geom
+        FROM (SELECT n.number, n.asked, n.geom, anchor_axis[1] AS axis_id, k.node_id
+              FROM written_node n LEFT JOIN kept_node k USING (number) ORDER BY n.number OFFSET 0) c$part$,
         there => 'SELECT node_id FROM left_node'),
     streetgen._filled($part$
 -- Identity of edges: by their ends along the axis, then by the node they begin at and their turn there.
-same_edge AS MATERIALIZED (SELECT e.edge, o.edge_id FROM written_edge e JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa)),
+same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa)),
 old_turn AS (
     SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
-    FROM old_edge o WHERE NOT EXISTS (SELECT FROM same_edge s WHERE s.edge_id = o.edge_id)),
-new_turn AS (
-    SELECT e.edge, s.edge_id, a.node_id AS from_node, b.node_id AS to_node,
-           row_number() OVER (PARTITION BY e.axis_id, a.node_id, s.edge_id IS NULL ORDER BY e.start_abscissa) AS turn
-    FROM written_edge e LEFT JOIN same_edge s USING (edge) JOIN new_node a ON a.node = e.from_node JOIN new_node b ON b.node = e.to_node)$part$, places),
-    streetgen._upsert_rows(places, 'edge', id => 'edge_id',
-        columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash',
+    FROM old_edge WHERE edge_id NOT IN (SELECT edge_id FROM same_edge)),
+other_edge AS (
+    SELECT number, axis_id, (SELECT ids FROM node_ids)[from_node] AS from_node,
+           row_number() OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
+    FROM written_edge WHERE number NOT IN (SELECT number FROM same_edge)),
+kept_edge AS (
+    SELECT number, edge_id FROM same_edge UNION ALL SELECT e.number, o.edge_id FROM other_edge e JOIN old_turn o USING (axis_id, from_node, turn))$part$, places),
+    streetgen._upsert_rows(places, 'edge', id => 'edge_id', named => true,
+        columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, '
+            'width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash',
         rows => $part$
-        SELECT coalesce(edge_id, nextval('{quoted_model}.edge_edge_id_seq')) AS edge_id, edge, lanes_asked AS asked, axis_id, from_node, to_node, level, start_abscissa, end_abscissa,
-               CASE WHEN {has_height} THEN streetgen._with_height(geom, axis) ELSE geom END AS geom,
+        SELECT coalesce(edge_id, nextval('{quoted_model}.edge_edge_id_seq')) AS edge_id, number, lanes_asked AS asked, axis_id,
+               (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
+               level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash
-        FROM (SELECT e.edge, e.lanes_asked, e.axis_id, t.from_node, t.to_node, e.level, e.start_abscissa, e.end_abscissa, e.geom, u.geom AS axis, u.width, u.width_end,
-                     u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance, u.estimated, u.input_hash, u.setting_hash, coalesce(t.edge_id, o.edge_id) AS edge_id
-              FROM written_edge e JOIN new_turn t USING (edge) JOIN used u ON u.axis_id = e.axis_id
-              LEFT JOIN old_turn o ON t.edge_id IS NULL AND (o.axis_id, o.from_node, o.turn) = (e.axis_id, t.from_node, t.turn) ORDER BY e.edge OFFSET 0) e$part$,
+        FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance,
+                     u.estimated, u.input_hash, u.setting_hash
+              FROM written_edge e JOIN used u USING (axis_id) LEFT JOIN kept_edge k USING (number) ORDER BY e.number OFFSET 0) c$part$,
         there => 'SELECT edge_id FROM old_edge WHERE asked'),
     -- LIMIT: asked of each node, and not joined.
     streetgen._filled($part$
 left_node AS MATERIALIZED (
     SELECT node_id FROM (
-        SELECT from_node AS node_id FROM old_edge WHERE asked UNION SELECT to_node FROM old_edge WHERE asked UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {bare}
+        SELECT from_node AS node_id FROM old_edge WHERE asked UNION SELECT to_node FROM old_edge WHERE asked
+        UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {bare}
         EXCEPT SELECT node_id FROM new_node) o
     WHERE {whole}
-        OR (SELECT true FROM {model}.edge e WHERE e.from_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
-            AND (SELECT true FROM {model}.edge e WHERE e.to_node = o.node_id AND NOT e.axis_id IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL)$part$, places)) $$;
-COMMENT ON FUNCTION streetgen._upsert_network(jsonb) IS 'Part of the one statement: new_node and new_edge, which have the ids that their surfaces and lanes refer to, and number node and edge of the computation.';
+        OR (SELECT true FROM {model}.edge WHERE from_node = o.node_id AND axis_id NOT IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL
+            AND (SELECT true FROM {model}.edge WHERE to_node = o.node_id AND axis_id NOT IN (SELECT axis_id FROM asked_axis) LIMIT 1) IS NULL)$part$, places)) $$;
+COMMENT ON FUNCTION streetgen._upsert_network(jsonb) IS 'Part of the one statement: new_node and new_edge, and node_ids and edge_ids, by which surfaces and lanes find the ids of theirs.';

@@ -14,7 +14,8 @@ set_report AS (
     SELECT issue, axis_a, axis_b, measure, geom FROM new_report EXCEPT SELECT issue, axis_a, axis_b, measure, geom FROM old_report RETURNING 1),
 gone_report AS (
     DELETE FROM {model}.report WHERE ctid = ANY (ARRAY(
-        SELECT place FROM old_report o WHERE NOT EXISTS (SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom))))
+        SELECT place FROM old_report o WHERE NOT EXISTS (
+            SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom))))
     RETURNING 1),
 count_report AS (
     SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),

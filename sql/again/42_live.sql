@@ -56,16 +56,23 @@ COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS 'Removes the resu
 CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    -- Of more axes finding the places takes longer than all places are worth.
+    most_claimed constant integer := 64;
 BEGIN
     IF axes = '{}' THEN
         RETURN;
     END IF;
     PERFORM streetgen._enter(model, wait => true, alone => false);
-    -- All places: a run under way does not see what is written here.
-    PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+    -- A run under way there does not see what is written here.
+    IF cardinality(axes) > most_claimed THEN
+        PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+    ELSE
+        PERFORM FROM streetgen._claim(model, axes, wait => true);
+    END IF;
     EXECUTE format('UPDATE %I.edge SET input_hash = 0 WHERE axis_id = ANY ($1)', model) USING axes;
 END $$;
-COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS 'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections that nobody follows. Locks all places of the model until the transaction ends.';
+COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS 'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections that nobody follows. Locks their places until the transaction ends; of more than 64 axes, all places of the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._enter_edit(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -74,6 +81,8 @@ BEGIN
     IF current_setting('lock_timeout') = '0' THEN
         EXECUTE format($sql$SELECT set_config('lock_timeout', value || 's', true) FROM %I.setting WHERE name = 'lock_timeout'$sql$, model);
     END IF;
+    -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
     PERFORM streetgen._enter(model, wait => true, alone => false);
 END $$;
 COMMENT ON FUNCTION streetgen._enter_edit(name) IS 'Before an edit: setting lock_timeout where the session has none, and the model locked beside other editors.';
@@ -92,8 +101,6 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     AS $body$
 BEGIN
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
-        -- TRUNCATE takes its table before it enters: who entered must not wait for it.
-        LOCK TABLE %1$I.override_place IN ACCESS SHARE MODE;
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;

@@ -83,7 +83,7 @@ BEGIN
         RETURN NEW;
     END IF;
     PERFORM streetgen._check_edit_geometry('node ' || OLD.node_id, NEW.geom);
-    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE %s IN (from_node, to_node)', TG_TABLE_SCHEMA, OLD.node_id));
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE from_node = %s OR to_node = %2$s', TG_TABLE_SCHEMA, OLD.node_id));
     EXECUTE format($sql$
 SELECT array_agg(axis_id ORDER BY axis_id), array_agg(streetgen._with_vertex(geom, abscissas, $2, $3) ORDER BY axis_id)
 FROM %1$I.axis JOIN (

@@ -310,7 +310,7 @@ DECLARE
     column_name text;
     -- What both float8 and, rounded, integer take without an error; NaN and infinity are named later by their row.
     number_pattern constant text := '^\s*([-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?|nan|[-+]?inf(inity)?)\s*$';
-    whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.\d*)?\s*$';
+    whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.0*)?\s*$';
     pattern text;
     reference text;
     expression text;

@@ -39,6 +39,7 @@ SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 A
        s.id AS source_ref, CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END AS left_out,
        array_remove(ARRAY[CASE WHEN s.width <> '' AND streetgen._number(s.width, 0, 200) IS NULL THEN 'width' END,
                           CASE WHEN s.lane_count <> '' AND streetgen._number(s.lane_count, 0, 30) IS NULL THEN 'lane_count' END,
+                          CASE WHEN s.sens <> '' AND s.sens !~* 'double|direct|inverse|^sens unique$|^sans objet$|^nc$' THEN 'direction' END,
                           CASE WHEN s.speed <> '' AND streetgen._number(s.speed, 0, 400) IS NULL THEN 'speed' END], NULL) AS unread
 FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, %6$s AS speed, %7$s AS importance, %8$s AS level, %9$s AS class, nullif(%10$s, '') AS name, %11$s AS fictif, %14$s AS bus, %15$s AS cycle FROM %12$s) s,
      LATERAL (SELECT CASE WHEN s.sens ILIKE '%%inverse%%' THEN 'reverse' WHEN s.sens ILIKE '%%direct%%' AND s.sens NOT ILIKE '%%double%%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,

@@ -3,6 +3,9 @@ CREATE OR REPLACE FUNCTION streetgen._import_restrictions(model name, line regcl
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    -- Tables written by an older flex file lack it.
+    excepted constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = restriction AND attname = 'excepted' AND NOT attisdropped), 'NULL::text');
 BEGIN
     IF restriction IS NULL THEN
         RETURN QUERY SELECT 'no table of turn restrictions, those of the model stay', NULL::text, 0::bigint, NULL::text[];
@@ -16,10 +19,12 @@ SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_w
        ST_Transform(ST_Force2D(ST_GeometryN(ST_CollectionExtract(r.geom, 1), 1)), (SELECT srid FROM streetgen.model WHERE name = %4$L)) AS geom,
        CASE WHEN restriction IS NULL THEN 'not for all traffic'
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$' THEN 'not understood'
+            WHEN from_way IS NULL OR to_way IS NULL THEN 'without the way that it leads from or to'
             WHEN via_way THEN 'via a way' WHEN ST_IsEmpty(ST_CollectionExtract(r.geom, 1)) THEN 'without a place'
-            WHEN a.axis_id IS NULL OR b.axis_id IS NULL THEN 'of ways that are no axes' END AS left_out
+            WHEN a.axis_id IS NULL OR b.axis_id IS NULL THEN 'of ways that are no axes' END AS left_out,
+       %5$s AS excepted
 FROM %1$s r LEFT JOIN %2$I.axis a ON (a.source, a.source_ref) = (%3$L, from_way::text) LEFT JOIN %2$I.axis b ON (b.source, b.source_ref) = (%3$L, to_way::text)
-$sql$, restriction, model, line::text, model);
+$sql$, restriction, model, line::text, model, excepted);
     RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*), array_agg(DISTINCT r.relation) FROM _import_restriction r
         WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
     DELETE FROM _import_restriction r WHERE r.left_out IS NOT NULL;
@@ -30,7 +35,8 @@ SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, %L, source
 ON CONFLICT (source, source_ref) DO UPDATE SET from_axis = excluded.from_axis, to_axis = excluded.to_axis, geom = excluded.geom, kind = excluded.kind, turn = excluded.turn
 WHERE (t.from_axis, t.to_axis, t.geom::bytea, t.kind, t.turn) IS DISTINCT FROM (excluded.from_axis, excluded.to_axis, excluded.geom::bytea, excluded.kind, excluded.turn)
 $sql$, model, restriction::text);
+    RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*), array_agg(DISTINCT r.relation) FROM _import_restriction r WHERE r.excepted IS NOT NULL GROUP BY r.class ORDER BY r.class;
     RETURN QUERY SELECT 'turn restrictions', r.class, count(*), NULL::text[] FROM _import_restriction r GROUP BY r.class ORDER BY r.class;
     DROP TABLE _import_restriction;
 END $$;
-COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS 'Takes the turn restrictions of an OSM table between ways that are axes, at a node; importing again follows the table. Those via a way, for some traffic only, of unknown wording or of ways that are no axes are left out and reported. A NULL table leaves all as it was.';
+COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS 'Takes the turn restrictions of an OSM table between ways that are axes, at a node; importing again follows the table. Those via a way, for some traffic only, of unknown wording, without a way or of ways that are no axes are left out and reported; what one excepts is reported and not read. A NULL table leaves all as it was.';

@@ -17,19 +17,22 @@ shape(layer, style, line, geom, id) AS (
     SELECT 1 + level * 10, CASE method WHEN 'contested' THEN 'section contested' ELSE 'section' END, false, surface, edge_id FROM %1$I.section
     UNION ALL SELECT 2 + level * 10, CASE method WHEN 'contested' THEN 'intersection contested' WHEN 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id FROM %1$I.intersection
     -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
-    UNION ALL SELECT 3 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    UNION ALL SELECT 3 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    UNION ALL SELECT 900, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3
+    UNION ALL SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
+    UNION ALL SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
+    -- Below the line in the middle of the street, which runs along it.
+    UNION ALL SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3
     UNION ALL SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size WHERE method = 'hypothesis' AND pixel < 3
     UNION ALL SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc hard' END, true, ST_CurveToLine(arc, 16), corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3
     UNION ALL SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path' ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size WHERE pixel < 0.5
+    -- Lanes between crossed limits join paths.
+    UNION ALL SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits' AND pixel < 0.5
     UNION ALL SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report),
 drawn AS (
     SELECT layer, id, format('<path class="%%s" d="%%s"/>', style || CASE WHEN line THEN ' line' ELSE '' END, ST_AsSVG(ST_Translate(geom, -x, -y), 0, 2)) AS path
     FROM shape, size WHERE geom && box AND NOT ST_IsEmpty(geom))
 SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%%s" height="%%s" viewBox="0 0 %%s %%s">', $2, greatest(1, round(($2 * h / w)::numeric)), round(w::numeric, 3), round(h::numeric, 3)) || E'\n'
     || '<style>.section{fill:#c9ccd1}.intersection{fill:#b3b8c0}.transition{fill:#c3b8d6}.contested{fill:#d9c7a7}path{fill-rule:evenodd}.line{fill:none;stroke-width:' || round((pixel * 1)::numeric, 4)
-    || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' || round((pixel * 1.5)::numeric, 4) || '}.hard{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' || round((pixel * 0.7)::numeric, 4) || '}.implausible{stroke:#9ca3af;stroke-opacity:.4;stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}'
+    || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' || round((pixel * 1.5)::numeric, 4) || '}.hard{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' || round((pixel * 0.7)::numeric, 4) || '}.implausible{stroke:#6b7280;stroke-opacity:.5;stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}'
     || CASE WHEN pixel < 3 THEN '' ELSE '.section,.intersection{fill:#4b5563;stroke:#4b5563;stroke-width:' || round((pixel * 0.6)::numeric, 4) || '}' END || '</style>' || E'\n'
     || '<rect width="100%%" height="100%%" fill="#f3f1ea"/>' || E'\n' || coalesce((SELECT string_agg(path, E'\n' ORDER BY layer, id) FROM drawn), '') || E'\n</svg>\n' FROM size
 $sql$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) INTO drawing USING extent, width;

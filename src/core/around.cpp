@@ -140,12 +140,12 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
   return solved;
 }
 
+bool may_follow(const Arm& a, const Arm& b) { return angle_between(a, b) < nearly_straight; }
+
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
                                           const Arm& longer_b, const CornerWish& wish) {
-  const double angle = angle_between(a, b);
-  if (angle >= nearly_straight) return std::nullopt;
   SolvedCorner solved = solve_corner(longer_a, longer_b, wish);
-  solved.gap.angle = angle;
+  solved.gap.angle = angle_between(a, b);
   const CornerArc& corner = solved.gap.corner;
   if (corner.radius <= 0) return std::nullopt;
   if (corner.abscissa_a <= length(a.line) && corner.abscissa_b <= length(b.line))

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <utility>
 
 #include "overlap.hpp"
@@ -15,12 +15,7 @@ namespace streetgen {
 namespace {
 
 __extension__ using Wide = __int128;
-
-struct Cell {
-  std::int64_t x, y;
-  bool operator<(const Cell& o) const { return x != o.x ? x < o.x : y < o.y; }
-  bool operator==(const Cell& o) const { return x == o.x && y == o.y; }
-};
+using Cell = GridCell;
 
 struct Segment {
   Cell from, to;  // from < to
@@ -92,21 +87,40 @@ std::vector<Cell> crossings(const std::vector<Segment>& segments) {
   return cells;
 }
 
+bool counter_clockwise(const std::vector<Cell>& ring) {
+  Wide sum = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) sum += turn(ring[0], ring[i - 1], ring[i]);
+  return sum > 0;
+}
+
+// A place in half steps, that is on no side of the ring.
+bool holds(const std::vector<Cell>& ring, const Cell& place) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Cell &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const Cell a{2 * p.x, 2 * p.y}, b{2 * q.x, 2 * q.y};
+    if ((a.y > place.y) == (b.y > place.y)) continue;
+    odd ^= (turn(a, b, place) > 0) == (b.y > a.y);
+  }
+  return odd;
+}
+
 // A ring that touches itself comes apart into rings that do not.
-std::vector<std::vector<int>> apart(const std::vector<int>& ring) {
+// `at` holds `nowhere` for each node.
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+std::vector<std::vector<int>> apart(const std::vector<int>& ring, std::vector<std::size_t>& at) {
   std::vector<std::vector<int>> rings;
   std::vector<int> open;
-  std::map<int, std::size_t> at;
   for (const int node : ring) {
-    const auto [seen, is_new] = at.emplace(node, open.size());
-    if (!is_new) {
-      const std::size_t start = seen->second;
+    if (const std::size_t start = at[node]; start != nowhere) {
       rings.emplace_back(open.begin() + start, open.end());
-      for (std::size_t i = start + 1; i < open.size(); ++i) at.erase(open[i]);
+      for (std::size_t i = start; i < open.size(); ++i) at[open[i]] = nowhere;
       open.resize(start);
     }
+    at[node] = open.size();
     open.push_back(node);
   }
+  for (const int node : open) at[node] = nowhere;
   rings.push_back(std::move(open));
   return rings;
 }
@@ -121,7 +135,11 @@ Arrangement::Arrangement(const std::vector<Line>& lines) {
 }
 
 Point Arrangement::position(int node) const {
-  return {nodes_[node].x * step_, nodes_[node].y * step_, 0};
+  return {nodes_[node].cell.x * step_, nodes_[node].cell.y * step_, 0};
+}
+
+Point Arrangement::on_grid(const GridCell& cell) const {
+  return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
 }
 
 void Arrangement::node(const std::vector<Line>& lines) {
@@ -133,38 +151,36 @@ void Arrangement::node(const std::vector<Line>& lines) {
   // A power of two that doubles of this size hold, so that cells are places of their own.
   step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
   origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
-  std::map<Cell, int> ids;
-  const auto id_of = [&](const Cell& cell, const Point& point) {
-    const auto [found, is_new] = ids.emplace(cell, static_cast<int>(nodes_.size()));
-    if (is_new) nodes_.push_back({cell.x, cell.y, point});
-    return found->second;
-  };
+  // Of several in one cell the first holds.
+  std::vector<std::pair<Cell, Point>> places;
   std::vector<std::vector<Cell>> rounded;
   for (const Line& line : lines) {
     rounded.emplace_back();
     for (const Point& p : line) {
-      const Cell cell{std::llround((p.x - origin_.x) / step_),
-                      std::llround((p.y - origin_.y) / step_)};
-      rounded.back().push_back(cell);
-      id_of(cell, planar(p));
+      rounded.back().push_back(
+          {std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)});
+      places.emplace_back(rounded.back().back(), planar(p));
     }
   }
   const std::vector<Segment> segments = segments_of(rounded);
-  for (const Cell& cell : crossings(segments))
-    id_of(cell, {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0});
-  const std::vector<std::pair<Cell, int>> cells(ids.begin(), ids.end());
+  for (const Cell& cell : crossings(segments)) places.emplace_back(cell, on_grid(cell));
+  std::stable_sort(places.begin(), places.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [cell, point] : places)
+    if (nodes_.empty() || !(nodes_.back().cell == cell)) nodes_.push_back({cell, point});
   std::vector<std::pair<int, int>> edges;
+  std::vector<std::pair<Wide, int>> along;
   for (const Segment& s : segments) {
     poll_cancel();
-    std::vector<std::pair<Wide, int>> along;
+    along.clear();
     const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
-    constexpr auto least = std::numeric_limits<std::int64_t>::min();
-    for (auto cell =
-             std::lower_bound(cells.begin(), cells.end(), std::pair(Cell{s.from.x, least}, 0));
-         cell != cells.end() && cell->first.x <= s.to.x; ++cell)
-      if (passes(s, cell->first))
-        along.emplace_back(dx * (cell->first.x - s.from.x) + dy * (cell->first.y - s.from.y),
-                           cell->second);
+    const auto first =
+        std::lower_bound(nodes_.begin(), nodes_.end(), s.from.x,
+                         [](const Node& node, std::int64_t x) { return node.cell.x < x; });
+    for (auto node = first; node != nodes_.end() && node->cell.x <= s.to.x; ++node)
+      if (passes(s, node->cell))
+        along.emplace_back(dx * (node->cell.x - s.from.x) + dy * (node->cell.y - s.from.y),
+                           static_cast<int>(node - nodes_.begin()));
     std::sort(along.begin(), along.end());
     for (std::size_t i = 1; i < along.size(); ++i)
       edges.push_back(std::minmax(along[i - 1].second, along[i].second));
@@ -181,7 +197,7 @@ void Arrangement::connect() {
   std::vector<int> order(halves_.size());
   for (std::size_t h = 0; h < order.size(); ++h) order[h] = static_cast<int>(h);
   const auto ahead = [&](int h) {
-    const Node &from = nodes_[halves_[h].from], &to = nodes_[halves_[h].to];
+    const Cell &from = nodes_[halves_[h].from].cell, &to = nodes_[halves_[h].to].cell;
     return Cell{to.x - from.x, to.y - from.y};
   };
   const auto lower = [](const Cell& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
@@ -231,17 +247,19 @@ void Arrangement::place_walks() {
     bounds[w] = sum > 0;
     if (!bounds[w]) outer.insert(outer.end(), walks_[w].begin(), walks_[w].end());
   }
-  const auto size = [&](int h) {
-    return distance(position(halves_[h].from), position(halves_[h].to));
-  };
+  std::vector<double> sizes;  // of halves
+  for (const Half& half : halves_)
+    sizes.push_back(distance(position(half.from), position(half.to)));
+  const auto shorter = [&](int g, int h) { return sizes[g] < sizes[h]; };
   for (std::size_t w = 0; w < walks_.size(); ++w) {
     poll_cancel();
     std::vector<int> parts = walks_[w];
-    std::stable_sort(parts.begin(), parts.end(), [&](int g, int h) { return size(g) > size(h); });
-    if (parts.size() > most_tries) parts.resize(most_tries);
     Point place;
     double widest = 0;
-    for (const int part : parts) {
+    for (std::size_t tries = 0; tries < most_tries && !parts.empty(); ++tries) {
+      const auto longest = std::max_element(parts.begin(), parts.end(), shorter);
+      const int part = *longest;
+      parts.erase(longest);
       const Point from = position(halves_[part].from), to = position(halves_[part].to);
       const Point middle = (from + to) * 0.5, across = left_normal(unit(to - from));
       double reach = 1;  // metres, where nothing lies across
@@ -269,11 +287,13 @@ void Arrangement::place_walks() {
   }
 }
 
-MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
+MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
   const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
   std::vector<bool> used(halves_.size());
+  std::vector<std::size_t> at(nodes_.size(), nowhere);
+  std::vector<std::vector<Cell>> shells;
+  std::vector<std::pair<Cell, Ring>> holes;  // with a place on the border, in half steps
   MultiPolygon out;
-  std::vector<Ring> holes;
   for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
     if (used[start] || !borders(start)) continue;
     std::vector<int> ring;
@@ -284,28 +304,37 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept) const {
       while (!borders(next)) next = around_[next];
       h = next;
     }
-    for (const std::vector<int>& part : apart(ring)) {
+    for (const std::vector<int>& part : apart(ring, at)) {
+      if (part.size() < 3) continue;
+      std::vector<Cell> cells;
       Ring points;
-      for (const int node : part) points.push_back(nodes_[node].point);
+      for (const int node : part) {
+        cells.push_back(nodes_[node].cell);
+        points.push_back(vertices == Vertices::own ? nodes_[node].point
+                                                   : on_grid(nodes_[node].cell));
+      }
       points.push_back(points.front());
-      if (points.size() < 4) continue;
-      if (signed_area(points) > 0)
+      if (counter_clockwise(cells)) {
+        shells.push_back(std::move(cells));
         out.push_back({std::move(points)});
-      else
-        holes.push_back(std::move(points));
+      } else {
+        holes.push_back({{cells[0].x + cells[1].x, cells[0].y + cells[1].y}, std::move(points)});
+      }
     }
   }
-  std::sort(out.begin(), out.end(), [](const Polygon& a, const Polygon& b) {
-    return signed_area(a.front()) < signed_area(b.front());
+  std::vector<std::size_t> by_size(out.size());
+  std::iota(by_size.begin(), by_size.end(), 0);
+  std::sort(by_size.begin(), by_size.end(), [&](std::size_t i, std::size_t j) {
+    return signed_area(out[i].front()) < signed_area(out[j].front());
   });
-  for (Ring& hole : holes) {
-    const Point beside = (hole[0] + hole[1]) * 0.5;
-    const auto shell = std::find_if(out.begin(), out.end(), [&](const Polygon& polygon) {
-      return inside(beside, {polygon.front()});
-    });
-    if (shell != out.end()) shell->push_back(std::move(hole));
+  for (auto& [place, hole] : holes) {
+    const auto shell = std::find_if(by_size.begin(), by_size.end(),
+                                    [&](std::size_t i) { return holds(shells[i], place); });
+    if (shell != by_size.end()) out[*shell].push_back(std::move(hole));
   }
-  return out;
+  MultiPolygon sorted;
+  for (const std::size_t i : by_size) sorted.push_back(std::move(out[i]));
+  return sorted;
 }
 
 }  // namespace streetgen

@@ -8,6 +8,12 @@
 
 namespace streetgen {
 
+struct GridCell {
+  std::int64_t x, y;  // steps of the grid
+  bool operator<(const GridCell& o) const { return x != o.x ? x < o.x : y < o.y; }
+  bool operator==(const GridCell& o) const { return x == o.x && y == o.y; }
+};
+
 // Lines are noded once, by snap rounding on a grid finer than a micrometre with exact predicates:
 // what comes out crosses nowhere, and the same crossing is the same point in every arrangement. The
 // lines' own vertices stay where they are; of two in one place of the grid the first holds for
@@ -19,12 +25,14 @@ class Arrangement {
   // A place in the face beside each walk along its border; a face with islands has several.
   const std::vector<Point>& places() const { return places_; }
 
-  // The faces whose walks are kept, as one.
-  MultiPolygon joined(const std::vector<bool>& kept) const;
+  // The faces whose walks are kept, as one. With the lines' own vertices rings that nearly touch
+  // may cross by less than a step; on the grid they do not.
+  enum class Vertices { own, on_grid };
+  MultiPolygon joined(const std::vector<bool>& kept, Vertices vertices = Vertices::own) const;
 
  private:
   struct Node {
-    std::int64_t x, y;  // steps of the grid
+    GridCell cell;
     Point point;
   };
   // From a node to the next; its twin, the way back, has the index ^ 1.
@@ -38,7 +46,8 @@ class Arrangement {
   void connect();
   void walk();
   void place_walks();
-  Point position(int node) const;
+  Point position(int node) const;  // from the origin
+  Point on_grid(const GridCell& cell) const;
 
   double step_ = 0;  // metres
   Point origin_;

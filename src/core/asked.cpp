@@ -28,13 +28,11 @@ class Change {
     compare_edges();
     for (const FormerPlace& place : former_.places)
       mark_near(place.point, place.met ? met_ : places_);
-    follow_corners();
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      if (!layout_.axis_of(e).outer && (met_[edges_[e].from_node] || met_[edges_[e].to_node])) {
-        moved_.edges[e] = true;
-        for (const int node : {edges_[e].from_node, edges_[e].to_node})
-          if (met_[node]) moved_.nodes[node] = true;
-      }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (layout_.axis_of(e).outer) continue;
+      for (const int node : {edges_[e].from_node, edges_[e].to_node})
+        if (met_[node] || follows_met(node)) moved_.edges[e] = moved_.nodes[node] = true;
+    }
     return moved_;
   }
 
@@ -86,11 +84,10 @@ class Change {
     moved_.edges[e] = true;
   }
 
-  void follow_corners() {
-    const std::vector<bool> met = met_;
-    for (std::size_t n = 0; n < met.size(); ++n)
-      for (const int node : layout_.junctions[n].followed)
-        if (met[node]) met_[n] = true;
+  // A corner there looked at a node that is met.
+  bool follows_met(int node) const {
+    const auto& followed = layout_.junctions[node].followed;
+    return std::any_of(followed.begin(), followed.end(), [&](int other) { return met_[other]; });
   }
 
   const Layout& layout_;

@@ -7,8 +7,8 @@
 
 namespace streetgen {
 
-// By edge and node: whether the axes about it may give its surface another shape. What is asked beyond
-// these only meets ground that others give up.
+// By edge and node: whether the axes about it may give its surface another shape. What is asked
+// beyond these only meets ground that others give up.
 struct Moved {
   std::vector<bool> edges, nodes;
 };

@@ -70,9 +70,10 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   if (solved.method != Method::no_arc && !(reduced && settings.short_axis == ShortAxis::follow))
     return solved;
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
-  const auto followed =
-      follow_corner(layout.arm(a), layout.arm(b), longer(layout, a, junction.followed),
-                    longer(layout, b, junction.followed), wish);
+  const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
+  if (!may_follow(arm_a, arm_b)) return solved;
+  const auto followed = follow_corner(arm_a, arm_b, longer(layout, a, junction.followed),
+                                      longer(layout, b, junction.followed), wish);
   return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
 }
 

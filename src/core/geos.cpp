@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "polyline.hpp"
+#include "simple.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -113,12 +114,17 @@ bool Geos::valid(const GEOSGeometry* geometry) {
   return valid;
 }
 
+bool Geos::valid(const MultiPolygon& surface) {
+  if (const std::optional<bool> known = simple(surface)) return *known;
+  return valid(this->surface(surface).get());
+}
+
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
   std::vector<Geometry> all;
   for (const MultiPolygon& part : parts)
     for (const Polygon& one : part) {
       Geometry geometry = polygon(one);
-      if (!valid(geometry.get())) geometry = own(GEOSMakeValid_r(handle_, geometry.get()));
+      if (!valid(MultiPolygon{one})) geometry = own(GEOSMakeValid_r(handle_, geometry.get()));
       all.push_back(std::move(geometry));
     }
   return united(std::move(all));

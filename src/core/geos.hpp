@@ -31,6 +31,8 @@ class Geos {
   MultiPolygon polygons(const GEOSGeometry* geometry);
 
   bool valid(const GEOSGeometry* geometry);
+  // Of holes within their polygons and polygons beside each other; GEOS decides where rings touch.
+  bool valid(const MultiPolygon& surface);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
   Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 

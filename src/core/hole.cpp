@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -9,6 +10,7 @@
 
 #include "box_index.hpp"
 #include "groups.hpp"
+#include "narrow.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -109,6 +111,12 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     for (const int i : members) surfaces.push_back(claims[i].surface);
     return geos.polygons(geos.unite_valid(surfaces).get());
   };
+  const auto members_near = [&](const std::vector<int>& group, const Box& place) {
+    std::vector<int> members;
+    std::copy_if(group.begin(), group.end(), std::back_inserter(members),
+                 [&](int i) { return boxes[i].meets(place, touching); });
+    return members;
+  };
   // By a surface of the level, or by one of another that tiles with one of the level.
   const auto covered = [&](const Ring& ring, const std::vector<int>& around) {
     const MultiPolygon hole{{reversed(ring)}};
@@ -136,21 +144,22 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
   for (const std::set<int>& whole : groups(claims, boxes, disputes)) {
     poll_cancel();
     const std::vector<int> group = near_wanted(whole, claims, boxes);
-    for (const Ring& found : small_holes(united(group), max_area)) {
-      const Box box = box_of({{found}});
-      std::vector<int> around;
-      for (const int i : group)
-        if (boxes[i].meets(box, touching)) around.push_back(i);
-      std::sort(around.begin(), around.end(), [&](int i, int j) {
-        return std::tie(claims[i].axis_id, claims[i].place) <
-               std::tie(claims[j].axis_id, claims[j].place);
-      });
-      // Once more from its neighbours alone: the same whatever else was united.
-      for (const Ring& ring : small_holes(united(around), max_area))
-        if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
-            box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
-          holes.push_back({ring, around});
-    }
+    std::vector<const MultiPolygon*> surfaces;
+    for (const int i : group) surfaces.push_back(claims[i].surface);
+    for (const Box& place : narrow_places(surfaces, max_area))
+      for (const Ring& found : small_holes(united(members_near(group, place)), max_area)) {
+        const Box box = box_of({{found}});
+        std::vector<int> around = members_near(group, box);
+        std::sort(around.begin(), around.end(), [&](int i, int j) {
+          return std::tie(claims[i].axis_id, claims[i].place) <
+                 std::tie(claims[j].axis_id, claims[j].place);
+        });
+        // Once more from its neighbours alone: the same whatever else was united.
+        for (const Ring& ring : small_holes(united(around), max_area))
+          if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
+              box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
+            holes.push_back({ring, around});
+      }
   }
   return holes;
 }

@@ -19,6 +19,8 @@ Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted)
   }
   streets.network = network(lines, settings.tolerance, settings.crossing);
   for (const Edge& edge : streets.network.edges) axes.push_back(by_id.at(edge.axis_id));
+  streets.roadways.reserve(axes.size());
+  arms.reserve(2 * axes.size());
   junctions.resize(streets.network.nodes.size());
   for (int e = 0; e < static_cast<int>(axes.size()); ++e) add_arms(e);
   sort_ends();

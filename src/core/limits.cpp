@@ -71,6 +71,7 @@ void join_borders(Layout& layout) {
 }  // namespace
 
 void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
+  layout.streets.limits.reserve(layout.arms.size());
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
   join_borders(layout);
   for (SectionLimit& limit : layout.streets.limits) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double same_site = 1e-5;  // metres
 constexpr double noise = 1e-6;      // metres
 constexpr double beyond = 1;        // metres
+constexpr double stride = 2;        // metres: sites in a row are no farther apart
 constexpr std::size_t worth_an_index = 1024;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -154,16 +155,16 @@ void NearestOwner::each_near(const Point& p, double reach, Use use) const {
   if (index_)
     for (const int i : index_->near(box_of(p, p), reach)) use(i);
   else
-    for (int i = 0; i < static_cast<int>(sites_.size()); ++i) use(i);
+    for (int i = 0; i < size(); ++i) use(i);
 }
 
-int NearestOwner::nearest(const Point& p) const {
+int NearestOwner::nearest(const Point& p, int end) const {
   for (double reach = 8;; reach *= 2) {
     int best = -1;
     double least = index_ ? reach * reach : infinite;
     each_near(p, reach, [&](int i) {
       const double apart = square(i, p);
-      if (apart >= least) return;
+      if (i >= end || apart >= least) return;
       best = i;
       least = apart;
     });
@@ -172,7 +173,7 @@ int NearestOwner::nearest(const Point& p) const {
 }
 
 bool NearestOwner::first_owns(const Point& place) const {
-  return sites_[nearest(place - origin_)].first;
+  return sites_[nearest(place - origin_, size())].first;
 }
 
 NearestOwner::Edge NearestOwner::edge_between(int first, int second) const {
@@ -189,28 +190,37 @@ NearestOwner::Edge NearestOwner::edge_between(int first, int second) const {
   }
 }
 
-// The line from each site to the next meets every line of the border that has sites on both sides.
+// Lines that join all sites meet every line of the border, which has sites on both its sides: from
+// each site to the one before, or where that is far to the nearest before.
 std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
   std::vector<std::pair<int, int>> pairs;
-  Box extents[2];  // of each owner's sites
-  for (const Site& site : sites_) extents[site.first].add(site.point);
-  for (std::size_t next = 1; next < sites_.size(); ++next) {
-    const Point &from = sites_[next - 1].point, &to = sites_[next].point;
+  Point asked;
+  double apart = 0;  // metres: no site of the other owner lies nearer to the place asked last
+  for (int next = 1; next < size(); ++next) {
+    const Point& to = sites_[next].point;
+    const bool goes_on = distance(sites_[next - 1].point, to) <= stride;
+    const int before = goes_on ? next - 1 : nearest(to, next);
+    const Point& from = sites_[before].point;
     const double size = distance(from, to);
     const Point middle = (from + to) * 0.5;
     const bool owner = sites_[next].first;
-    if (sites_[next - 1].first == owner) {
-      if (!extents[!owner].meets(box_of(middle, middle), size)) continue;
-      bool alone = true;
-      each_near(middle, size, [&](int i) {
-        if (sites_[i].first != owner && square(i, middle) <= size * size) alone = false;
+    if (sites_[before].first == owner) {
+      // No other owner's cell lies on the way if none of its sites is nearer than the way is long.
+      if (distance(middle, asked) + size < apart) continue;
+      asked = middle;
+      const double reach = std::max(16.0, 2 * size);
+      double least = reach * reach;
+      each_near(middle, reach, [&](int i) {
+        if (sites_[i].first != owner) least = std::min(least, square(i, middle));
       });
-      if (alone) continue;
+      apart = std::sqrt(least);
+      if (apart > size) continue;
     }
+    apart = 0;
     double at = 0;
-    for (int now = static_cast<int>(next) - 1; now != static_cast<int>(next);) {
+    for (int now = before; now != next;) {
       const Point& p = sites_[now].point;
-      int then = static_cast<int>(next);
+      int then = next;
       double soonest = 1;
       each_near(from + (to - from) * at, 2 * size, [&](int i) {
         const Point away = sites_[i].point - p;

@@ -31,11 +31,12 @@ class NearestOwner {
  private:
   class Edge;
 
+  int size() const { return static_cast<int>(sites_.size()); }
   double square(int site, const Point& p) const;
   // Of some sites, or of all.
   template <class Use>
   void each_near(const Point& p, double reach, Use use) const;
-  int nearest(const Point& p) const;
+  int nearest(const Point& p, int end) const;  // of those before `end`
   Edge edge_between(int first, int second) const;
   // Pairs on the border, of each of its lines at least one.
   std::vector<std::pair<int, int>> some_pairs() const;

@@ -1,12 +1,11 @@
 #include "owners.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "claims.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
-#include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "surfaces.hpp"
@@ -27,11 +26,13 @@ class Owners {
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
         surfaces_(edges_ + layout.junctions.size()),
-        built_(surfaces_.size()) {
+        built_(surfaces_.size()),
+        served_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
-    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(e));
+    claims_.reserve(surfaces_.size());
+    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(layout, e));
     for (std::size_t n = 0; n < layout.junctions.size(); ++n)
-      claims_.push_back(claim_of_intersection(static_cast<int>(n)));
+      claims_.push_back(claim_of_intersection(layout, static_cast<int>(n)));
     for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
   }
 
@@ -43,46 +44,6 @@ class Owners {
   }
 
  private:
-  void add_axis(Claim& claim, int edge) const {
-    const StreetAxis& axis = layout_.axis_of(edge);
-    claim.edges.push_back(edge);
-    claim.importance = std::min(claim.importance, axis.importance);
-    claim.width = std::max({claim.width, axis.width, axis.width_end});
-  }
-
-  Claim claim_of_section(int e) const {
-    const Edge& edge = layout_.streets.network.edges[e];
-    const double start = layout_.streets.limits[2 * e].abscissa,
-                 end = layout_.streets.limits[2 * e + 1].abscissa;
-    Claim claim;
-    claim.wanted = layout_.streets.asked_edges[e];
-    claim.level = edge.level;
-    if (start < end) claim.skeleton.push_back({&layout_.arms[2 * e].line, start, end});
-    claim.axis_id = edge.axis_id;
-    claim.place = 2 * std::llround(1000 * edge.start_abscissa) + 1;
-    add_axis(claim, e);
-    return claim;
-  }
-
-  Claim claim_of_intersection(int node) const {
-    const NodeAnchor& anchor = layout_.streets.network.nodes[node].anchors.front();
-    Claim claim;
-    claim.wanted = layout_.streets.asked_nodes[node];
-    claim.level = layout_.level_of(node);
-    claim.axis_id = anchor.axis_id;
-    claim.place = 2 * std::llround(1000 * anchor.abscissa);
-    for (const EdgeEnd& end : layout_.junctions[node].ends) {
-      const Line& along = layout_.arms[2 * end.edge].line;
-      const double limit = layout_.arm(end).limit, total = length(along);
-      if (limit > 0)
-        claim.skeleton.push_back(
-            {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
-      add_axis(claim, end.edge);
-      claim.axis_id = std::min(claim.axis_id, layout_.axis_of(end.edge).axis_id);
-    }
-    return claim;
-  }
-
   // Whether any of them was not built yet.
   bool build(const std::vector<bool>& needed) {
     bool more = false;
@@ -103,19 +64,25 @@ class Owners {
 
   // What is wanted, and whatever may take part in what that becomes.
   std::vector<bool> needed_by_wanted() {
-    std::vector<bool> needed;
-    for (const Claim& claim : claims_) needed.push_back(claim.wanted);
-    if (std::find(needed.begin(), needed.end(), false) == needed.end()) return needed;
+    if (std::all_of(claims_.begin(), claims_.end(), [](const Claim& c) { return c.wanted; }))
+      return std::vector<bool>(claims_.size(), true);
+    std::vector<bool> needed(claims_.size());
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
-      if (!claims_[i].wanted) continue;
+      if (!claims_[i].wanted || served_[i]) continue;
+      needed[i] = true;
       for (const int other : vicinity().rivals(i)) needed[other] = true;
-      for (const int other : vicinity().enclosing(i)) needed[other] = true;
+    }
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!claims_[i].wanted || served_[i]) continue;
+      served_[i] = true;
+      for (const int other : vicinity().enclosing(i, needed)) needed[other] = true;
     }
     return needed;
   }
 
   std::vector<bool> needed_by(const std::vector<Hole>& holes) {
     std::vector<bool> needed(claims_.size());
+    if (built_ == std::vector<bool>(claims_.size(), true)) return needed;
     for (const Hole& hole : holes)
       for (const int i : vicinity().near(box_of({{hole.ring}}))) needed[i] = true;
     return needed;
@@ -173,7 +140,9 @@ class Owners {
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
-      if (!build(needed_by(holes)) && !ask_around(holes)) return holes;
+      if (build(needed_by(holes)) || ask_around(holes)) continue;
+      vicinity_.reset();
+      return holes;
     }
   }
 
@@ -210,7 +179,7 @@ class Owners {
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<Surface> surfaces_;
-  std::vector<bool> built_;
+  std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;
   std::optional<Vicinity> vicinity_;
   std::vector<std::pair<int, int>> disputes_;

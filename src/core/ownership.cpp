@@ -62,6 +62,13 @@ void append_near(const MultiPolygon& surface, const Ground& ground, std::vector<
     }
 }
 
+MultiPolygon without_crumbs(MultiPolygon ground) {
+  ground.erase(std::remove_if(ground.begin(), ground.end(),
+                              [](const Polygon& part) { return area({part}) <= crumb; }),
+               ground.end());
+  return ground;
+}
+
 // Who owns what, of claims whose ground comes in unsettled.
 class Settlement {
  public:
@@ -116,11 +123,9 @@ class Settlement {
       lost = lost || (held && !kept.back());
     }
     if (!lost) return surface;
-    MultiPolygon rest = faces->joined(kept);
-    rest.erase(std::remove_if(rest.begin(), rest.end(),
-                              [](const Polygon& part) { return area({part}) <= crumb; }),
-               rest.end());
-    if (!geos_.valid(geos_.surface(rest).get())) return geos_.polygons(geos_.unite({rest}).get());
+    MultiPolygon rest = without_crumbs(faces->joined(kept));
+    if (!geos_.valid(rest))
+      return without_crumbs(faces->joined(kept, Arrangement::Vertices::on_grid));
     return rest;
   }
 

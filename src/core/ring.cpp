@@ -6,6 +6,7 @@
 #include "offset.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
+#include "union.hpp"
 
 namespace streetgen {
 
@@ -190,7 +191,7 @@ MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>
   for (const Line& border : borders)
     for (const Point& end : border)
       std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
-  return geos.valid(geos.surface(moved).get()) ? moved : surface;
+  return geos.valid(moved) ? moved : surface;
 }
 
 double angle_about(const Point& node, const Point& p) {
@@ -216,10 +217,10 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
 
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
 // the flat end of an arm reaches past its neighbours' axes, their kerbs hold.
-bool covers(const Ring& ring, const std::vector<Arm>& arms) {
+bool covers(const Polygon& polygon, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const auto held = [&](std::size_t arm, const Point& p) {
-    if (inside(p, {ring})) return true;
+    if (inside(p, polygon)) return true;
     const std::size_t at = sector(arms, p);
     return at != arm && (at + 1) % arms.size() != arm;
   };
@@ -241,7 +242,7 @@ bool covers(const Ring& ring, const std::vector<Arm>& arms) {
 bool simple(Geos& geos, const Outline& outline) {
   const Ring& ring = outline.ring;
   return outline.whole && ring.size() >= 4 && signed_area(ring) > 0 &&
-         geos.valid(geos.polygon({ring}).get());
+         geos.valid(MultiPolygon{{ring}});
 }
 
 }  // namespace
@@ -306,16 +307,16 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   outline.ring = closed(std::move(outline.ring));
   std::vector<Line> borders;
   for (const Arm& arm : arms) borders.push_back(arm.border);
-  const auto united = [&](const std::vector<MultiPolygon>& parts) {
-    return ending_on(geos, geos.polygons(geos.unite(parts).get()), borders);
+  const auto whole = [&](const std::vector<MultiPolygon>& parts) {
+    return ending_on(geos, united(geos, parts), borders);
   };
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
-  if (simple(geos, outline) && covers(outline.ring, arms)) {
+  if (simple(geos, outline) && covers({outline.ring}, arms)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
-    return {united(parts), false};
+    return {whole(parts), false};
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
@@ -329,7 +330,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     }
   }
   if (parts.empty()) return {};
-  return {united(parts), true};
+  return {whole(parts), true};
 }
 
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,

@@ -105,15 +105,20 @@ void append_shared(const Ground& a, const Ground& b, const Point& from, const Po
   std::sort(cuts.begin(), cuts.end());
   const Point along = to - from, past = along * (beyond / norm(along));
   const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
+  const auto on_both = [&](std::size_t i) {
+    return i < cuts.size() && shared(from + along * ((cuts[i - 1] + cuts[i]) / 2));
+  };
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if (!shared(from + along * ((cuts[i - 1] + cuts[i]) / 2))) continue;
+    if (!on_both(i)) continue;
+    const double first = cuts[i - 1];
+    while (on_both(i + 1)) ++i;
+    const double last = cuts[i];
     Line part;
-    const Point start = i == 1 ? from : from + along * cuts[i - 1];
-    const Point end = i + 1 == cuts.size() ? to : from + along * cuts[i];
-    if (i > 1 || !shared(start - past)) part.push_back(start - past);
-    if (i == 1) part.push_back(start);
-    if (i + 1 == cuts.size()) part.push_back(end);
-    if (i + 1 < cuts.size() || !shared(end + past)) part.push_back(end + past);
+    const Point start = from + along * first - past, end = from + along * last + past;
+    if (first > 0 || !shared(start)) part.push_back(start);
+    if (first == 0) part.push_back(from);
+    if (last == 1) part.push_back(to);
+    if (last < 1 || !shared(end)) part.push_back(end);
     parts.push_back(std::move(part));
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "groups.hpp"
 #include "hole.hpp"
@@ -14,6 +13,7 @@ namespace {
 
 constexpr double noise = 1e-3;  // metres, of coordinates made in two ways
 constexpr double longest = 10;  // metres of axis in one box
+constexpr int nowhere = -1;
 
 void add_stretch(Extent& extent, const Arm& arm, double start, double end) {
   const double reach = std::max(arm.half_start, arm.half_end) + noise;
@@ -101,7 +101,8 @@ Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims
     : extents_(std::move(extents)),
       claims_(claims),
       index_(boxes_of(extents_)),
-      touching_(extents_.size()) {}
+      touching_(extents_.size()),
+      place_(extents_.size(), nowhere) {}
 
 const std::vector<int>& Vicinity::touching(int claim) {
   auto& found = touching_[claim];
@@ -121,27 +122,27 @@ std::vector<int> Vicinity::rivals(int claim) {
 }
 
 // What meets the others about the claim by way of one of its neighbours alone closes no ring.
-std::vector<int> Vicinity::enclosing(int claim) {
+std::vector<int> Vicinity::enclosing(int claim, const std::vector<bool>& known) {
+  if (!index_.any_near(extents_[claim].box, hole_extent, [&](int other) { return !known[other]; }))
+    return {};
   std::vector<int> near;
-  std::map<int, int> place;  // in near
   for (const int other : index_.near(extents_[claim].box, hole_extent))
     if (other != claim && claims_[other].level == claims_[claim].level &&
         extents_[claim].meets(extents_[other], hole_extent)) {
-      place[other] = static_cast<int>(near.size());
+      place_[other] = static_cast<int>(near.size());
       near.push_back(other);
     }
   Groups joined(static_cast<int>(near.size()));
   for (const int one : near)
     for (const int other : touching(one))
-      if (const auto at = place.find(other); at != place.end()) joined.join(place[one], at->second);
-  std::map<int, int> neighbours;  // of the claim, by group
+      if (other < one && place_[other] != nowhere) joined.join(place_[one], place_[other]);
+  std::vector<int> neighbours(near.size());  // of the claim, by group
   for (const int other : touching(claim))
-    if (const auto at = place.find(other); at != place.end()) ++neighbours[joined.of(at->second)];
+    if (place_[other] != nowhere) ++neighbours[joined.of(place_[other])];
   std::vector<int> enclosing;
   for (const int other : near)
-    if (const auto group = neighbours.find(joined.of(place[other]));
-        group != neighbours.end() && group->second > 1)
-      enclosing.push_back(other);
+    if (neighbours[joined.of(place_[other])] > 1) enclosing.push_back(other);
+  for (const int other : near) place_[other] = nowhere;
   return enclosing;
 }
 

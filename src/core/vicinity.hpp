@@ -34,8 +34,9 @@ class Vicinity {
 
   // Those that may share ground with the claim and tile with it.
   std::vector<int> rivals(int claim);
-  // Those that may close a ring around a hole beside the claim, within `hole_extent` of it.
-  std::vector<int> enclosing(int claim);
+  // Those that may close a ring around a hole beside the claim, within `hole_extent` of it; none
+  // where all near it are known.
+  std::vector<int> enclosing(int claim, const std::vector<bool>& known);
   std::vector<int> near(const Box& box) const;
 
  private:
@@ -45,6 +46,7 @@ class Vicinity {
   const std::vector<Claim>& claims_;
   BoxIndex index_;
   std::vector<std::optional<std::vector<int>>> touching_;
+  std::vector<int> place_;  // among those near the claim that is asked about
 };
 
 }  // namespace streetgen

@@ -1,5 +1,6 @@
 #include "lane_text.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -45,6 +46,10 @@ unsigned turns_of(const std::string& text, const std::string& what) {
   return turns;
 }
 
+bool drives(const LaneWish& lane) {
+  return lane.kind == LaneKind::general || lane.kind == LaneKind::bus;
+}
+
 double width_of(const std::string& text, const std::string& what) {
   if (text.empty()) return 0;
   char* end = nullptr;
@@ -72,13 +77,12 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
   std::vector<LaneWish*> all, driving;
   for (LaneWish& lane : lanes) {
     all.push_back(&lane);
-    if (lane.kind == LaneKind::general || lane.kind == LaneKind::bus) driving.push_back(&lane);
+    if (drives(lane)) driving.push_back(&lane);
   }
   // The lanes that a list speaks of, a word each.
   const auto each = [&](const std::string& list, const auto& read) {
-    if (list.empty()) return;
+    if (list.empty() || !names_lanes(list, lanes)) return;
     const std::vector<std::string> words = parted(list, '|');
-    if (words.size() != driving.size() && words.size() != all.size()) return;
     const std::vector<LaneWish*>& named = words.size() == driving.size() ? driving : all;
     for (std::size_t i = 0; i < words.size(); ++i) read(*named[i], words[i]);
   };
@@ -89,6 +93,12 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
     if (lane.width == 0 && lane.kind == LaneKind::parking) lane.width = defaults.parking;
   }
   return lanes;
+}
+
+bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes) {
+  const std::size_t words = parted(list, '|').size();
+  return words == lanes.size() ||
+         words == static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), drives));
 }
 
 std::string turn_text(unsigned turns) {

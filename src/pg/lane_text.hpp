@@ -21,6 +21,9 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
                                  const std::string& turns, KindWidths defaults,
                                  const std::string& what);
 
+// Whether a list of widths or turns has a word for each lane, or for each general and bus lane.
+bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes);
+
 // "left;through"; empty where nothing is said.
 std::string turn_text(unsigned turns);
 

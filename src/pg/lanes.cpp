@@ -57,15 +57,20 @@ STREETGEN_FUNCTION(streetgen_lanes) {
   const Outcome outcome = compute([&] {
     slot->value = new Found;
     const ReadLine read = read_line(axis, "axis");
+    in_range(width, 1e-3, 200, "width");
+    in_range(width_end, 1e-3, 200, "width_end");
     const auto list = [&](int way) {
-      return read_lanes(static_cast<int>(in_range(counts[way], 0, 40, "lanes")), words[way],
-                        words[2 + way], "", {}, "");
+      const std::string of_way = way == 0 ? "_forward" : "_backward", widths = words[2 + way];
+      const int count = static_cast<int>(in_range(counts[way], 0, 40, "lanes" + of_way));
+      std::vector<LaneWish> lanes = read_lanes(count, words[way], widths, "", {}, "");
+      if (!widths.empty() && !names_lanes(widths, lanes))
+        refuse_word(widths, "lane_width" + of_way,
+                    "a width for each of " + std::to_string(lanes.size()) + " lanes");
+      return lanes;
     };
     const LaneSettings settings = read_lane_settings(words[4], words[5], LaneSettings{}.narrowest);
     Found& found = *slot->value;
-    found.lanes =
-        axis_lanes(read.line, in_range(width, 1e-3, 200, "width"),
-                   in_range(width_end, 1e-3, 200, "width_end"), {list(0), list(1)}, settings);
+    found.lanes = axis_lanes(read.line, width, width_end, {list(0), list(1)}, settings);
     for (const Lane& lane : found.lanes) {
       found.lines.push_back(write_line(lane.line, {read.srid, false}));
       found.surfaces.push_back(write_surface(lane.surface, {read.srid, false}));

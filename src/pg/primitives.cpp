@@ -155,9 +155,9 @@ STREETGEN_FUNCTION(streetgen_offset_line) {
   const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
   return geometry_result(fcinfo, [&](Result& result) {
     const ReadLine read = read_line(axis, "axis");
-    result = {true, write_line(offset_line(read.line, in_range(start, -200, 200, "axis_offset"),
-                                           in_range(end, -200, 200, "offset_end")),
-                               {read.srid, false})};
+    in_range(start, -200, 200, "axis_offset");
+    in_range(end, -200, 200, "offset_end");
+    result = {true, write_line(offset_line(read.line, start, end), {read.srid, false})};
   });
 }
 

@@ -117,13 +117,16 @@ Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& c
     report(outcome);
     if (!is_row) continue;
     const Row& row = *slot->value;
-    if (static_cast<int>(row.size()) != width)
+    if (static_cast<int>(row.size()) != width - 1)
       elog(ERROR, "a computed row has %d values for %d columns", static_cast<int>(row.size()),
-           width);
+           width - 1);
     MemoryContext outer = MemoryContextSwitchTo(per_row);
-    for (int i = 0; i < width; ++i) {
-      nulls[i] = std::holds_alternative<std::monostate>(row[i]);
-      datums[i] = nulls[i] ? 0 : datum_of(row[i], &columns[i]);
+    datums[0] = Int32GetDatum(static_cast<std::int32_t>(at) + 1);
+    nulls[0] = false;
+    for (int i = 1; i < width; ++i) {
+      const Value& value = row[i - 1];
+      nulls[i] = std::holds_alternative<std::monostate>(value);
+      datums[i] = nulls[i] ? 0 : datum_of(value, &columns[i]);
     }
     tuplestore_putvalues(result->setResult, result->setDesc, datums, nulls);
     MemoryContextSwitchTo(outer);

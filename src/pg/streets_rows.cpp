@@ -13,7 +13,8 @@ namespace {
 Form flat(const ComputedStreets& computed) { return {computed.srid, false}; }
 Form with_z(const ComputedStreets& computed) { return {computed.srid, computed.has_z}; }
 
-Value index(std::size_t i) { return static_cast<std::int32_t>(i); }
+// Nodes, edges and lanes refer to each other by numbers from 1 on.
+std::int32_t number(std::size_t index) { return static_cast<std::int32_t>(index) + 1; }
 Value end_name(bool at_start) { return std::string(at_start ? "start" : "end"); }
 Value name(const char* text) { return std::string(text); }
 
@@ -72,30 +73,29 @@ bool fill_node(const ComputedStreets& computed, std::size_t i, Row& row) {
     axes.push_back(anchor.axis_id);
     abscissas.push_back(anchor.abscissa);
   }
-  return put(row, index(i), computed.streets.asked_nodes[i],
-             Ewkb{write_point(node.point, with_z(computed))}, std::move(axes),
-             std::move(abscissas));
+  return put(row, computed.streets.asked_nodes[i], Ewkb{write_point(node.point, with_z(computed))},
+             std::move(axes), std::move(abscissas));
 }
 
 bool fill_edge(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Edge& edge = computed.streets.network.edges[i];
-  return put(row, index(i), bool(computed.streets.asked_edges[i]),
-             lanes_asked(computed.streets, edge), edge.axis_id, edge.from_node, edge.to_node,
-             edge.level, edge.start_abscissa, edge.end_abscissa,
-             Ewkb{write_line(edge.line, with_z(computed))});
+  return put(row, bool(computed.streets.asked_edges[i]), lanes_asked(computed.streets, edge),
+             edge.axis_id, number(edge.from_node), number(edge.to_node), edge.level,
+             edge.start_abscissa, edge.end_abscissa, Ewkb{write_line(edge.line, with_z(computed))});
 }
 
 bool fill_section_limit(const ComputedStreets& computed, std::size_t i, Row& row) {
   const SectionLimit& limit = computed.streets.limits[i];
   if (!computed.written_edges[limit.edge]) return false;
-  return put(row, limit.edge, end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
+  return put(row, number(limit.edge), computed.streets.network.edges[limit.edge].axis_id,
+             end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
              Ewkb{write_point(limit.point, with_z(computed))},
              Ewkb{write_line(limit.border_line, flat(computed))}, name(method_name(limit.method)));
 }
 
 bool fill_section(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
-  return put(row, section.edge, computed.streets.network.edges[section.edge].level,
+  return put(row, number(section.edge), computed.streets.network.edges[section.edge].level,
              Ewkb{write_surface(section.surface, flat(computed))},
              name(method_name(section.method)), section.contested_area);
 }
@@ -107,14 +107,14 @@ bool fill_corner(const ComputedStreets& computed, std::size_t i, Row& row) {
   Value centre, arc;
   if (corner.centre) centre = Ewkb{write_point(*corner.centre, flat(computed))};
   if (corner.arc) arc = Ewkb{write_arc(*corner.arc, flat(computed))};
-  return put(row, corner.node, corner.edge_a, end_name(corner.at_start_a), corner.edge_b,
-             end_name(corner.at_start_b), std::move(centre), corner.radius_wanted, corner.radius,
-             std::move(arc), name(method_name(corner.method)));
+  return put(row, number(corner.node), number(corner.edge_a), end_name(corner.at_start_a),
+             number(corner.edge_b), end_name(corner.at_start_b), std::move(centre),
+             corner.radius_wanted, corner.radius, std::move(arc), name(method_name(corner.method)));
 }
 
 bool fill_intersection(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Intersection& intersection = computed.streets.intersections[i];
-  return put(row, intersection.node, intersection.level,
+  return put(row, number(intersection.node), intersection.level,
              Ewkb{write_surface(intersection.surface, flat(computed))},
              name(method_name(intersection.method)), intersection.contested_area);
 }
@@ -123,32 +123,32 @@ bool fill_lane(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Lane& lane = computed.lanes.lanes[i];
   Value turn;
   if (lane.turns != 0) turn = turn_text(lane.turns);
-  return put(row, index(i), lane.edge, lane.ordinality, lane.position,
-             name(lane_side_name(lane.side)), lane.along_axis, name(lane_kind_name(lane.kind)),
-             lane.width, lane.axis_offset, std::move(turn),
+  return put(row, number(lane.edge), computed.streets.network.edges[lane.edge].axis_id,
+             lane.ordinality, lane.position, name(lane_side_name(lane.side)), lane.along_axis,
+             name(lane_kind_name(lane.kind)), lane.width, lane.axis_offset, std::move(turn),
              Ewkb{write_line(lane.line, flat(computed))},
              Ewkb{write_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
 }
 
 bool fill_lane_separator(const ComputedStreets& computed, std::size_t i, Row& row) {
   const LaneSeparator& separator = computed.lanes.separators[i];
-  return put(row, separator.edge, separator.position, name(separator_kind_name(separator.kind)),
-             separator.dashed, separator.axis_offset,
+  return put(row, number(separator.edge), separator.position,
+             name(separator_kind_name(separator.kind)), separator.dashed, separator.axis_offset,
              Ewkb{write_line(separator.line, flat(computed))},
              Ewkb{write_surface(separator.surface, flat(computed))});
 }
 
 bool fill_marking(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Marking& marking = computed.lanes.markings[i];
-  return put(row, marking.edge, marking.position, marking.node,
+  return put(row, number(marking.edge), marking.position, number(marking.node),
              name(marking_kind_name(marking.kind)), Ewkb{write_line(marking.line, flat(computed))},
              Ewkb{write_surface(marking.surface, flat(computed))});
 }
 
 bool fill_interconnection(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Interconnection& pair = computed.interconnections[i];
-  return put(row, pair.node, pair.lane_in, pair.lane_out, name(turn_name(pair.turn)), pair.angle,
-             pair.plausible, name(reason_name(pair.reason)),
+  return put(row, number(pair.node), number(pair.lane_in), number(pair.lane_out),
+             name(turn_name(pair.turn)), pair.angle, pair.plausible, name(reason_name(pair.reason)),
              Ewkb{write_point(pair.control, flat(computed))},
              Ewkb{write_line(pair.line, flat(computed))});
 }

@@ -35,7 +35,8 @@ using Value = std::variant<std::monostate, bool, std::int32_t, std::int64_t, dou
                            Ewkb, std::vector<std::int64_t>, std::vector<double>>;
 using Row = std::vector<Value>;
 
-// The rows of a table, made one by one in the order of its columns in SQL.
+// The rows of a table, made one by one in the order of its columns in SQL after the first, the
+// number by which others refer to it.
 struct Table {
   std::size_t (*count)(const ComputedStreets& computed);
   // False: nothing is written of this one.

@@ -50,6 +50,32 @@ TEST(Arrangement, TakesRingsThatTouchThemselvesApart) {
   EXPECT_DOUBLE_EQ(area(around), 75);
 }
 
+// A face along the shell's side, on it but for the noise of coordinates, is left out.
+TEST(Arrangement, LeavesOutAFaceThatNearlyTouchesTheShell) {
+  Geos geos;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto share = [&] { return (random() % 1000001) / 1e6; };
+    const double turn = share() * M_PI;
+    const Point along{std::cos(turn), std::sin(turn), 0}, across = left_normal(along);
+    const Point corner{650000 + share(), 6860000 + share(), 0};
+    const auto ring = [&](double from, double to, double height) {
+      const Point a = corner + along * from, b = corner + along * to;
+      return Ring{a, b, b + across * height, a + across * height, a};
+    };
+    const Ring shell = ring(0, 9, 9), face = ring(1 + share(), 5 + share(), 2);
+    const Arrangement faces({shell, face});
+    std::vector<bool> kept;
+    for (const Point& place : faces.places())
+      kept.push_back(inside(place, {shell}) && !inside(place, {face}));
+    const double left = 81 - std::abs(signed_area(face));
+    EXPECT_NEAR(area(faces.joined(kept)), left, 1e-5) << seed;
+    const MultiPolygon on_grid = faces.joined(kept, Arrangement::Vertices::on_grid);
+    EXPECT_NEAR(area(on_grid), left, 1e-5) << seed;
+    EXPECT_TRUE(geos.valid(geos.surface(on_grid).get())) << seed;
+  }
+}
+
 // Rectangles that nearly coincide, far from the origin.
 TEST(Arrangement, MakesFacesOfWhatNearlyCoincides) {
   for (unsigned seed = 1; seed <= 200; ++seed) {

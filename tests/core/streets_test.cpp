@@ -334,23 +334,27 @@ TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {
     EXPECT_EQ(area(first.sections[i].surface), area(second.sections[i].surface));
 }
 
+Former former_of(const Streets& before) {
+  Former former;
+  for (std::size_t e = 0; e < before.network.edges.size(); ++e) {
+    const SectionLimit &start = before.limits[2 * e], &end = before.limits[2 * e + 1];
+    former.edges.push_back(
+        {before.network.edges[e].axis_id,
+         before.network.edges[e].line,
+         {start.wanted_abscissa, start.abscissa, end.wanted_abscissa, end.abscissa}});
+  }
+  return former;
+}
+
 // Surfaces about one axis, built from what may matter to them, against those of the whole town.
 TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 24);
     const Streets whole = streets(axes, {});
-    Former former;
-    for (std::size_t e = 0; e < whole.network.edges.size(); ++e) {
-      const SectionLimit &start = whole.limits[2 * e], &end = whole.limits[2 * e + 1];
-      former.edges.push_back(
-          {whole.network.edges[e].axis_id,
-           whole.network.edges[e].line,
-           {start.wanted_abscissa, start.abscissa, end.wanted_abscissa, end.abscissa}});
-    }
     std::size_t compared = 0;
     for (std::int64_t edited = 1; edited <= 6; ++edited) {
       for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
-      const Streets part = streets(axes, {}, {}, former);
+      const Streets part = streets(axes, {}, {}, former_of(whole));
       for (const Section& section : part.sections) {
         EXPECT_EQ(area(section.surface), area(whole.sections[section.edge].surface))
             << "seed " << seed << ", axis " << edited << ", edge " << section.edge;
@@ -359,6 +363,55 @@ TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
     }
     EXPECT_GE(compared, 6u);
   }
+}
+
+// Areas of surfaces, by edge and by node.
+struct Areas {
+  explicit Areas(const Streets& town)
+      : sections(town.network.edges.size()), intersections(town.network.nodes.size()) {
+    for (const Section& section : town.sections) sections[section.edge] = area(section.surface);
+    for (const Intersection& crossing : town.intersections)
+      intersections[crossing.node] = area(crossing.surface);
+  }
+  std::vector<double> sections, intersections;
+};
+
+// A wider axis takes ground: what is asked comes out as in the whole town, and nothing else is
+// another there.
+TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
+  std::size_t asked = 0, left = 0;
+  StreetSettings settings;
+  settings.crossing = Crossing::split;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::vector<StreetAxis> axes = random_town(seed, 40);
+    for (StreetAxis& axis : axes) axis.width = axis.width_end = axis.width / 3;
+    const Streets before = streets(axes, settings);
+    const Areas was(before);
+    for (std::int64_t edited = 1; edited <= 10; ++edited) {
+      std::vector<StreetAxis> wider = axes;
+      for (StreetAxis& axis : wider) {
+        axis.changed = axis.axis_id == edited;
+        if (axis.changed) axis.width = axis.width_end = 1.1 * axis.width;
+      }
+      const Areas is(streets(wider, settings));
+      const Streets part = streets(wider, settings, {}, former_of(before));
+      const Areas told(part);
+      const auto compare = [&](const std::vector<bool>& out, const std::vector<double>& of_part,
+                               const std::vector<double>& old, const std::vector<double>& now,
+                               const char* what) {
+        for (std::size_t i = 0; i < out.size(); ++i) {
+          EXPECT_EQ(out[i] ? of_part[i] : old[i], now[i])
+              << what << ' ' << i << (out[i] ? ", asked" : "") << ", seed " << seed << ", axis "
+              << edited;
+          ++(out[i] ? asked : left);
+        }
+      };
+      compare(part.asked_edges, told.sections, was.sections, is.sections, "edge");
+      compare(part.asked_nodes, told.intersections, was.intersections, is.intersections, "node");
+    }
+  }
+  EXPECT_GT(asked, 500u);
+  EXPECT_GT(left, asked);
 }
 
 }  // namespace

@@ -113,22 +113,24 @@ TEST(Vicinity, RivalsMeetTheClaimAndTileWithIt) {
 // others that leads nowhere.
 TEST(Vicinity, OnlyWhatMeetsTwoNeighboursEnclosesAHole) {
   const std::vector<Claim> claims(6);
+  const std::vector<bool> none(6);
   Vicinity vicinity({from_to(0, 0, 9, 1), from_to(0, 1, 1, 5), from_to(8, 1, 9, 5),
                      from_to(0, 5, 9, 6), from_to(4, -3, 5, 0), from_to(4, -6, 5, -3)},
                     claims);
-  EXPECT_EQ(vicinity.enclosing(0), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(vicinity.enclosing(0, none), (std::vector<int>{1, 2, 3}));
 }
 
 // Beyond the extent of a hole from the claim nothing closes a ring about one beside it.
 TEST(Vicinity, WhatEnclosesAHoleIsNear) {
   const std::vector<Claim> claims(4);
+  const std::vector<bool> none(4);
   const double far = 1 + hole_extent;
   const auto ring = [&](double y) {
     return std::vector<Extent>{from_to(0, 0, 9, 1), from_to(0, 1, 1, y), from_to(8, 1, 9, y),
                                from_to(0, y, 9, y + 1)};
   };
-  EXPECT_EQ(Vicinity(ring(far - 1), claims).enclosing(0), (std::vector<int>{1, 2, 3}));
-  EXPECT_EQ(Vicinity(ring(far + 1), claims).enclosing(0), std::vector<int>{});
+  EXPECT_EQ(Vicinity(ring(far - 1), claims).enclosing(0, none), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(Vicinity(ring(far + 1), claims).enclosing(0, none), std::vector<int>{});
 }
 
 }  // namespace

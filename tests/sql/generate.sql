@@ -45,10 +45,20 @@ SELECT 'an end in the middle of another axis makes a node there', (SELECT count(
 SELECT 'what was estimated is said', (SELECT bool_and('width' = ANY (estimated)) FROM once.edge WHERE axis_id = 13);
 SELECT 'what was given is not', (SELECT bool_and('width' <> ALL (estimated)) FROM once.edge WHERE axis_id = 1);
 
-CREATE TABLE public.before AS SELECT test.rows('once') AS rows;
+-- Every row with whom it was written and locked by.
+CREATE FUNCTION pg_temp.marks(model name) RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+  marks text;
+BEGIN
+  EXECUTE (SELECT 'SELECT md5(string_agg(mark, '','' ORDER BY mark)) FROM (' || string_agg(format('SELECT concat_ws('' '', %1$L, ctid, xmin, xmax) FROM %2$I.%1$I', relation, model), ' UNION ALL ') || ') m(mark)'
+    FROM unnest(streetgen._derived_tables()) relation) INTO marks;
+  RETURN marks;
+END $$;
+CREATE TABLE public.before AS SELECT test.rows('once') AS rows, pg_temp.marks('once') AS marks;
 INSERT INTO run SELECT 2, * FROM streetgen.generate('once');
 SELECT 'a second run reports no change', (SELECT bool_and(inserted + updated + deleted = 0) FROM run WHERE run = 2);
 SELECT 'a second run writes no row', (SELECT rows FROM before) = test.rows('once');
+SELECT 'nor does it lock one', (SELECT marks FROM before) = pg_temp.marks('once');
 INSERT INTO run SELECT 3, * FROM streetgen.generate('once', (SELECT array_agg(axis_id) FROM once.axis));
 SELECT 'a run of every axis by name writes no row', (SELECT rows FROM before) = test.rows('once');
 INSERT INTO run SELECT 4, * FROM streetgen.generate('once', '{}');

@@ -74,6 +74,8 @@ SELECT 'a mapping that is no object is 22023', test.state(pg_temp.with_mapping('
 SELECT 'a text that is no number is 22023 and names the row',
        test.state(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) = '22023'
    AND test.said(pg_temp.with_mapping('{"width": "kind", "source_ref": "id"}')) ~ '\m1\M';
+SELECT 'a part of a lane is 22023', test.state(pg_temp.with_mapping('{"lane_count": {"value": 2.5}}')) = '22023';
+SELECT 'a whole number may have decimals', test.state(pg_temp.with_mapping('{"lane_count": {"value": 2.0}}')) IS DISTINCT FROM '22023';
 SELECT 'a constant of the wrong type is 22023', test.state(pg_temp.with_mapping('{"width": {"value": "wide"}}')) = '22023';
 SELECT 'a geometry column that is none is 22023', test.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
 SELECT 'an unknown direction is 22023', test.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';

@@ -15,7 +15,7 @@ SELECT 'without a table of restrictions it is said' AS name, (SELECT count(*) = 
 CREATE TABLE town_restriction (relation_id bigint, restriction text, from_way bigint, to_way bigint, via_way boolean, geom geometry);
 INSERT INTO town_restriction SELECT id, restriction, from_way, to_way, via_way, ST_GeomFromText(CASE WHEN via_way THEN 'GEOMETRYCOLLECTION(LINESTRING(0 0,1 1))' ELSE 'GEOMETRYCOLLECTION(LINESTRING(649900 6860000,650000 6860000),POINT(650000 6860000))' END, 2154)
 FROM (VALUES (10, 'no_left_turn', 1, 3, false), (10, 'no_left_turn', 1, 3, false), (11, 'only_straight_on', 1, 2, false), (12, 'no_u_turn', 1, 1, false), (13, 'no_entry', 3, 2, false),
-             (14, NULL, 1, 2, false), (15, 'no_dancing', 1, 2, false), (16, 'no_left_turn', 1, 2, true), (17, 'no_left_turn', 1, 4, false)) v(id, restriction, from_way, to_way, via_way);
+             (14, NULL, 1, 2, false), (15, 'no_dancing', 1, 2, false), (16, 'no_left_turn', 1, 2, true), (17, 'no_left_turn', 1, 4, false), (18, 'no_left_turn', NULL, 3, false), (19, 'only_left_turn', 1, NULL, false)) v(id, restriction, from_way, to_way, via_way);
 DROP TABLE import_report;
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_osm('restricted', 'town');
 SELECT 'restrictions name axes, kind and turn', (SELECT array_agg(concat_ws(' ', split_part(r.source_ref, '/', 1), a.source_ref, b.source_ref, r.kind, r.turn) ORDER BY r.source_ref)
@@ -23,6 +23,10 @@ SELECT 'restrictions name axes, kind and turn', (SELECT array_agg(concat_ws(' ',
 SELECT 'their place is the via node', (SELECT bool_and(ST_Equals(geom, 'SRID=2154;POINT(650000 6860000)')) FROM restricted.turn_restriction);
 SELECT 'what is left out is said: ' || what, (SELECT source_refs = ARRAY[ref] FROM import_report r WHERE r.what = 'turn restriction ' || e.what || ', left out')
     FROM (VALUES ('not for all traffic', '14'), ('not understood', '15'), ('via a way', '16'), ('of ways that are no axes', '17')) e(what, ref);
+SELECT 'also one that lacks a way', (SELECT array_agg(ref ORDER BY ref) = '{18,19}' FROM import_report, unnest(source_refs) ref WHERE what = 'turn restriction without the way that it leads from or to, left out');
+ALTER TABLE town_restriction ADD COLUMN excepted text;
+UPDATE town_restriction SET excepted = 'bus' WHERE relation_id = 13;
+SELECT 'an exception is said', (SELECT source_refs = '{13}' FROM streetgen.import_osm('restricted', 'town') WHERE what = 'turn restriction with an exception, taken for all traffic');
 DELETE FROM town_restriction WHERE relation_id = 11;
 CREATE TABLE before AS SELECT turn_restriction_id, xmin::text AS writer FROM restricted.turn_restriction;
 DO $$ BEGIN

@@ -92,7 +92,13 @@ SELECT 'a second run with it writes no row', (SELECT bool_and(inserted + updated
 SELECT 'a function that draws no line is refused', test.state($q$SELECT pg_temp.again($e$SELECT streetgen.set('crossing', 'trajectory', 'public.nowhere')$e$)$q$) = '22023';
 SELECT 'its name and result are said', test.said($q$SELECT pg_temp.again($e$SELECT streetgen.set('crossing', 'trajectory', 'public.nowhere')$e$)$q$) LIKE 'trajectory function public.nowhere gave SRID=2154;POINT%';
 SELECT 'a function that is not there is refused', test.state($q$SELECT streetgen.set('crossing', 'trajectory', 'public.no_such')$q$) = '22023';
+SELECT format('%s, which is no name, is refused', quote_literal(word)), test.state(format('SELECT streetgen.set(''crossing'', ''trajectory'', %L)', word)) = '22023'
+  FROM unnest(ARRAY['', ' ', 'a b', 'a.b.c.d', 'public.', '"', '1', 'a''b', 'f(', 'public.by_centre(geometry, geometry, geometry, float8)']) word;
 SELECT 'and one of another signature', test.state($q$SELECT streetgen.set('crossing', 'trajectory', 'st_makeline')$q$) = '22023';
+DO $$ BEGIN PERFORM streetgen.live('crossing', true); END $$;
+DROP FUNCTION public.by_centre;
+SELECT 'an edit where the function is gone names it', state = '42883' AND said LIKE '%public.by_centre is gone' AND hint <> '' FROM test.refusal('UPDATE crossing.axis SET width = 8 WHERE axis_id = 1');
+DO $$ BEGIN PERFORM streetgen.live('crossing', false); END $$;
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory', 'bezier')$q$) \g /dev/null
 SELECT 'back to the paper''s rule', test.same('crossing', 'ruled');
 

@@ -125,6 +125,11 @@ SELECT format('%s is refused', statement), test.state(statement) = '22023' FROM 
     ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'tram')$$), ($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, lane_order => 'any')$$),
     ($$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 'Infinity')$$), ($$SELECT streetgen.offset_line('LINESTRING EMPTY', 1)$$)) s(statement);
 
+SELECT format('%s is named', argument), test.said(statement) LIKE argument || ' is %' FROM (VALUES ('width', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 0)$$), ('lanes_forward', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, -1)$$),
+    ('lanes_backward', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, 1, 41)$$), ('axis_offset', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 201)$$), ('offset_end', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 1, 201)$$)) s(argument, statement);
+SELECT format('widths for another number of lanes are refused: %s', widths), test.state(format($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'general|general|cycle', lane_width_forward => %L)$$, widths)) = '22023' FROM unnest('{3,3|3|1|2}'::text[]) widths;
+SELECT format('those of all lanes or of the driving lanes are not: %s', widths), (SELECT count(*) = 4 FROM streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'general|general|cycle', lane_width_forward => widths)) FROM unnest('{3|3,3|3|1,""}'::text[]) widths;
+
 -- Estimates of what is no width, no number of lanes.
 SELECT 'no lanes of no width', bool_and(streetgen.estimated_lane_count(w, 50, l) IS NULL) FROM (VALUES ('NaN'::float8, 3.5), (7, 0), (7, 'NaN'), ('-Infinity', 3.5), (1e300, 1e-300)) v(w, l);
 SELECT 'nor kinds of too many', bool_and(streetgen.lane_kinds(n, NULL, true, 'right', true, false, false, false) IS NULL) FROM unnest('{-1,41,2147483647,NULL}'::integer[]) n;

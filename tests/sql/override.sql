@@ -185,6 +185,8 @@ DO $$ BEGIN
   PERFORM streetgen.create_model('far', 32631);
   INSERT INTO far.axis (axis_id, geom, width, radius) VALUES (1, 'SRID=32631;LINESTRING(0 0,500 0)', 8, 5), (2, 'SRID=32631;LINESTRING(0 -80,0 0)', 8, 5), (3, 'SRID=32631;LINESTRING(0 0,-10 80)', 8, 5),
     (4, 'SRID=32631;LINESTRING(350 30,420 6,470 30)', 6, 5), (5, 'SRID=32631;LINESTRING(500 0,560 40)', 8, 5), (6, 'SRID=32631;LINESTRING(500 0,560 -40)', 8, 5), (7, 'SRID=32631;LINESTRING(-300 0,0 0)', 8, 5);
+  -- It crosses the first without a node, more important than the intersection there until the last one is.
+  INSERT INTO far.axis (axis_id, geom, width, importance) VALUES (8, 'SRID=32631;LINESTRING(250 -60,250 60)', 8, 3);
   INSERT INTO far.section_limit_override (axis_id, abscissa, which) VALUES (1, 440, 'start');
 END $$;
 CREATE FUNCTION pg_temp.is_followed(statement text) RETURNS TABLE (name text, holds boolean) LANGUAGE plpgsql AS $$ BEGIN EXECUTE statement; RETURN QUERY SELECT 'followed: ' || statement, pg_temp.is_whole('far'); END $$;

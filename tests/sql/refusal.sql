@@ -23,7 +23,12 @@ INSERT INTO tried VALUES
   ('INSERT INTO town.lane_override (lane_override_id, axis_id, abscissa, ordinality, line) VALUES (7, 1, 5, 1, ''SRID=2154;LINESTRING EMPTY'')', '23514', 'the line of the new lane override 7 cannot be LINESTRING EMPTY'),
   ('INSERT INTO town.corner_override (corner_override_id, geom, axis_a, axis_b, radius) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 201)', '23514', 'the radius of the new corner override 7 cannot be 201'),
   ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis, kind, turn) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, ''no'', ''up'')', '23514', 'the turn of the new turn restriction 7 cannot be "up"'),
-  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2)', '23502', 'the kind of the new turn restriction 7 cannot be NULL');
+  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2)', '23502', 'the kind of the new turn restriction 7 cannot be NULL'),
+  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis, kind) VALUES (7, ''SRID=2154;POINT EMPTY'', 1, 2, ''no'')', '23514', 'the geom of the new turn restriction 7 cannot be POINT EMPTY'),
+  ('INSERT INTO town.turn_restriction (turn_restriction_id, geom, from_axis, to_axis, kind) VALUES (7, ''SRID=2154;POINT(NaN 1)'', 1, 2, ''no'')', '23514', 'the geom of the new turn restriction 7 cannot be POINT(NaN 1)'),
+  ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out) VALUES (7, ''SRID=2154;POINT EMPTY'', 1, 2, 2, 2)', '23514', 'the geom of the new interconnection override 7 cannot be POINT EMPTY'),
+  ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out, control) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 2, 2, ''SRID=2154;POINT(NaN 1)'')', '23514', 'the control of the new interconnection override 7 cannot be POINT(NaN 1)'),
+  ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out, control) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 2, 2, ''SRID=2154;POINT(1e13 1)'')', '23514', 'the control of the new interconnection override 7 cannot be POINT(10000000000000 1)');
 SELECT format('%s: %s', statement, concat_ws(' ', r.state, r.said)), r.state = wanted AND r.said = message AND r.detail LIKE 'Expected %.' AND r.hint <> '' FROM tried, test.refusal(statement) r;
 BEGIN;
 SAVEPOINT edit;

@@ -6,3 +6,8 @@ DO $$ BEGIN PERFORM streetgen.generate('drawn'); END $$;
 SELECT 'svg draws', streetgen.svg('drawn') LIKE '<svg%</svg>' || E'\n';
 SELECT 'a map of a town shows the roadway alone', svg LIKE '%class="section%' AND svg NOT LIKE '%class="axis%' AND svg NOT LIKE '%class="limit%' FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154)) svg;
 SELECT 'a street shows its axis', svg LIKE '%class="axis%' FROM streetgen.svg('drawn') svg;
+SELECT 'and over it the line in its middle', strpos(svg, 'class="axis') BETWEEN 1 AND strpos(svg, 'class="paint') FROM streetgen.svg('drawn') svg;
+-- Two streets that leave a short one on its two sides: its limits cross.
+INSERT INTO drawn.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650100 6860000,650106 6860000)', 7), ('SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 14), ('SRID=2154;LINESTRING(650106 6860000,650106 6859900)', 14);
+SELECT 'lanes between crossed limits are drawn as paths', (SELECT count(*) > 0 FROM drawn.lane WHERE method = 'crossed_limits')
+    AND (SELECT count(*) FROM regexp_matches(svg, 'class="path (implausible )?line"', 'g')) = (SELECT count(*) FROM drawn.interconnection) + (SELECT count(*) FROM drawn.lane WHERE method = 'crossed_limits') FROM streetgen.svg('drawn') svg;

@@ -1,0 +1,256 @@
+#include "narrow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "box_index.hpp"
+#include "groups.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double touching = 1e-6;      // metres
+constexpr double beside = 2e-8;        // metres, to the outside of a border
+constexpr double least_run = 1e-4;     // metres: no hole has shorter runs only
+constexpr double largest_disc = 1000;  // metres, of its radius
+
+// A segment of a ring, the surface on its left.
+struct Side {
+  Point from, to;
+  int surface;
+  std::vector<double> met{};  // shares of it where it meets other surfaces' sides
+
+  Point at(double share) const { return from + (to - from) * share; }
+};
+
+struct Piece {
+  Point from, to;
+};
+
+// Part of a ring between places where it meets other surfaces: all of it borders on the outside of
+// the union, or nothing.
+struct Run {
+  int surface;
+  std::vector<Piece> pieces;
+};
+
+double share_of(const Side& side, const Point& p) {
+  const Point along = side.to - side.from;
+  return std::clamp(dot(p - side.from, along) / dot(along, along), 0.0, 1.0);
+}
+
+void meet(Side& s, Side& t) {
+  const auto end_on = [](Side& side, const Point& end, Side& other, double share) {
+    if (distance_to_segment(end, side.from, side.to) > touching) return;
+    side.met.push_back(share_of(side, end));
+    other.met.push_back(share);
+  };
+  end_on(s, t.from, t, 0);
+  end_on(s, t.to, t, 1);
+  end_on(t, s.from, s, 0);
+  end_on(t, s.to, s, 1);
+  if (const auto at = crossing(s.from, s.to, t.from, t.to)) {
+    s.met.push_back(share_of(s, *at));
+    t.met.push_back(share_of(t, *at));
+  }
+}
+
+class Borders {
+ public:
+  explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
+    std::vector<Box> boxes;
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+      boxes_.push_back(box_of(*surfaces[k]));
+      for (const Polygon& polygon : *surfaces[k])
+        for (const Ring& ring : polygon) {
+          rings_.push_back(static_cast<int>(sides_.size()));
+          for (std::size_t i = 1; i < ring.size(); ++i) {
+            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k)});
+            boxes.push_back(box_of(ring[i - 1], ring[i]));
+          }
+        }
+    }
+    rings_.push_back(static_cast<int>(sides_.size()));
+    index_ = BoxIndex(boxes);
+    std::vector<int> order(sides_.size()), active;
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
+    for (const int i : order) {
+      poll_cancel();
+      std::size_t kept = 0;
+      for (const int j : active) {
+        if (boxes[j].max_x < boxes[i].min_x - touching) continue;
+        active[kept++] = j;
+        if (sides_[i].surface != sides_[j].surface && boxes[i].meets(boxes[j], touching))
+          meet(sides_[i], sides_[j]);
+      }
+      active.resize(kept);
+      active.push_back(i);
+    }
+  }
+
+  std::vector<Run> runs() {
+    std::vector<Run> all;
+    for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], all);
+    return all;
+  }
+
+  // Whether the run may border on a hole in which no disc of the radius has room.
+  bool narrow(const Run& run, double radius) const {
+    poll_cancel();
+    const auto size = [](const Piece& p) { return distance(p.from, p.to); };
+    const Piece& longest =
+        *std::max_element(run.pieces.begin(), run.pieces.end(),
+                          [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
+    if (free_beside(longest, radius)) return false;
+    if (covered(place_beside(longest, beside), run.surface)) return false;
+    return std::none_of(run.pieces.begin(), run.pieces.end(),
+                        [&](const Piece& piece) { return free_beside(piece, radius); });
+  }
+
+ private:
+  void add_runs(int first, int last, std::vector<Run>& all) {
+    std::vector<Run> of_ring;
+    Run begun{sides_[first].surface, {}};  // before the first meeting; its end is the last run
+    bool met = false;
+    for (int i = first; i < last; ++i) {
+      Side& side = sides_[i];
+      std::sort(side.met.begin(), side.met.end());
+      const double size = distance(side.from, side.to);
+      double at = 0;
+      const auto go_on = [&](double share) {
+        if ((share - at) * size <= touching) return;
+        begun.pieces.push_back({side.at(at), side.at(share)});
+        at = share;
+      };
+      for (const double share : side.met) {
+        go_on(share);
+        met = true;
+        if (begun.pieces.empty()) continue;
+        of_ring.push_back(begun);
+        begun.pieces.clear();
+      }
+      go_on(1);
+    }
+    if (!met) return;
+    if (!begun.pieces.empty()) {
+      if (of_ring.empty()) {
+        of_ring.push_back(begun);
+      } else if (sides_[first].met.empty() || sides_[first].met.front() > 0) {
+        auto& pieces = of_ring.front().pieces;
+        pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
+      } else {
+        of_ring.push_back(begun);
+      }
+    }
+    all.insert(all.end(), of_ring.begin(), of_ring.end());
+  }
+
+  static Point place_beside(const Piece& piece, double off) {
+    const Point outwards = left_normal(unit(piece.to - piece.from)) * -off;
+    return (piece.from + piece.to) * 0.5 + outwards;
+  }
+
+  bool free_beside(const Piece& piece, double radius) const {
+    if (radius > largest_disc) return false;
+    constexpr double slack = 1e-3;
+    const Point centre = place_beside(piece, radius * (1 + slack));
+    return !index_.any_near(box_of(centre, centre), radius, [&](int i) {
+      return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
+    });
+  }
+
+  bool covered(const Point& p, int but) const {
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      if (static_cast<int>(k) == but || !boxes_[k].holds(p, 0)) continue;
+      for (const Polygon& polygon : *surfaces_[k])
+        if (inside(p, polygon)) return true;
+    }
+    return false;
+  }
+
+  const std::vector<const MultiPolygon*>& surfaces_;
+  std::vector<Box> boxes_;  // of surfaces
+  std::vector<Side> sides_;
+  std::vector<int> rings_;  // their first sides, and the end
+  BoxIndex index_;          // of sides
+};
+
+// Of each run the places where it starts and ends, told apart by number.
+std::vector<std::array<int, 2>> places_of_ends(const std::vector<Run>& runs) {
+  std::vector<std::pair<Point, int>> ends;
+  for (const Run& run : runs)
+    for (const Point& end : {run.pieces.front().from, run.pieces.back().to})
+      ends.emplace_back(end, static_cast<int>(ends.size()));
+  std::sort(ends.begin(), ends.end(),
+            [](const auto& a, const auto& b) { return a.first.x < b.first.x; });
+  Groups joined(static_cast<int>(ends.size()));
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    for (std::size_t l = k; l-- > 0 && ends[k].first.x - ends[l].first.x <= least_run;)
+      if (distance(ends[k].first, ends[l].first) <= least_run)
+        joined.join(ends[k].second, ends[l].second);
+  std::vector<std::array<int, 2>> places;
+  for (int i = 0; i < static_cast<int>(runs.size()); ++i)
+    places.push_back({joined.of(2 * i), joined.of(2 * i + 1)});
+  return places;
+}
+
+// Those that may be part of a ring: at both ends another one goes on.
+std::vector<bool> on_rings(const std::vector<std::array<int, 2>>& ends) {
+  std::map<int, std::vector<int>> at;  // the runs that end there
+  for (int i = 0; i < static_cast<int>(ends.size()); ++i)
+    for (const int place : ends[i]) at[place].push_back(i);
+  std::vector<bool> kept(ends.size(), true);
+  std::vector<int> loose;
+  for (const auto& [place, runs] : at)
+    if (runs.size() == 1) loose.push_back(place);
+  while (!loose.empty()) {
+    const std::vector<int>& last = at[loose.back()];
+    loose.pop_back();
+    if (last.empty()) continue;
+    const int run = last.front();
+    kept[run] = false;
+    for (const int place : ends[run]) {
+      std::vector<int>& runs = at[place];
+      runs.erase(std::find(runs.begin(), runs.end(), run));
+      if (runs.size() == 1) loose.push_back(place);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Box> narrow_places(const std::vector<const MultiPolygon*>& surfaces, double max_area) {
+  Borders borders(surfaces);
+  const double radius = std::sqrt(max_area / M_PI);
+  std::vector<Run> runs = borders.runs();
+  runs.erase(std::remove_if(runs.begin(), runs.end(),
+                            [&](const Run& run) { return !borders.narrow(run, radius); }),
+             runs.end());
+  const auto ends = places_of_ends(runs);
+  const std::vector<bool> kept = on_rings(ends);
+  Groups joined(2 * static_cast<int>(runs.size()));
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (kept[i]) joined.join(ends[i][0], ends[i][1]);
+  std::map<int, Box> boxes;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (kept[i])
+      for (const Piece& piece : runs[i].pieces) {
+        Box& box = boxes[joined.of(ends[i][0])];
+        box.add(piece.from);
+        box.add(piece.to);
+      }
+  std::vector<Box> out;
+  for (const auto& [place, box] : boxes) out.push_back(box);
+  return out;
+}
+
+}  // namespace streetgen

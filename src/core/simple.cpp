@@ -1,0 +1,80 @@
+#include "simple.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "overlap.hpp"
+#include "polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double apart = 1e-7;  // metres
+
+struct Side {
+  Point from, to, along;
+  Box box;
+  std::size_t place;     // along the rings, one after the other
+  std::size_t follower;  // the place of the next one of its ring
+};
+
+// How far p lies left of the line of a side.
+double left_of(const Side& side, const Point& p) { return cross(side.along, p - side.from); }
+
+bool same_side(double a, double b) { return std::min(a, b) > apart || std::max(a, b) < -apart; }
+
+std::optional<bool> keep_apart(const Side& s, const Side& t) {
+  const double t_from = left_of(s, t.from), t_to = left_of(s, t.to);
+  if (same_side(t_from, t_to)) return true;
+  const double s_from = left_of(t, s.from), s_to = left_of(t, s.to);
+  if (same_side(s_from, s_to)) return true;
+  if (same_side(t_from, -t_to) && same_side(s_from, -s_to)) return false;
+  return std::nullopt;
+}
+
+// Of a side and the next: they turn, and not back.
+bool turn(const Side& s, const Side& t) {
+  return std::abs(left_of(s, t.to)) > apart || dot(s.along, t.along) > 0;
+}
+
+}  // namespace
+
+std::optional<bool> simple(const MultiPolygon& surface) {
+  std::vector<Side> sides;
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon) {
+      const std::size_t first = sides.size();
+      for (std::size_t i = 1; i < ring.size(); ++i)
+        sides.push_back({ring[i - 1], ring[i], unit(ring[i] - ring[i - 1]),
+                         box_of(ring[i - 1], ring[i]), sides.size(),
+                         i + 1 < ring.size() ? sides.size() + 1 : first});
+    }
+  std::vector<const Side*> order, active;
+  for (const Side& side : sides) order.push_back(&side);
+  std::sort(order.begin(), order.end(),
+            [](const Side* s, const Side* t) { return s->box.min_x < t->box.min_x; });
+  bool clear = true;
+  for (const Side* s : order) {
+    poll_cancel();
+    std::size_t kept = 0;
+    for (const Side* t : active) {
+      if (t->box.max_x < s->box.min_x - apart) continue;
+      active[kept++] = t;
+      if (!s->box.meets(t->box, apart)) continue;
+      if (s->follower == t->place || t->follower == s->place) {
+        clear = clear && (s->follower == t->place ? turn(*s, *t) : turn(*t, *s));
+        continue;
+      }
+      const std::optional<bool> kept_apart = keep_apart(*s, *t);
+      if (!kept_apart.value_or(true)) return false;
+      clear = clear && kept_apart;
+    }
+    active.resize(kept);
+    active.push_back(s);
+  }
+  return clear ? std::optional(true) : std::nullopt;
+}
+
+}  // namespace streetgen
