@@ -200,6 +200,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_remap(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    overrides constant name[] := '{transition_override,lane_override,section_limit_override,kerb_point_override,corner_override,interconnection_override,turn_restriction}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -231,13 +232,25 @@ CREATE OR REPLACE FUNCTION %1$I._remap(bigint[], geometry[], geometry[]) RETURNS
     AS $body$
 DECLARE
     extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line);
+    concerned bigint[];
 BEGIN
-%2$s
-END $body$ $sql$, model, (
+    -- Each statement below is followed on its own: their rows first, and by one claim all their places, so that none waits for more while it holds some.
+    %2$s
+    IF streetgen._live(%3$L) THEN
+        concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
+                           UNION SELECT a.axis_id FROM %1$I.override_place o JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach) WHERE o.geom && ST_Expand(extent, 110));
+        IF concerned <> '{}' THEN
+            PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
+        END IF;
+    END IF;
+    %4$s
+END $body$ $sql$, model,
         -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
-        SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, %3$s)) THEN%4$s;' || E'\nEND IF;', model, relation, CASE relation WHEN 'kerb_point_override' THEN 110 ELSE 30 END,
-            streetgen._remap_statement(model, relation)), E'\n')
-        FROM unnest('{transition_override,lane_override,section_limit_override,kerb_point_override,corner_override,interconnection_override,turn_restriction}'::name[]) relation));
+        (SELECT string_agg(format('PERFORM FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110) ORDER BY %2$I_id FOR UPDATE;', model, relation), E'\n    ' ORDER BY n)
+         FROM unnest(overrides) WITH ORDINALITY r(relation, n)), model,
+        (SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110)) THEN%3$s;' || E'\n    END IF;', model, relation,
+            streetgen._remap_statement(model, relation)), E'\n    ' ORDER BY n)
+         FROM unnest(overrides) WITH ORDINALITY r(relation, n)));
     PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])', 'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and after, NULL where there was or is none');
     FOR followed IN SELECT * FROM (VALUES
         ('insert', 'REFERENCING NEW TABLE AS after', 'SELECT axis_id, NULL::geometry AS before, geom AS after FROM after'),
