@@ -12,7 +12,8 @@ namespace streetgen {
 namespace {
 
 constexpr int most_chords = 1000;
-constexpr double straight = 1e-9;  // sine of an angle that is none
+constexpr double straight = 1e-9;        // sine of an angle that is none
+constexpr double shortest_piece = 1e-6;  // metres: a shorter one has no direction to speak of
 
 int chords(double wanted) {
   return static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, 1.0 * most_chords));
@@ -96,10 +97,11 @@ Trajectory tangent_arcs(const Passage& way, double tolerance) {
   if (ahead > 0 && behind > 0 && cosine > -parallel_cosine) {
     path.control = way.start + way.start_direction * ahead;
     const double tangent = std::min(ahead, behind);
-    if (ahead > behind) path.line.push_back(path.control - way.start_direction * tangent);
+    if (ahead > behind + shortest_piece)
+      path.line.push_back(path.control - way.start_direction * tangent);
     append_tangent_arc(path.line, way.start_direction, path.control + way.end_direction * tangent,
                        tolerance);
-    if (behind > ahead) path.line.push_back(way.end);
+    if (behind > ahead + shortest_piece) path.line.push_back(way.end);
   } else {
     // Two arcs whose tangents at the ends are equally long.
     const Point chord = way.end - way.start, sum = way.start_direction + way.end_direction;

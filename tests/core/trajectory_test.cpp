@@ -164,6 +164,15 @@ TEST(Trajectory, ArcsThatMeetAheadHaveTheRadiusOfTheShorterTangent) {
     }
 }
 
+TEST(Trajectory, TangentsEquallyLongButForARoundingLeaveNoPieceWithoutDirection) {
+  for (const double rounding : {1e-8, -1e-8}) {
+    const Line path = trajectory(northwards, ray({10 + rounding, -2, 0}, 0, 50), centre,
+                                 TrajectoryRule::arcs, 1e-4)
+                          .line;
+    for (std::size_t k = 1; k < path.size(); ++k) EXPECT_GT(distance(path[k - 1], path[k]), 1e-6);
+  }
+}
+
 TEST(Trajectory, TurningBackByArcsIsHalfACircle) {
   const Line path =
       trajectory(northwards, ray({-2, -10, 0}, -M_PI_2, 50), centre, TrajectoryRule::arcs, 1e-4)
