@@ -7,6 +7,8 @@ SELECT streetgen.create_model('timed', srid, dimension) FROM streetgen.model WHE
 UPDATE timed.setting t SET value = s.value FROM :"model".setting s WHERE s.name = t.name AND s.value IS DISTINCT FROM t.value;
 DELETE FROM timed.axis_class;
 INSERT INTO timed.axis_class SELECT * FROM :"model".axis_class;
+-- An edit that is followed would leave nothing for the first run to do.
+SELECT streetgen.live('timed', false) \g /dev/null
 INSERT INTO timed.axis SELECT * FROM :"model".axis;
 SELECT pg_backend_pid() AS pid \gset
 \set hertz `getconf CLK_TCK`
