@@ -50,6 +50,7 @@ Claim claim_of_intersection(const Layout& layout, int node) {
       claim.skeleton.push_back(
           {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
     add_axis(claim, layout, end.edge);
+    claim.joins_levels |= layout.streets.network.edges[end.edge].level != claim.level;
   }
   return claim;
 }
