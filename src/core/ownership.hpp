@@ -14,6 +14,7 @@ namespace streetgen {
 struct Stretch {
   const Line* line = nullptr;
   double from = 0, to = 0;  // metres along it
+  double abscissa = 0;      // of its first point on the axis
 };
 
 // A surface that may claim ground.

@@ -334,6 +334,23 @@ TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {
     EXPECT_EQ(area(first.sections[i].surface), area(second.sections[i].surface));
 }
 
+// Its first street shares ground with the second; the third cuts the first, far from there.
+TEST(Streets, ACutFarOffMovesNoBorder) {
+  const std::vector<StreetAxis> two = {{1, {{0, 0, 0}, {318.73, 88.9, 0}}, 0, 8, 8, 4, 3},
+                                       {2, {{320, 90, 0}, {230, 80, 0}}, 0, 7, 7, 4, 3}};
+  std::vector<StreetAxis> three = two;
+  three.push_back({3, {{140, 6, 0}, {138, 104, 0}}, 0, 7, 7, 4, 3});
+  StreetSettings split;
+  split.crossing = Crossing::split;
+  const Streets whole = streets(two, split), cut = streets(three, split);
+  const MultiPolygon &first = whole.sections[0].surface, &second = cut.sections[2].surface;
+  ASSERT_EQ(cut.network.edges[cut.sections[2].edge].axis_id, 2);
+  EXPECT_GT(whole.sections[0].contested_area, 10);
+  // Ground is shared out on a grid of a tenth of a micrometre, here along 200 m of border.
+  EXPECT_LT(shared_area(first, second), 2e-5);
+  EXPECT_NEAR(area(second), area(whole.sections[1].surface), 2e-5);
+}
+
 Former former_of(const Streets& before) {
   Former former;
   for (std::size_t e = 0; e < before.network.edges.size(); ++e) {
