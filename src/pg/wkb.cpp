@@ -182,8 +182,10 @@ MultiPolygon read_surface(std::string_view wkb, const std::string& what) {
   for (Polygon& polygon : surface) {
     read_head(reader);
     polygon.resize(count(4));
+    if (polygon.empty()) reader.refuse("has an empty part");
     for (Ring& ring : polygon) {
       ring.resize(count(16));
+      if (ring.size() < 4) reader.refuse("has a ring of less than four points");
       for (std::size_t i = 0; i < ring.size(); ++i)
         ring[i] = read_vertex(reader, head.has_z, static_cast<std::uint32_t>(i) + 1);
     }
