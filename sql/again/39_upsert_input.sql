@@ -7,23 +7,23 @@ setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.
 used AS MATERIALIZED (SELECT * FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 -- What the changed axes met and what lay beside their ground before the change.
 former_node AS MATERIALIZED (
-    SELECT DISTINCT node_id FROM {model}.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) WHERE e.axis_id = ANY ($3)),
+    SELECT DISTINCT node_id FROM {model}.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) WHERE NOT {first} AND e.axis_id = ANY ($3)),
 followed AS MATERIALIZED (
     SELECT c.node_id FROM {model}.edge e, LATERAL (
         SELECT c.node_id FROM {model}.corner c WHERE c.edge_a = e.edge_id AND c.method = 'followed'
         UNION ALL SELECT c.node_id FROM {model}.corner c WHERE c.edge_b = e.edge_id AND c.method = 'followed' OFFSET 0) c
-    WHERE NOT {whole} AND e.axis_id = ANY ($1)),
+    WHERE NOT {whole} AND NOT {first} AND e.axis_id = ANY ($1)),
 -- An edge that they cut, or meet no longer, gives up ground at its far node too: to those that had lost some.
 line AS MATERIALIZED (
-    SELECT geom FROM used WHERE axis_id = ANY ($3)
-    UNION ALL SELECT geom FROM {model}.edge e WHERE e.axis_id = ANY ($3)),
+    SELECT geom FROM used WHERE NOT {first} AND axis_id = ANY ($3)
+    UNION ALL SELECT geom FROM {model}.edge e WHERE NOT {first} AND e.axis_id = ANY ($3)),
 -- OFFSET 0, here and below: each is looked up by its index, and not joined.
 met_edge AS MATERIALIZED (
     SELECT DISTINCT e.edge_id, e.from_node, e.to_node FROM line l, LATERAL (
         SELECT * FROM {model}.edge e WHERE ST_DWithin(e.geom, l.geom, (SELECT 3 * (v ->> 'tolerance')::float8 FROM setting)) OFFSET 0) e),
 ground AS MATERIALIZED (
     SELECT s.surface, e.own FROM (
-        SELECT edge_id, true AS own FROM {model}.edge e WHERE e.axis_id = ANY ($3) UNION ALL SELECT edge_id, false FROM met_edge) e,
+        SELECT edge_id, true AS own FROM {model}.edge e WHERE NOT {first} AND e.axis_id = ANY ($3) UNION ALL SELECT edge_id, false FROM met_edge) e,
         LATERAL (SELECT surface FROM {model}.section s WHERE s.edge_id = e.edge_id OFFSET 0) s
     UNION ALL SELECT i.surface, n.own FROM (
         SELECT node_id, bool_or(own) AS own FROM (
