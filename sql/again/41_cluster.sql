@@ -170,17 +170,26 @@ DECLARE
 BEGIN
     EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8) FILTER (WHERE name = 'tolerance') FROM %I.setting WHERE name IN ('reach', 'max_arc_distance', 'tolerance')$sql$, model) INTO reach, near;
     EXECUTE format($sql$
+WITH own AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1))
+SELECT $1 || coalesce(array_agg(axis_id), '{}') FROM (
+    SELECT DISTINCT a.axis_id FROM own o, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom, $2) OFFSET 0) a EXCEPT SELECT unnest($1)) m
+WHERE (SELECT true FROM %1$I.edge e WHERE e.axis_id = m.axis_id LIMIT 1)
+$sql$, model) INTO written USING axes, near;
+    -- Those far around are few: they look for the written ones.
+    EXECUTE format($sql$
 WITH used AS MATERIALIZED (
-    SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS own
+    SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS inside
     FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)) h, LATERAL (SELECT * FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, h.geom, $2 + $4) OFFSET 0) u),
 beside AS MATERIALIZED (
-    SELECT u.axis_id, u.geom, bool_or(ST_DWithin(u.geom, o.geom, $3)) AS met
-    FROM used u, (SELECT max(half) AS half FROM used WHERE own) m, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + m.half) OFFSET 0) o
-    JOIN used w ON w.axis_id = o.axis_id AND w.own WHERE NOT u.own AND ST_DWithin(o.geom, u.geom, $2 + u.half + w.half) GROUP BY 1, 2)
-SELECT $1 || coalesce((SELECT array_agg(axis_id) FROM beside b WHERE met AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = b.axis_id LIMIT 1)), '{}'),
-       -- With what meets it farther on: that bounds its edges.
-       ARRAY(SELECT unnest($1) UNION SELECT axis_id FROM beside UNION SELECT m.axis_id FROM beside b, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
-$sql$, model) INTO written, gathered USING axes, reach, near, widest;
+    SELECT DISTINCT u.axis_id, u.geom FROM used u, (SELECT max(half) AS half FROM used WHERE inside) m, LATERAL (
+        SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + m.half) OFFSET 0) o
+    JOIN used w ON w.axis_id = o.axis_id AND w.inside WHERE NOT u.inside AND ST_DWithin(o.geom, u.geom, $2 + u.half + w.half)),
+-- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next.
+met AS MATERIALIZED (SELECT DISTINCT m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
+SELECT array_agg(axis_id) FROM (
+    SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
+    UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
+$sql$, model) INTO gathered USING written, reach, near, widest;
     asked := axes;
 END $$;
 COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS 'What a run for axes without streets writes and gathers where nothing around them changes by it, since all that is computed there was computed with them: as _reach_of, but by the places of axes alone. Of others it writes those that they meet.';
