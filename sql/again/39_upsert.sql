@@ -42,10 +42,15 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, i
 new_{relation} AS MATERIALIZED (
     SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
     FROM ({rows}
-        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}) {by_key}) old ON true{order_named}),
+        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{order_named}),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
-    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{order}{on_conflict})$part$
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$
+    || CASE WHEN (places ->> 'first')::boolean THEN $part$,
+-- Those that can meet no row need not look for one.
+add_{relation} AS (
+    INSERT INTO {model}.{relation} ({id}, {written})
+    SELECT {id_new}, {written} FROM new_{relation} WHERE fresh ORDER BY number)$part$ ELSE '' END
     || CASE WHEN named THEN $part$,
 {relation}_ids AS MATERIALIZED (
     SELECT array_agg(coalesce({id}, 0) ORDER BY number) AS ids
@@ -64,12 +69,15 @@ count_{relation} AS (
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
             'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
             'id_new', CASE WHEN same IS NULL THEN id ELSE format('coalesce(%s, %s)', id, next_id) END,
+            -- Of what hangs on a row that this statement made none is there.
+            'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
+            'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, columns, streetgen._columns_of('excluded', columns)) END,
             'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
             'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END))
-    FROM (SELECT (places ->> 'bare')::boolean AS bare, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
+    FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
 COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
