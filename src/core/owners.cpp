@@ -70,7 +70,7 @@ class Owners {
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
       needed[i] = true;
-      for (const int other : vicinity().rivals(i)) needed[other] = true;
+      for (const int other : vicinity().opponents(i)) needed[other] = true;
     }
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
@@ -117,11 +117,11 @@ class Owners {
   }
 
   // What claims the same ground as something that moved.
-  void ask_rivals() {
-    for (const auto& [i, j] : disputes_) {
-      if (moved_[i]) ask(j);
-      if (moved_[j]) ask(i);
-    }
+  void ask_opponents() {
+    const std::vector<std::vector<int>> all = opponents(claims_, disputes_);
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (moved_[i])
+        for (const int other : all[i]) ask(other);
   }
 
   bool ask_around(const std::vector<Hole>& holes) {
@@ -136,7 +136,7 @@ class Owners {
     for (;;) {
       build(needed_by_wanted());
       disputes_ = disputes(claims_);
-      ask_rivals();
+      ask_opponents();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);

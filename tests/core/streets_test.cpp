@@ -185,6 +185,24 @@ TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   EXPECT_NEAR(distance(*b->centre, {10, 10, 0}), 0, 1e-9);
 }
 
+// Two straight axes of 112 m, 4.5 degrees apart: their kerbs part within the last metres.
+TEST(Streets, AFarCornerTakesNoMoreThanFits) {
+  constexpr double angle = 4.506 * M_PI / 180, size = 112, half_a = 7, half_b = 1.75;
+  const double fits =
+      (size * std::sin(angle) - half_a - half_b * std::cos(angle)) / (1 + std::cos(angle));
+  ASSERT_GT(fits, 0.01);
+  ASSERT_LT(fits, StreetSettings{}.radius_minimal);
+  const Streets town = streets(
+      {{1, {{0, 0, 0}, {size, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3},
+       {2, {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}}, 0, 3.5, 3.5, 6, 3},
+       {3, {{0, 0, 0}, {-100, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3}},
+      {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_NE(corner, nullptr);
+  EXPECT_EQ(corner->method, Method::radius_minimal);
+  EXPECT_NEAR(corner->radius, fits, 1e-6);
+}
+
 TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   StreetSettings settings;
   settings.reach = 2;
@@ -332,6 +350,23 @@ TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {
   ASSERT_EQ(first.sections.size(), second.sections.size());
   for (std::size_t i = 0; i < first.sections.size(); ++i)
     EXPECT_EQ(area(first.sections[i].surface), area(second.sections[i].surface));
+}
+
+// Its first street shares ground with the second; the third cuts the first, far from there.
+TEST(Streets, ACutFarOffMovesNoBorder) {
+  const std::vector<StreetAxis> two = {{1, {{0, 0, 0}, {318.73, 88.9, 0}}, 0, 8, 8, 4, 3},
+                                       {2, {{320, 90, 0}, {230, 80, 0}}, 0, 7, 7, 4, 3}};
+  std::vector<StreetAxis> three = two;
+  three.push_back({3, {{140, 6, 0}, {138, 104, 0}}, 0, 7, 7, 4, 3});
+  StreetSettings split;
+  split.crossing = Crossing::split;
+  const Streets whole = streets(two, split), cut = streets(three, split);
+  const MultiPolygon &first = whole.sections[0].surface, &second = cut.sections[2].surface;
+  ASSERT_EQ(cut.network.edges[cut.sections[2].edge].axis_id, 2);
+  EXPECT_GT(whole.sections[0].contested_area, 10);
+  // Ground is shared out on a grid of a tenth of a micrometre, here along 200 m of border.
+  EXPECT_LT(shared_area(first, second), 2e-5);
+  EXPECT_NEAR(area(second), area(whole.sections[1].surface), 2e-5);
 }
 
 Former former_of(const Streets& before) {
