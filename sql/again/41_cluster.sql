@@ -164,18 +164,22 @@ CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OU
     AS $$
 DECLARE
     reach float8;
+    -- Axes that share a node are nearer.
     near float8;
     -- No roadway is wider.
     widest constant float8 := 200;
 BEGIN
     EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8) FILTER (WHERE name = 'tolerance') FROM %I.setting WHERE name IN ('reach', 'max_arc_distance', 'tolerance')$sql$, model) INTO reach, near;
+    -- What lies around is less than what lies inside: it looks for that.
     EXECUTE format($sql$
-WITH own AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1))
+WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)),
+around AS MATERIALIZED (
+    SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, h.geom, $2) OFFSET 0) a
+    WHERE a.axis_id NOT IN (SELECT unnest($1)) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
 SELECT $1 || coalesce(array_agg(axis_id), '{}') FROM (
-    SELECT DISTINCT a.axis_id FROM own o, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom, $2) OFFSET 0) a EXCEPT SELECT unnest($1)) m
-WHERE (SELECT true FROM %1$I.edge e WHERE e.axis_id = m.axis_id LIMIT 1)
+    SELECT a.axis_id FROM around a, LATERAL (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o
+    WHERE o.axis_id IN (SELECT unnest($1)) GROUP BY 1) m
 $sql$, model) INTO written USING axes, near;
-    -- Those far around are few: they look for the written ones.
     EXECUTE format($sql$
 WITH used AS MATERIALIZED (
     SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS inside
