@@ -185,6 +185,24 @@ TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   EXPECT_NEAR(distance(*b->centre, {10, 10, 0}), 0, 1e-9);
 }
 
+// Two straight axes of 112 m, 4.5 degrees apart: their kerbs part within the last metres.
+TEST(Streets, AFarCornerTakesNoMoreThanFits) {
+  constexpr double angle = 4.506 * M_PI / 180, size = 112, half_a = 7, half_b = 1.75;
+  const double fits =
+      (size * std::sin(angle) - half_a - half_b * std::cos(angle)) / (1 + std::cos(angle));
+  ASSERT_GT(fits, 0.01);
+  ASSERT_LT(fits, StreetSettings{}.radius_minimal);
+  const Streets town = streets(
+      {{1, {{0, 0, 0}, {size, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3},
+       {2, {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}}, 0, 3.5, 3.5, 6, 3},
+       {3, {{0, 0, 0}, {-100, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3}},
+      {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_NE(corner, nullptr);
+  EXPECT_EQ(corner->method, Method::radius_minimal);
+  EXPECT_NEAR(corner->radius, fits, 1e-6);
+}
+
 TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   StreetSettings settings;
   settings.reach = 2;
