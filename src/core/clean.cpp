@@ -144,6 +144,7 @@ std::vector<Line> clean(const std::vector<Line>& lines, const std::vector<Line>&
   }
   const BoxIndex index(boxes);
   const auto meet = [&](const Line& line, std::size_t of) {
+    poll_cancel();
     for (const Point& p : line)
       for (const int at : index.near(box_of(p, p), tolerance)) {
         const Inner& place = places[at];
