@@ -47,10 +47,6 @@ MultiPolygon frame_about(const Box& box) {
   return {{ring(2 * frame_off), reversed(ring(frame_off))}};
 }
 
-bool holds(const Box& box, const Ring& ring) {
-  return std::all_of(ring.begin(), ring.end(), [&](const Point& p) { return box.holds(p, 0); });
-}
-
 // Metres of the hole's ring that run along the surface.
 double shared_border(const Ring& hole, const MultiPolygon& surface) {
   double shared = 0;
@@ -158,14 +154,22 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     solid.push_back(i);
   }
   const BoxIndex index(solid_boxes);
-  // Within the place, as if all went on beyond it: surfaces that touch in two points close a ring.
+  // Surfaces that touch in two points alone close a ring only together with what lies about them.
   const auto holes_in = [&](const Box& place, const std::vector<int>& members) {
-    const MultiPolygon frame = frame_about(place);
-    std::vector<const MultiPolygon*> surfaces{&frame};
+    std::vector<const MultiPolygon*> surfaces;
     for (const int i : members) surfaces.push_back(claims[i].surface);
-    std::vector<Ring> holes =
-        small_holes(geos.polygons(geos.unite_valid(surfaces).get()), max_area);
-    const auto outside = [&](const Ring& ring) { return !holds(place.grown(frame_off / 2), ring); };
+    const auto united = [&] { return geos.polygons(geos.unite_valid(surfaces).get()); };
+    const MultiPolygon plain = united();
+    std::vector<Ring> holes = small_holes(plain, max_area);
+    if (!holes.empty() || plain.size() < 2) return holes;
+    const MultiPolygon frame = frame_about(place);
+    surfaces.push_back(&frame);
+    holes = small_holes(united(), max_area);
+    const Box within = place.grown(frame_off / 2);
+    const auto outside = [&](const Ring& ring) {
+      return !std::all_of(ring.begin(), ring.end(),
+                          [&](const Point& p) { return within.holds(p, 0); });
+    };
     holes.erase(std::remove_if(holes.begin(), holes.end(), outside), holes.end());
     return holes;
   };
