@@ -32,6 +32,21 @@ std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
   return holes;
 }
 
+constexpr double frame_off = 1;  // metres
+
+// A band beyond the box, all around it.
+MultiPolygon frame_about(const Box& box) {
+  const auto ring = [&](double off) {
+    const Box b = box.grown(off);
+    return Ring{{b.min_x, b.min_y, 0},
+                {b.max_x, b.min_y, 0},
+                {b.max_x, b.max_y, 0},
+                {b.min_x, b.max_y, 0},
+                {b.min_x, b.min_y, 0}};
+  };
+  return {{ring(2 * frame_off), reversed(ring(frame_off))}};
+}
+
 // Metres of the hole's ring that run along the surface.
 double shared_border(const Ring& hole, const MultiPolygon& surface) {
   double shared = 0;
@@ -88,7 +103,8 @@ void add_rings(const std::vector<Claim>& claims, const ClaimsOnEdge& on_edge,
       std::set<int> group;
       for (const int edge : edges)
         for (const int claim : on_edge.at(edge))
-          if (claims[claim].level == claims[i].level) group.insert(claim);
+          if (claims[claim].level == claims[i].level && !claims[claim].surface->empty())
+            group.insert(claim);
       groups.push_back(std::move(group));
     };
     std::map<int, std::vector<int>> shared;  // edges, by the later claim at their other end
@@ -138,10 +154,24 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     solid.push_back(i);
   }
   const BoxIndex index(solid_boxes);
-  const auto united = [&](const auto& members) {
+  // Surfaces that touch in two points alone close a ring only together with what lies about them.
+  const auto holes_in = [&](const Box& place, const std::vector<int>& members) {
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : members) surfaces.push_back(claims[i].surface);
-    return geos.polygons(geos.unite_valid(surfaces).get());
+    const auto united = [&] { return geos.polygons(geos.unite_valid(surfaces).get()); };
+    const MultiPolygon plain = united();
+    std::vector<Ring> holes = small_holes(plain, max_area);
+    if (!holes.empty() || plain.size() < 2) return holes;
+    const MultiPolygon frame = frame_about(place);
+    surfaces.push_back(&frame);
+    holes = small_holes(united(), max_area);
+    const Box within = place.grown(frame_off / 2);
+    const auto outside = [&](const Ring& ring) {
+      return !std::all_of(ring.begin(), ring.end(),
+                          [&](const Point& p) { return within.holds(p, 0); });
+    };
+    holes.erase(std::remove_if(holes.begin(), holes.end(), outside), holes.end());
+    return holes;
   };
   const auto members_near = [&](const std::vector<int>& group, const Box& place) {
     std::vector<int> members;
@@ -183,7 +213,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : group) surfaces.push_back(claims[i].surface);
     for (const Box& place : narrow_places(surfaces, max_area))
-      for (const Ring& found : small_holes(united(members_near(group, place)), max_area)) {
+      for (const Ring& found : holes_in(place, members_near(group, place))) {
         const Box box = box_of({{found}});
         std::vector<int> around = members_near(group, box);
         std::sort(around.begin(), around.end(), [&](int i, int j) {
@@ -191,7 +221,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                  std::tie(claims[j].axis_id, claims[j].place);
         });
         // Once more from its neighbours alone: the same whatever else was united.
-        for (const Ring& ring : small_holes(united(around), max_area))
+        for (const Ring& ring : holes_in(box, around))
           if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
               box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
             holes.push_back({ring, around});

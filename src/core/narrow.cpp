@@ -161,7 +161,7 @@ class Borders {
 
   bool free_beside(const Piece& piece, double radius) const {
     if (radius > largest_disc) return false;
-    constexpr double slack = 1e-3;
+    constexpr double slack = 1e-6;
     const Point centre = place_beside(piece, radius * (1 + slack));
     return !index_.any_near(box_of(centre, centre), radius, [&](int i) {
       return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;

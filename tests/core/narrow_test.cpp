@@ -35,6 +35,15 @@ TEST(Narrow, AHoleSmallerThanAskedForIsAPlace) {
   EXPECT_TRUE(places[0].holds({10.7, 10.7, 0}, 1e-9));
 }
 
+// A fifth of a millimetre wide.
+TEST(Narrow, AHairIsAPlace) {
+  const auto surfaces = about_a_block(0.0);
+  std::vector<MultiPolygon> hair{rectangle(0, 0, 30, 10), rectangle(0, 10.0002, 30, 10),
+                                 rectangle(0, 0, 10, 20), rectangle(11, 0, 10, 20)};
+  EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
+  EXPECT_EQ(narrow_places(all(hair), 0.5).size(), 1u);
+}
+
 TEST(Narrow, AWideHoleIsNone) {
   const auto surfaces = about_a_block(5);
   EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
