@@ -102,11 +102,10 @@ class Settlement {
     for (const int rival : rivals_[claim])
       append_border(std::min(claim, rival), std::max(claim, rival));
     std::optional<Arrangement> faces(lines);
+    std::vector<Contest> contests = contests_in(claim, *faces);
     // Where lost ground may come back, it depends on the borders between rivals too.
     std::set<std::pair<int, int>> further;
-    for (const Point& place : faces->places()) {
-      if (!ground.holds(place)) continue;
-      const Contest contest = contest_at(claim, place);
+    for (const Contest& contest : contests) {
       if (!contest.beaten(claim) || !contest.won(claim)) continue;
       each_pair(contest.parties, [&](int i, int j) {
         if (i != claim && j != claim) further.emplace(i, j);
@@ -114,12 +113,15 @@ class Settlement {
     }
     const std::size_t before = lines.size();
     for (const auto& [i, j] : further) append_border(i, j);
-    if (lines.size() > before) faces.emplace(lines);
+    if (lines.size() > before) {
+      faces.emplace(lines);
+      contests = contests_in(claim, *faces);
+    }
     std::vector<bool> kept;
     bool lost = false;
-    for (const Point& place : faces->places()) {
-      const bool held = ground.holds(place);
-      kept.push_back(held && owns(claim, contest_at(claim, place)));
+    for (const Contest& contest : contests) {
+      const bool held = !contest.parties.empty();
+      kept.push_back(held && owns(claim, contest));
       lost = lost || (held && !kept.back());
     }
     if (!lost) return surface;
@@ -155,6 +157,15 @@ class Settlement {
       return std::find(some.begin(), some.end(), claim) != some.end();
     }
   };
+
+  // By face; of those off its ground an empty one.
+  std::vector<Contest> contests_in(int claim, const Arrangement& faces) {
+    const Ground& ground = grounds_.at(claim);
+    std::vector<Contest> contests;
+    for (const Point& place : faces.places())
+      contests.push_back(ground.holds(place) ? contest_at(claim, place) : Contest{});
+    return contests;
+  }
 
   // Of the claim's level, and whatever of another level takes the place from it.
   Contest contest_at(int claim, const Point& place) {

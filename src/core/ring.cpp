@@ -219,8 +219,10 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
 // the flat end of an arm reaches past its neighbours' axes, their kerbs hold.
 bool covers(const Polygon& polygon, const std::vector<Arm>& arms) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
+  const MultiPolygon surface{polygon};
+  const Ground ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {
-    if (inside(p, polygon)) return true;
+    if (ground.holds(p)) return true;
     const std::size_t at = sector(arms, p);
     return at != arm && (at + 1) % arms.size() != arm;
   };
