@@ -50,6 +50,7 @@ int side(const Cell& a, const Cell& b, const Cell& c) {
 
 // The cell where two segments cross inside of both; at their ends there is a cell already.
 bool crossing(const Segment& s, const Segment& t, Cell& cell) {
+  if (s.from == t.from || s.to == t.to || s.from == t.to || s.to == t.from) return false;
   if (side(s.from, s.to, t.from) * side(s.from, s.to, t.to) >= 0) return false;
   if (side(t.from, t.to, s.from) * side(t.from, t.to, s.to) >= 0) return false;
   const Wide o3 = turn(t.from, t.to, s.from), o4 = turn(t.from, t.to, s.to);
@@ -120,7 +121,7 @@ class Meetings {
  private:
   void come(int segment, const Cell& cell) {
     const Segment& s = segments_[segment];
-    if (!(cell == s.from) && !(cell == s.to) && passes(s, cell))
+    if (passes(s, cell) && !(cell == s.from) && !(cell == s.to))
       meetings_.push_back({segment, cell});
   }
 
@@ -227,6 +228,10 @@ void Arrangement::node(const std::vector<Line>& lines) {
   };
   std::vector<Place> places;
   std::vector<Segment> segments;
+  std::size_t count = 0;
+  for (const Line& line : lines) count += line.size();
+  places.reserve(count);
+  segments.reserve(count);
   for (const Line& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i) {
       places.push_back({cell_at(line[i]), &line[i]});
@@ -240,37 +245,46 @@ void Arrangement::node(const std::vector<Line>& lines) {
   // Of several in one cell the first holds.
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.cell < b.cell; });
+  nodes_.reserve(places.size());
   for (const Place& place : places)
     if (nodes_.empty() || !(nodes_.back().cell == place.cell))
       nodes_.push_back({place.cell, place.own ? planar(*place.own) : on_grid(place.cell)});
-  const auto node_at = [&](const Cell& cell) {
+  const auto node_at = [&](int first, const Cell& cell) {
     return static_cast<int>(
-        std::lower_bound(nodes_.begin(), nodes_.end(), cell,
+        std::lower_bound(nodes_.begin() + first, nodes_.end(), cell,
                          [](const Node& node, const Cell& wanted) { return node.cell < wanted; }) -
         nodes_.begin());
   };
   std::vector<std::pair<int, int>> edges;
   std::vector<std::pair<Wide, int>> along;
+  edges.reserve(segments.size() + meetings.all().size());
   auto meeting = meetings.all().begin();
+  int first = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
-    int last = node_at(s.from);
+    while (!(nodes_[first].cell == s.from)) ++first;
+    int last = first;
     const auto go_on = [&](int node) {
       if (node != last) edges.push_back(std::minmax(last, node));
       last = node;
     };
+    if (meeting == meetings.all().end() || meeting->segment != static_cast<int>(i)) {
+      go_on(node_at(first, s.to));
+      continue;
+    }
     along.clear();
     for (; meeting != meetings.all().end() && meeting->segment == static_cast<int>(i); ++meeting) {
       const Cell& cell = meeting->cell;
-      along.emplace_back(dx * (cell.x - s.from.x) + dy * (cell.y - s.from.y), node_at(cell));
+      along.emplace_back(dx * (cell.x - s.from.x) + dy * (cell.y - s.from.y), node_at(0, cell));
     }
-    along.emplace_back(dx * dx + dy * dy, node_at(s.to));
+    along.emplace_back(dx * dx + dy * dy, node_at(first, s.to));
     std::sort(along.begin(), along.end());
     for (const auto& [where, node] : along) go_on(node);
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  halves_.reserve(2 * edges.size());
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});
     halves_.push_back({b, a});

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "groups.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -77,7 +77,7 @@ class Borders {
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    index_ = BoxIndex(boxes);
+    index_ = BoxRuns(boxes);
     std::vector<int> order(sides_.size()), active;
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),
@@ -162,7 +162,7 @@ class Borders {
     if (radius > largest_disc) return false;
     constexpr double slack = 1e-3;
     const Point centre = place_beside(piece, radius * (1 + slack));
-    return !index_.any_near(box_of(centre, centre), radius, [&](int i) {
+    return !index_.any_near(box_of(centre, centre), radius, [&](std::size_t i) {
       return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
     });
   }
@@ -180,7 +180,7 @@ class Borders {
   std::vector<Box> boxes_;  // of surfaces
   std::vector<Side> sides_;
   std::vector<int> rings_;  // their first sides, and the end
-  BoxIndex index_;          // of sides
+  BoxRuns index_;           // of sides
 };
 
 // Of each run the places where it starts and ends, told apart by number.
