@@ -99,13 +99,16 @@ class Meetings {
       poll_cancel();
       const Segment& s = segments[i];
       const Active own{s.to.x, s.low(), s.high(), i};
-      std::size_t kept = 0;
-      for (const Active& other : active) {
-        if (other.to_x < s.from.x) continue;
-        active[kept++] = other;
+      for (std::size_t k = 0; k < active.size();) {
+        const Active& other = active[k];
+        if (other.to_x < s.from.x) {
+          active[k] = active.back();
+          active.pop_back();
+          continue;
+        }
         if (other.high >= own.low && other.low <= own.high) meet(i, other.segment);
+        ++k;
       }
-      active.resize(kept);
       active.push_back(own);
     }
     meet_crossings();

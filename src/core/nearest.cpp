@@ -38,19 +38,23 @@ std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& or
   return out;
 }
 
-// Without those that are nearest nowhere in the box.
+// Without those that are nearest nowhere in the box, told by parts of it.
 void drop_far(std::vector<Site>& sites, const Box& box) {
-  const auto square = [](double x, double y) { return x * x + y * y; };
-  double enough = infinite;
-  for (const Site& site : sites)
-    enough = std::min(enough, square(std::max(site.point.x - box.min_x, box.max_x - site.point.x),
-                                     std::max(site.point.y - box.min_y, box.max_y - site.point.y)));
-  const auto far = [&](const Site& site) {
-    return square(std::max({box.min_x - site.point.x, 0.0, site.point.x - box.max_x}),
-                  std::max({box.min_y - site.point.y, 0.0, site.point.y - box.max_y})) >
-           enough + noise;
-  };
-  sites.erase(std::remove_if(sites.begin(), sites.end(), far), sites.end());
+  constexpr int parts = 2;  // a side
+  const double width = (box.max_x - box.min_x) / parts, height = (box.max_y - box.min_y) / parts;
+  std::vector<bool> near(sites.size());
+  for (int part = 0; part < parts * parts; ++part) {
+    const Point corner{box.min_x + width * (part % parts), box.min_y + height * (part / parts), 0};
+    const Box within = box_of(corner, corner + Point{width, height, 0});
+    double enough = infinite;
+    for (const Site& site : sites) enough = std::min(enough, within.farthest_square(site.point));
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (within.square_from(sites[i].point) <= enough + noise) near[i] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (near[i]) sites[kept++] = sites[i];
+  sites.resize(kept);
 }
 
 // Ends of edges that meet come out of each edge a little different.

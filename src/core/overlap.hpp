@@ -30,10 +30,14 @@ struct Box {
     return p.x >= min_x - margin && p.x <= max_x + margin && p.y >= min_y - margin &&
            p.y <= max_y + margin;
   }
-  // Square of the distance from p.
+  // Squares of the distances from p to the nearest of it and to the farthest.
   double square_from(const Point& p) const {
     const double x = std::max({min_x - p.x, 0.0, p.x - max_x});
     const double y = std::max({min_y - p.y, 0.0, p.y - max_y});
+    return x * x + y * y;
+  }
+  double farthest_square(const Point& p) const {
+    const double x = std::max(p.x - min_x, max_x - p.x), y = std::max(p.y - min_y, max_y - p.y);
     return x * x + y * y;
   }
   Box joined_with(const Box& o) const {
