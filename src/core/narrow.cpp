@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <iterator>
 
 #include "box_runs.hpp"
 #include "groups.hpp"
@@ -65,6 +65,12 @@ class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
     std::vector<Box> boxes;
+    std::size_t count = 0;
+    for (const MultiPolygon* surface : surfaces)
+      for (const Polygon& polygon : *surface)
+        for (const Ring& ring : polygon) count += ring.size();
+    boxes.reserve(count);
+    sides_.reserve(count);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       boxes_.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
@@ -77,9 +83,12 @@ class Borders {
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    index_ = BoxRuns(boxes);
-    std::vector<int> order(sides_.size()), active;
-    std::iota(order.begin(), order.end(), 0);
+    const BoxRuns near(boxes_);
+    std::vector<int> order, active;
+    for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
+      if (near.any_near(boxes[i], touching,
+                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].surface; }))
+        order.push_back(i);
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
     for (const int i : order) {
@@ -94,6 +103,7 @@ class Borders {
       active.resize(kept);
       active.push_back(i);
     }
+    index_ = BoxRuns(std::move(boxes));
   }
 
   std::vector<Run> runs() {
@@ -134,7 +144,7 @@ class Borders {
         go_on(share);
         met = true;
         if (begun.pieces.empty()) continue;
-        of_ring.push_back(begun);
+        of_ring.push_back({begun.surface, std::move(begun.pieces)});
         begun.pieces.clear();
       }
       go_on(1);
@@ -142,15 +152,15 @@ class Borders {
     if (!met) return;
     if (!begun.pieces.empty()) {
       if (of_ring.empty()) {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       } else if (sides_[first].met.empty() || sides_[first].met.front() > 0) {
         auto& pieces = of_ring.front().pieces;
         pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
       } else {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       }
     }
-    all.insert(all.end(), of_ring.begin(), of_ring.end());
+    std::move(of_ring.begin(), of_ring.end(), std::back_inserter(all));
   }
 
   static Point place_beside(const Piece& piece, double off) {
