@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <iterator>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "groups.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -65,6 +65,12 @@ class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
     std::vector<Box> boxes;
+    std::size_t count = 0;
+    for (const MultiPolygon* surface : surfaces)
+      for (const Polygon& polygon : *surface)
+        for (const Ring& ring : polygon) count += ring.size();
+    boxes.reserve(count);
+    sides_.reserve(count);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       boxes_.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
@@ -78,9 +84,12 @@ class Borders {
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    index_ = BoxIndex(boxes);
-    std::vector<int> order(sides_.size()), active;
-    std::iota(order.begin(), order.end(), 0);
+    const BoxRuns near(boxes_);
+    std::vector<int> order, active;
+    for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
+      if (near.any_near(boxes[i], touching,
+                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].surface; }))
+        order.push_back(i);
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
     for (const int i : order) {
@@ -95,6 +104,7 @@ class Borders {
       active.resize(kept);
       active.push_back(i);
     }
+    index_ = BoxRuns(std::move(boxes));
   }
 
   std::vector<Run> runs() {
@@ -135,7 +145,7 @@ class Borders {
         go_on(share);
         met = true;
         if (begun.pieces.empty()) continue;
-        of_ring.push_back(begun);
+        of_ring.push_back({begun.surface, std::move(begun.pieces)});
         begun.pieces.clear();
       }
       go_on(1);
@@ -143,15 +153,15 @@ class Borders {
     if (!met) return;
     if (!begun.pieces.empty()) {
       if (of_ring.empty()) {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       } else if (sides_[first].met.empty() || sides_[first].met.front() > 0) {
         auto& pieces = of_ring.front().pieces;
         pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
       } else {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       }
     }
-    all.insert(all.end(), of_ring.begin(), of_ring.end());
+    std::move(of_ring.begin(), of_ring.end(), std::back_inserter(all));
   }
 
   static Point place_beside(const Piece& piece, double off) {
@@ -163,7 +173,7 @@ class Borders {
     if (radius > largest_disc) return false;
     constexpr double slack = 1e-6;
     const Point centre = place_beside(piece, radius * (1 + slack));
-    return !index_.any_near(box_of(centre, centre), radius, [&](int i) {
+    return !index_.any_near(box_of(centre, centre), radius, [&](std::size_t i) {
       return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
     });
   }
@@ -181,7 +191,7 @@ class Borders {
   std::vector<Box> boxes_;  // of surfaces
   std::vector<Side> sides_;
   std::vector<int> rings_;  // their first sides, and the end
-  BoxIndex index_;          // of sides
+  BoxRuns index_;           // of sides
 };
 
 // Of each run the places where it starts and ends, told apart by number.
