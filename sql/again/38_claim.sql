@@ -218,6 +218,24 @@ EXCEPTION WHEN lock_not_available THEN
 END $$;
 COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. keys: not before those that a first run by clusters left are made, for which it is alone. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_place(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_place(name) IS 'Raises 55P03, naming who holds places of the model.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_all(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_place(model);
+END $$;
+COMMENT ON FUNCTION streetgen._claim_all(name) IS 'Locks all places of a model by one key, for this transaction. A lock_timeout that ends: 55P03, naming who holds some.';
+
 CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -271,7 +289,7 @@ BEGIN
         EXCEPTION
             WHEN SQLSTATE 'SG001' THEN CONTINUE;
             WHEN lock_not_available THEN
-                RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+                PERFORM streetgen._refuse_place(model);
         END;
         EXIT;
     END LOOP;

@@ -66,7 +66,7 @@ BEGIN
     PERFORM streetgen._enter(model, wait => true, alone => false);
     -- A run under way there does not see what is written here.
     IF cardinality(axes) > most_claimed THEN
-        PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+        PERFORM streetgen._claim_all(model);
     ELSE
         PERFORM FROM streetgen._claim(model, axes, wait => true);
     END IF;
