@@ -481,6 +481,27 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   EXPECT_GT(left, asked);
 }
 
+// The wide street lay on all the ground about a node of two others, and goes.
+TEST(Streets, AnIntersectionThatLostAllItsGroundGetsItBack) {
+  std::vector<StreetAxis> axes = {
+      {8, {{122, 100, 0}, {190, 102, 0}}, 0, 5.5, 5.5, 4, 5},
+      {14, {{190, 102, 0}, {191, 150, 0}}, 0, 5, 5, 4, 6},
+      {15, {{147.71, 110.08, 0}, {196.63, 101.82, 0}}, 0, 15.68, 15.68, 4, 3}};
+  const Streets before = streets(axes, {});
+  const auto emptied = std::find_if(before.intersections.begin(), before.intersections.end(),
+                                    [](const Intersection& i) { return i.surface.empty(); });
+  ASSERT_NE(emptied, before.intersections.end());
+  const Point place = before.network.nodes[emptied->node].point;
+  axes[2].line = {{147.71, 110.08, 0}, {248.08, 151.78, 0}};
+  axes[0].changed = axes[1].changed = false;
+  const Streets after = streets(axes, {}, {}, former_of(before));
+  const auto again = std::find_if(
+      after.intersections.begin(), after.intersections.end(),
+      [&](const auto& i) { return distance(after.network.nodes[i.node].point, place) == 0; });
+  ASSERT_NE(again, after.intersections.end());
+  EXPECT_GT(area(again->surface), 50);
+}
+
 // An axis that is said to have changed, and did not: of its neighbours, whose surfaces stay what
 // they were, none comes out.
 TEST(Streets, LeaveOutWhatStaysWhatItWas) {
