@@ -100,7 +100,7 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
-    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
+    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;

@@ -23,8 +23,8 @@ constexpr double largest_disc = 1000;  // metres, of its radius
 // A segment of a ring, the surface on its left.
 struct Side {
   Point from, to;
-  int surface;
-  std::vector<double> met{};  // shares of it where it meets other surfaces' sides
+  int surface, ring;
+  std::vector<double> met{};  // shares of it where it meets other rings' sides
 
   Point at(double share) const { return from + (to - from) * share; }
 };
@@ -33,8 +33,8 @@ struct Piece {
   Point from, to;
 };
 
-// Part of a ring between places where it meets other surfaces: all of it borders on the outside of
-// the union, or nothing.
+// Part of a ring between places where it meets other rings, be it of its own surface's other parts:
+// all of it borders on the outside of the union, or nothing.
 struct Run {
   int surface;
   std::vector<Piece> pieces;
@@ -71,7 +71,8 @@ class Borders {
         for (const Ring& ring : polygon) {
           rings_.push_back(static_cast<int>(sides_.size()));
           for (std::size_t i = 1; i < ring.size(); ++i) {
-            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k)});
+            sides_.push_back(
+                {ring[i - 1], ring[i], static_cast<int>(k), static_cast<int>(rings_.size())});
             boxes.push_back(box_of(ring[i - 1], ring[i]));
           }
         }
@@ -88,7 +89,7 @@ class Borders {
       for (const int j : active) {
         if (boxes[j].max_x < boxes[i].min_x - touching) continue;
         active[kept++] = j;
-        if (sides_[i].surface != sides_[j].surface && boxes[i].meets(boxes[j], touching))
+        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching))
           meet(sides_[i], sides_[j]);
       }
       active.resize(kept);

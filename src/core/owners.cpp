@@ -6,6 +6,7 @@
 #include "claims.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
+#include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "surfaces.hpp"
@@ -25,10 +26,12 @@ class Owners {
       : layout_(layout),
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
+        was_(moved.sections),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
         served_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
+    was_.insert(was_.end(), moved.intersections.begin(), moved.intersections.end());
     claims_.reserve(surfaces_.size());
     for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(layout, e));
     for (std::size_t n = 0; n < layout.junctions.size(); ++n)
@@ -40,6 +43,7 @@ class Owners {
     const std::vector<Hole> holes = build_what_matters();
     settle_ownership(geos_, claims_, disputes_);
     give_holes(geos_, claims_, holes);
+    leave_what_stays();
     give_rows();
   }
 
@@ -146,6 +150,15 @@ class Owners {
     }
   }
 
+  // What neither moved nor got or lost ground.
+  void leave_what_stays() {
+    auto& streets = layout_.streets;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (claims_[i].wanted && was_[i] != nullptr && same(was_[i]->ground, surfaces_[i].ground))
+        (i < edges_ ? streets.asked_edges : streets.asked_nodes)[i < edges_ ? i : i - edges_] =
+            false;
+  }
+
   template <class Row>
   void settle_row(Row& row, int i) {
     row.method =
@@ -178,6 +191,7 @@ class Owners {
   const int edges_;
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
+  std::vector<const FormerSurface*> was_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;

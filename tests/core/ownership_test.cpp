@@ -119,5 +119,24 @@ TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
   EXPECT_NEAR(area(town.surfaces.front()), first + 0.2, 1e-6);
 }
 
+// The union that finds a hole may move its corners by the noise of coordinates.
+TEST(Holes, LeaveNoHairlineAroundWhatWasFilled) {
+  Geos geos;
+  MultiPolygon frame{{{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 0}},
+                      {{5, 5, 0}, {5, 5.5, 0}, {5.5, 5.5, 0}, {5.5, 5, 0}, {5, 5, 0}}}};
+  Claim claim;
+  claim.surface = &frame;
+  std::vector<Claim> claims{claim};
+  const Ring moved{{5, 5, 0},
+                   {5.5 - 2e-7, 5 + 3e-7, 0},
+                   {5.5 - 3e-7, 5.5 - 2e-7, 0},
+                   {5 + 2e-7, 5.5 - 3e-7, 0},
+                   {5, 5, 0}};
+  give_holes(geos, claims, {{moved, {0}}});
+  ASSERT_EQ(frame.size(), 1u);
+  EXPECT_EQ(frame[0].size(), 1u);
+  EXPECT_NEAR(area(frame), 100, 1e-9);
+}
+
 }  // namespace
 }  // namespace streetgen
