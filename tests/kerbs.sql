@@ -145,18 +145,19 @@ SELECT 'hole', 'level', level, ST_Area(open), open FROM (
     WHERE ring > 0 AND ST_Area(hole) < 0.5) o
 WHERE ST_Area(open) > greatest(1e-6, 1e-7 * ST_Perimeter(open) / 2);
 
--- T junctions on a straight street: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a
+-- T junctions on a street that is straight on both sides: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a
 -- grid GEOS leaves whole bands where two edges run beside each other.
 CREATE TEMPORARY TABLE tee AS
-SELECT p.node_id, surface, line, half, ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, 30 * nx, 30 * ny), ST_Translate(o, 30 * nx, 30 * ny), o])) AS strip,
+SELECT p.node_id, l.method <> 'crossed_limits' AND reach > 0 AS free, surface, line, half, ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, 30 * nx, 30 * ny), ST_Translate(o, 30 * nx, 30 * ny), o])) AS strip,
        ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, half * nx, half * ny), ST_Translate(o, half * nx, half * ny), o])) AS band
 FROM pair p JOIN :"model".intersection i ON i.node_id = p.node_id AND i.contested_area = 0
 CROSS JOIN LATERAL (VALUES (line_a, length_a, azimuth_a, half_a, edge_a, end_a, 1), (line_b, length_b, azimuth_b, half_b, edge_b, end_b, -1)) s(line, length, azimuth, half, edge_id, which, side)
 JOIN :"model".section_limit l ON l.edge_id = s.edge_id AND l.which = s.which
 CROSS JOIN LATERAL (SELECT CASE l.which WHEN 'start' THEN l.abscissa ELSE length - l.abscissa END - 0.5 AS reach, -side * cos(azimuth) AS nx, side * sin(azimuth) AS ny, ST_StartPoint(line) AS o) r
-CROSS JOIN LATERAL (SELECT ST_Translate(o, reach * sin(azimuth), reach * cos(azimuth)) AS t, least(length, reach + half) AS far) e
-WHERE l.method <> 'crossed_limits' AND degree = 3 AND abs(phi - pi()) < radians(0.5) AND constant AND abs(half_a - half_b) < 1e-6 AND reach > 0
+CROSS JOIN LATERAL (SELECT ST_Translate(o, reach * sin(azimuth), reach * cos(azimuth)) AS t, least(length, greatest(reach, 0) + half) AS far) e
+WHERE degree = 3 AND abs(phi - pi()) < radians(0.5) AND constant AND abs(half_a - half_b) < 1e-6
   AND ST_Distance(ST_LineInterpolatePoint(line, far / length), ST_Translate(o, far * sin(azimuth), far * cos(azimuth))) < 1e-3;
+DELETE FROM tee WHERE NOT free OR node_id IN (SELECT node_id FROM tee GROUP BY node_id HAVING count(*) < 2);
 CREATE TEMPORARY TABLE departure AS
 SELECT node_id, max(off) AS departure, ST_Union(part) AS geom FROM (
     SELECT node_id, abs(ST_Distance(d.geom, line) - half) AS off, part
