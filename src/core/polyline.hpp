@@ -1,6 +1,7 @@
 // Planar measures of one polyline.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,14 @@ double distance(const Point& a, const Point& b);
 Point planar(const Point& a);       // without z
 Point unit(const Point& a);         // zero stays zero
 Point left_normal(const Point& a);  // a quarter turn counter-clockwise
+
+// Point by point, of lines, rings and surfaces.
+inline bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
+template <class Part>
+bool same(const std::vector<Part>& a, const std::vector<Part>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Part& p, const Part& q) { return same(p, q); });
+}
 
 double length(const Line& line);
 Line reversed(Line line);
