@@ -4,7 +4,11 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._filled($part$
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
-used AS MATERIALIZED (SELECT * FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
+-- The hash only of those that are written.
+used AS MATERIALIZED (
+    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward,
+           turn_forward, turn_backward, speed, importance, radius, estimated, CASE WHEN {whole} OR axis_id = ANY ($1) THEN input_hash END AS input_hash, setting_hash
+    FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 -- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, ST_Force2D(e.geom)::bytea AS geom,
