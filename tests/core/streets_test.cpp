@@ -502,6 +502,52 @@ TEST(Streets, AnIntersectionThatLostAllItsGroundGetsItBack) {
   EXPECT_GT(area(again->surface), 50);
 }
 
+// Two streets leave a hole between them, which goes to one of them until a street of another level
+// that ends on a third one covers it.
+TEST(Streets, AHoleThatIsCoveredGoesBack) {
+  std::vector<StreetAxis> axes = {
+      {237,
+       {{55.7933130867, 88.698831765, 0},
+        {62.5851039334, 90.413623994, 0},
+        {70.2127205366, 97.681852341, 0}},
+       0,
+       6,
+       6,
+       3,
+       5},
+      {427,
+       {{66.3257846195, 102.493926154, 0},
+        {63.5836806569, 99.880003191, 0},
+        {59.1934797047, 95.711095422, 0},
+        {55.7933130867, 88.698831765, 0}},
+       0,
+       6,
+       6,
+       3,
+       5},
+      {442,
+       {{70.2127205366, 97.681852341, 0}, {66.3257846195, 102.493926154, 0}},
+       0,
+       9,
+       9,
+       6.25,
+       2}};
+  const Streets before = streets(axes, {});
+  for (StreetAxis& axis : axes) axis.changed = false;
+  axes.push_back({543,
+                  {{60.8727205367, 93.851852341, 0},
+                   {108.3257846195, 133.723926155, 0},
+                   {66.2157846196, 102.273926155, 0}},
+                  1,
+                  14.6,
+                  14.6,
+                  3,
+                  4});
+  const Areas was(before), told(streets(axes, {}, {}, former_of(before))), is(streets(axes, {}));
+  EXPECT_NE(was.sections[1], is.sections[1]);
+  EXPECT_EQ(told.sections[1], is.sections[1]);
+}
+
 // An axis that is said to have changed, and did not: of its neighbours, whose surfaces stay what
 // they were, none comes out.
 TEST(Streets, LeaveOutWhatStaysWhatItWas) {
