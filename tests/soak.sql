@@ -56,9 +56,21 @@ BEGIN
   END CASE;
 END $$;
 
-CREATE FUNCTION soak.edits(many integer) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+-- How often a client has tried its transaction: a sequence counts on where the transaction is undone.
+SELECT format('CREATE SEQUENCE soak.attempt_%s', client) FROM generate_series(0, :sessions - 1) client \gexec
+
+-- A transaction of several edits, and before each further attempt a random pause, longer each time: those that repeat at once
+-- meet the same others again.
+CREATE FUNCTION soak.edits(many integer, client integer) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  attempt regclass := 'soak.attempt_' || client;
+  before bigint := nextval(attempt) - 1;
 BEGIN
+  IF before > 0 THEN
+    PERFORM pg_sleep(random() * least(0.05 * 2 ^ before, 8));
+  END IF;
   FOR i IN 1 .. many LOOP
     PERFORM soak.edit();
   END LOOP;
+  PERFORM setval(attempt, 1, false);
 END $$;

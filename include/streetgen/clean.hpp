@@ -1,4 +1,4 @@
-// The filters of "GIS data to functional road models", section 3.4, on one whole axis.
+// The filters of "GIS data to functional road models", section 3.4, on whole axes.
 #pragma once
 
 #include <vector>
@@ -14,5 +14,10 @@ namespace streetgen {
 // A filter that would leave a closed line less than three sides is passed over.
 // keep is empty or as long as the line (else Error{invalid_input}).  Lengths in metres.
 Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, double r_min);
+
+// The lines of one network, each cleaned so with every point kept that another of them, or a line
+// beside them, has within `tolerance`: a node may be there.
+std::vector<Line> clean(const std::vector<Line>& lines, const std::vector<Line>& beside,
+                        double tolerance, double epsilon, double r_min);
 
 }  // namespace streetgen

@@ -1,35 +1,26 @@
 -- From any line table to axes: the mapping, the cleaning, the upsert that follows the source.
 
+CREATE OR REPLACE FUNCTION streetgen._clean_network(lines bytea[], beside bytea[], tolerance float8, epsilon float8, r_min float8) RETURNS bytea[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_clean_network';
+COMMENT ON FUNCTION streetgen._clean_network(bytea[], bytea[], float8, float8, float8) IS 'Lines (EWKB of a LINESTRING each, of one reference and dimension) cleaned by the filters of streetgen.clean, with every point kept that another of them, or a line beside, has within the tolerance (0 to 10 m): a node may be there. NULL for what stays as it is. NULL in a list: 22004; bad geometry or number: 22023.';
+
 CREATE OR REPLACE FUNCTION streetgen._clean_parts(model name, source text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     cleaned bigint;
 BEGIN
-    -- What the filters would drop; most lines lose nothing. A vertex that another axis has within the tolerance stays: a node may be there.
     EXECUTE format($sql$
 WITH setting AS MATERIALIZED (
-    SELECT (v ->> 'tolerance')::float8 AS t, (v ->> 'clean_epsilon')::float8 AS epsilon, (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
-neighbour AS MATERIALIZED (
+    SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon, (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
+neighbour AS (
     SELECT DISTINCT ON (a.axis_id) a.geom FROM _import_part p CROSS JOIN LATERAL (
-        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT t FROM setting)) OFFSET 0) a
+        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT tolerance FROM setting)) OFFSET 0) a
     WHERE NOT EXISTS (SELECT FROM _import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
-dirty AS MATERIALIZED (
-    SELECT p.ctid AS part, p.line FROM _import_part p, setting WHERE ST_NPoints(p.line) > 2 AND streetgen.clean(p.line, '{}', epsilon, r_min)::bytea <> p.line::bytea),
-vertex AS MATERIALIZED (
-    SELECT part, (d.path)[1] AS i, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y FROM dirty, setting, ST_DumpPoints(line) d),
-other AS (
-    SELECT part, d.geom, floor(ST_X(d.geom) / t)::bigint AS x, floor(ST_Y(d.geom) / t)::bigint AS y
-    FROM (SELECT p.ctid AS part, p.line AS geom FROM _import_part p UNION ALL SELECT NULL, geom FROM neighbour) l, setting, ST_DumpPoints(l.geom) d),
-shared AS (
-    -- A join by cell, which can be hashed: a lateral look at each neighbour is quadratic.
-    SELECT DISTINCT v.part, v.i FROM (SELECT v.*, x + dx AS near_x, y + dy AS near_y FROM vertex v, generate_series(-1, 1) dx, generate_series(-1, 1) dy) v
-    JOIN other o ON o.x = v.near_x AND o.y = v.near_y AND o.part IS DISTINCT FROM v.part, setting WHERE ST_DWithin(v.geom, o.geom, t)),
-kept AS (
-    SELECT v.part, array_agg(s.i IS NOT NULL ORDER BY v.i) AS keep FROM vertex v LEFT JOIN shared s USING (part, i) GROUP BY v.part),
-cleaned AS (
-    SELECT part, line, streetgen.clean(line, keep, epsilon, r_min) AS geom FROM dirty JOIN kept USING (part), setting)
-UPDATE _import_part p SET cleaned = c.geom FROM cleaned c WHERE p.ctid = c.part AND c.line::bytea <> c.geom::bytea
+part AS (SELECT array_agg(ctid) AS ids, array_agg(line::bytea) AS lines FROM _import_part)
+UPDATE _import_part p SET cleaned = c.geom::geometry
+FROM (SELECT unnest(ids) AS id, unnest(streetgen._clean_network(lines, coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance, epsilon, r_min)) AS geom FROM part, setting) c
+WHERE p.ctid = c.id AND c.geom IS NOT NULL
 $sql$, model) USING source;
     GET DIAGNOSTICS cleaned = ROW_COUNT;
     RETURN cleaned;

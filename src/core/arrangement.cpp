@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "groups.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -18,7 +19,9 @@ __extension__ using Wide = __int128;
 using Cell = GridCell;
 
 struct Segment {
-  Cell from, to;  // from < to
+  Cell from, to;  // from < to, or one cell
+  std::int64_t low() const { return std::min(from.y, to.y); }
+  std::int64_t high() const { return std::max(from.y, to.y); }
 };
 
 // Twice the area of a, b, c: positive where c lies left.
@@ -26,14 +29,31 @@ Wide turn(const Cell& a, const Cell& b, const Cell& c) {
   return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
 }
 
+// The same in doubles, which hold differences of cells exactly, and how far it may be off.
+struct About {
+  double value, error;
+};
+About about_turn(const Cell& a, const Cell& b, const Cell& c) {
+  const double left = static_cast<double>(b.x - a.x) * static_cast<double>(c.y - a.y);
+  const double right = static_cast<double>(b.y - a.y) * static_cast<double>(c.x - a.x);
+  return {left - right, 0x1p-50 * (std::abs(left) + std::abs(right))};
+}
+
 int sign(Wide value) { return (value > 0) - (value < 0); }
+
+int side(const Cell& a, const Cell& b, const Cell& c) {
+  const About about = about_turn(a, b, c);
+  if (about.value > about.error) return 1;
+  if (about.value < -about.error) return -1;
+  return sign(turn(a, b, c));
+}
 
 // The cell where two segments cross inside of both; at their ends there is a cell already.
 bool crossing(const Segment& s, const Segment& t, Cell& cell) {
-  const Wide o1 = turn(s.from, s.to, t.from), o2 = turn(s.from, s.to, t.to);
-  if (sign(o1) * sign(o2) >= 0) return false;
+  if (s.from == t.from || s.to == t.to || s.from == t.to || s.to == t.from) return false;
+  if (side(s.from, s.to, t.from) * side(s.from, s.to, t.to) >= 0) return false;
+  if (side(t.from, t.to, s.from) * side(t.from, t.to, s.to) >= 0) return false;
   const Wide o3 = turn(t.from, t.to, s.from), o4 = turn(t.from, t.to, s.to);
-  if (sign(o3) * sign(o4) >= 0) return false;
   const long double share = static_cast<long double>(o3) / static_cast<long double>(o3 - o4);
   cell = {s.from.x + std::llround(share * (s.to.x - s.from.x)),
           s.from.y + std::llround(share * (s.to.y - s.from.y))};
@@ -42,50 +62,105 @@ bool crossing(const Segment& s, const Segment& t, Cell& cell) {
 
 // Whether the segment comes into the cell: no farther than half a step either way.
 bool passes(const Segment& s, const Cell& cell) {
-  const auto low_y = std::min(s.from.y, s.to.y), high_y = std::max(s.from.y, s.to.y);
-  if (cell.x < s.from.x || cell.x > s.to.x || cell.y < low_y || cell.y > high_y) return false;
-  const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
+  if (cell.x < s.from.x || cell.x > s.to.x || cell.y < s.low() || cell.y > s.high()) return false;
+  const std::int64_t reach = (s.to.x - s.from.x) + (s.high() - s.low());
+  const About about = about_turn(s.from, s.to, cell);
+  if (2 * (std::abs(about.value) - about.error) > static_cast<double>(reach)) return false;
   const Wide off = 2 * turn(s.from, s.to, cell);
-  const Wide reach = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
   return off <= reach && -off <= reach;
 }
 
-std::vector<Segment> segments_of(const std::vector<std::vector<Cell>>& lines) {
-  std::vector<Segment> segments;
-  for (const std::vector<Cell>& line : lines)
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const Cell &a = line[i - 1], &b = line[i];
-      if (!(a == b)) segments.push_back(a < b ? Segment{a, b} : Segment{b, a});
-    }
-  const auto key = [](const Segment& s) { return std::pair(s.from, s.to); };
-  std::sort(segments.begin(), segments.end(),
-            [&](const Segment& s, const Segment& t) { return key(s) < key(t); });
+void sort_distinct(std::vector<Segment>& segments) {
+  std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
+    return s.from == t.from ? s.to < t.to : s.from < t.from;
+  });
   segments.erase(std::unique(segments.begin(), segments.end(),
                              [](const Segment& s, const Segment& t) {
                                return s.from == t.from && s.to == t.to;
                              }),
                  segments.end());
-  return segments;
 }
 
-std::vector<Cell> crossings(const std::vector<Segment>& segments) {
-  std::vector<Cell> cells;
-  std::vector<const Segment*> active;
-  for (const Segment& s : segments) {
-    poll_cancel();
-    const auto low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
-    std::size_t kept = 0;
-    for (const Segment* t : active) {
-      if (t->to.x < s.from.x) continue;
-      active[kept++] = t;
-      if (std::max(t->from.y, t->to.y) < low || std::min(t->from.y, t->to.y) > high) continue;
-      if (Cell cell; crossing(s, *t, cell)) cells.push_back(cell);
+// Cells where segments end or cross, and which of them others come into.
+class Meetings {
+ public:
+  struct Meeting {
+    int segment;
+    Cell cell;
+  };
+
+  explicit Meetings(const std::vector<Segment>& segments) : segments_(segments) {
+    struct Active {
+      std::int64_t to_x, low, high;
+      int segment;
+    };
+    std::vector<Active> active;
+    for (int i = 0; i < static_cast<int>(segments.size()); ++i) {
+      poll_cancel();
+      const Segment& s = segments[i];
+      const Active own{s.to.x, s.low(), s.high(), i};
+      for (std::size_t k = 0; k < active.size();) {
+        const Active& other = active[k];
+        if (other.to_x < s.from.x) {
+          active[k] = active.back();
+          active.pop_back();
+          continue;
+        }
+        if (other.high >= own.low && other.low <= own.high) meet(i, other.segment);
+        ++k;
+      }
+      active.push_back(own);
     }
-    active.resize(kept);
-    active.push_back(&s);
+    meet_crossings();
+    std::sort(meetings_.begin(), meetings_.end(),
+              [](const Meeting& a, const Meeting& b) { return a.segment < b.segment; });
   }
-  return cells;
-}
+
+  // Cells of their own.
+  const std::vector<Cell>& crossings() const { return crossings_; }
+  // By segment, without the segment's own ends; a cell may come twice.
+  const std::vector<Meeting>& all() const { return meetings_; }
+
+ private:
+  void come(int segment, const Cell& cell) {
+    const Segment& s = segments_[segment];
+    if (passes(s, cell) && !(cell == s.from) && !(cell == s.to))
+      meetings_.push_back({segment, cell});
+  }
+
+  void meet(int i, int j) {
+    const Segment &s = segments_[i], &t = segments_[j];
+    come(i, t.from);
+    come(i, t.to);
+    come(j, s.from);
+    come(j, s.to);
+    near_.emplace_back(i, j);
+    Cell cell;
+    if (!crossing(s, t, cell)) return;
+    crossings_.push_back(cell);
+    crossed_.push_back({i, cell});
+    crossed_.push_back({j, cell});
+  }
+
+  // A cell where two cross lies in the boxes of both, so in that of each that comes into it.
+  void meet_crossings() {
+    if (crossed_.empty()) return;
+    std::vector<std::vector<Cell>> of(segments_.size());
+    for (const auto& [segment, cell] : crossed_) {
+      of[segment].push_back(cell);
+      come(segment, cell);
+    }
+    for (const auto& [i, j] : near_) {
+      for (const Cell& cell : of[i]) come(j, cell);
+      for (const Cell& cell : of[j]) come(i, cell);
+    }
+  }
+
+  const std::vector<Segment>& segments_;
+  std::vector<std::pair<int, int>> near_;  // their boxes meet
+  std::vector<Cell> crossings_;
+  std::vector<Meeting> crossed_, meetings_;
+};
 
 bool counter_clockwise(const std::vector<Cell>& ring) {
   Wide sum = 0;
@@ -134,10 +209,6 @@ Arrangement::Arrangement(const std::vector<Line>& lines) {
   place_walks();
 }
 
-Point Arrangement::position(int node) const {
-  return {nodes_[node].cell.x * step_, nodes_[node].cell.y * step_, 0};
-}
-
 Point Arrangement::on_grid(const GridCell& cell) const {
   return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
 }
@@ -151,42 +222,72 @@ void Arrangement::node(const std::vector<Line>& lines) {
   // A power of two that doubles of this size hold, so that cells are places of their own.
   step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
   origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
-  // Of several in one cell the first holds.
-  std::vector<std::pair<Cell, Point>> places;
-  std::vector<std::vector<Cell>> rounded;
-  for (const Line& line : lines) {
-    rounded.emplace_back();
-    for (const Point& p : line) {
-      rounded.back().push_back(
-          {std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)});
-      places.emplace_back(rounded.back().back(), planar(p));
+  const auto cell_at = [&](const Point& p) {
+    return Cell{std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)};
+  };
+  struct Place {
+    Cell cell;
+    const Point* own;  // none where segments cross
+  };
+  std::vector<Place> places;
+  std::vector<Segment> segments;
+  std::size_t count = 0;
+  for (const Line& line : lines) count += line.size();
+  places.reserve(count);
+  segments.reserve(count);
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      places.push_back({cell_at(line[i]), &line[i]});
+      if (i == 0) continue;
+      const Cell &a = places[places.size() - 2].cell, &b = places.back().cell;
+      segments.push_back(a < b ? Segment{a, b} : Segment{b, a});
     }
-  }
-  const std::vector<Segment> segments = segments_of(rounded);
-  for (const Cell& cell : crossings(segments)) places.emplace_back(cell, on_grid(cell));
+  sort_distinct(segments);
+  const Meetings meetings(segments);
+  for (const Cell& cell : meetings.crossings()) places.push_back({cell, nullptr});
+  // Of several in one cell the first holds.
   std::stable_sort(places.begin(), places.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [cell, point] : places)
-    if (nodes_.empty() || !(nodes_.back().cell == cell)) nodes_.push_back({cell, point});
+                   [](const Place& a, const Place& b) { return a.cell < b.cell; });
+  nodes_.reserve(places.size());
+  for (const Place& place : places)
+    if (nodes_.empty() || !(nodes_.back().cell == place.cell))
+      nodes_.push_back({place.cell, place.own ? planar(*place.own) : on_grid(place.cell)});
+  const auto node_at = [&](int first, const Cell& cell) {
+    return static_cast<int>(
+        std::lower_bound(nodes_.begin() + first, nodes_.end(), cell,
+                         [](const Node& node, const Cell& wanted) { return node.cell < wanted; }) -
+        nodes_.begin());
+  };
   std::vector<std::pair<int, int>> edges;
   std::vector<std::pair<Wide, int>> along;
-  for (const Segment& s : segments) {
-    poll_cancel();
-    along.clear();
+  edges.reserve(segments.size() + meetings.all().size());
+  auto meeting = meetings.all().begin();
+  int first = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i];
     const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
-    const auto first =
-        std::lower_bound(nodes_.begin(), nodes_.end(), s.from.x,
-                         [](const Node& node, std::int64_t x) { return node.cell.x < x; });
-    for (auto node = first; node != nodes_.end() && node->cell.x <= s.to.x; ++node)
-      if (passes(s, node->cell))
-        along.emplace_back(dx * (node->cell.x - s.from.x) + dy * (node->cell.y - s.from.y),
-                           static_cast<int>(node - nodes_.begin()));
+    while (!(nodes_[first].cell == s.from)) ++first;
+    int last = first;
+    const auto go_on = [&](int node) {
+      if (node != last) edges.push_back(std::minmax(last, node));
+      last = node;
+    };
+    if (meeting == meetings.all().end() || meeting->segment != static_cast<int>(i)) {
+      go_on(node_at(first, s.to));
+      continue;
+    }
+    along.clear();
+    for (; meeting != meetings.all().end() && meeting->segment == static_cast<int>(i); ++meeting) {
+      const Cell& cell = meeting->cell;
+      along.emplace_back(dx * (cell.x - s.from.x) + dy * (cell.y - s.from.y), node_at(0, cell));
+    }
+    along.emplace_back(dx * dx + dy * dy, node_at(first, s.to));
     std::sort(along.begin(), along.end());
-    for (std::size_t i = 1; i < along.size(); ++i)
-      edges.push_back(std::minmax(along[i - 1].second, along[i].second));
+    for (const auto& [where, node] : along) go_on(node);
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  halves_.reserve(2 * edges.size());
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});
     halves_.push_back({b, a});
@@ -194,90 +295,93 @@ void Arrangement::node(const std::vector<Line>& lines) {
 }
 
 void Arrangement::connect() {
-  std::vector<int> order(halves_.size());
-  for (std::size_t h = 0; h < order.size(); ++h) order[h] = static_cast<int>(h);
   const auto ahead = [&](int h) {
     const Cell &from = nodes_[halves_[h].from].cell, &to = nodes_[halves_[h].to].cell;
     return Cell{to.x - from.x, to.y - from.y};
   };
   const auto lower = [](const Cell& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
-  // By node, counter-clockwise.
-  std::sort(order.begin(), order.end(), [&](int g, int h) {
-    if (halves_[g].from != halves_[h].from) return halves_[g].from < halves_[h].from;
-    const Cell a = ahead(g), b = ahead(h);
-    if (lower(a) != lower(b)) return lower(b);
-    return Wide(a.x) * b.y - Wide(a.y) * b.x > 0;
-  });
+  std::vector<int> order(halves_.size());  // by node
+  std::vector<int> last(nodes_.size() + 1);
+  for (const Half& half : halves_) ++last[half.from + 1];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  for (std::size_t h = 0; h < halves_.size(); ++h)
+    order[last[halves_[h].from]++] = static_cast<int>(h);
   around_.resize(halves_.size());
-  for (std::size_t first = 0; first < order.size();) {
-    std::size_t last = first;
-    while (last < order.size() && halves_[order[last]].from == halves_[order[first]].from) ++last;
-    for (std::size_t i = first; i < last; ++i)
-      around_[order[i]] = order[i == first ? last - 1 : i - 1];
-    first = last;
+  for (std::size_t node = 0, first = 0; node < nodes_.size(); ++node) {
+    const std::size_t end = last[node];
+    // Counter-clockwise; two need no order.
+    if (end - first > 2)
+      std::sort(order.begin() + first, order.begin() + end, [&](int g, int h) {
+        const Cell a = ahead(g), b = ahead(h);
+        if (lower(a) != lower(b)) return lower(b);
+        return side({0, 0}, a, b) > 0;
+      });
+    for (std::size_t i = first; i < end; ++i)
+      around_[order[i]] = order[i == first ? end - 1 : i - 1];
+    first = end;
   }
   for (std::size_t h = 0; h < halves_.size(); ++h) halves_[h].next = around_[h ^ 1];
 }
 
 void Arrangement::walk() {
+  walked_.reserve(halves_.size());
   for (std::size_t start = 0; start < halves_.size(); ++start) {
     if (halves_[start].walk >= 0) continue;
-    std::vector<int> walk;
     for (int h = static_cast<int>(start); halves_[h].walk < 0; h = halves_[h].next) {
       halves_[h].walk = static_cast<int>(walks_.size());
-      walk.push_back(h);
+      walked_.push_back(h);
     }
-    walks_.push_back(std::move(walk));
+    walks_.push_back(static_cast<int>(walked_.size()));
   }
 }
 
 // Half way from the middle of a long part of the walk to what lies across the face, where that is
-// not too near to tell one side of it from the other.
+// not too near to tell one side of it from the other. Across lies the walk itself, or another
+// island or what that is an island in.
 void Arrangement::place_walks() {
   constexpr double clear = 1e-3;  // metres
   constexpr std::size_t most_tries = 64;
-  std::vector<bool> bounds(walks_.size());  // the outside of a face, not an island in it
-  std::vector<int> outer, all(halves_.size());
-  for (std::size_t h = 0; h < all.size(); ++h) all[h] = static_cast<int>(h);
-  for (std::size_t w = 0; w < walks_.size(); ++w) {
-    double sum = 0;
-    const Point start = position(halves_[walks_[w].front()].from);
-    for (const int h : walks_[w])
-      sum += cross(position(halves_[h].from) - start, position(halves_[h].to) - start);
-    bounds[w] = sum > 0;
-    if (!bounds[w]) outer.insert(outer.end(), walks_[w].begin(), walks_[w].end());
-  }
-  std::vector<double> sizes;  // of halves
-  for (const Half& half : halves_)
-    sizes.push_back(distance(position(half.from), position(half.to)));
-  const auto shorter = [&](int g, int h) { return sizes[g] < sizes[h]; };
-  for (std::size_t w = 0; w < walks_.size(); ++w) {
+  const int count = static_cast<int>(walks_.size());
+  Groups connected(count);
+  for (std::size_t h = 0; h < halves_.size(); h += 2)
+    connected.join(halves_[h].walk, halves_[h ^ 1].walk);
+  std::vector<Point> positions;  // of nodes, from the origin
+  for (const Node& node : nodes_)
+    positions.push_back({node.cell.x * step_, node.cell.y * step_, 0});
+  struct Part {
+    double size;
+    int half;
+  };
+  std::vector<Part> parts;
+  for (int w = 0, first = 0; w < count; first = walks_[w++]) {
     poll_cancel();
-    std::vector<int> parts = walks_[w];
+    parts.clear();
+    for (int i = first; i < walks_[w]; ++i) {
+      const Half& half = halves_[walked_[i]];
+      parts.push_back({distance(positions[half.from], positions[half.to]), walked_[i]});
+    }
     Point place;
     double widest = 0;
     for (std::size_t tries = 0; tries < most_tries && !parts.empty(); ++tries) {
-      const auto longest = std::max_element(parts.begin(), parts.end(), shorter);
-      const int part = *longest;
+      const auto longest = std::max_element(
+          parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size < q.size; });
+      const int part = longest->half;
       parts.erase(longest);
-      const Point from = position(halves_[part].from), to = position(halves_[part].to);
+      const Point &from = positions[halves_[part].from], &to = positions[halves_[part].to];
       const Point middle = (from + to) * 0.5, across = left_normal(unit(to - from));
       double reach = 1;  // metres, where nothing lies across
       const auto meet = [&](int h) {
         if ((h | 1) == (part | 1)) return;
-        const Point a = position(halves_[h].from) - middle, b = position(halves_[h].to) - middle;
+        const Point a = positions[halves_[h].from] - middle, b = positions[halves_[h].to] - middle;
         const double of_a = cross(across, a), of_b = cross(across, b);
         if ((of_a > 0) == (of_b > 0)) return;
         const double t = of_a / (of_a - of_b);
         const double off = dot(a, across) * (1 - t) + dot(b, across) * t;
         if (off > 0) reach = std::min(reach, off);
       };
-      if (bounds[w]) {
-        std::for_each(walks_[w].begin(), walks_[w].end(), meet);
-        std::for_each(outer.begin(), outer.end(), meet);
-      } else {
-        std::for_each(all.begin(), all.end(), meet);
-      }
+      for (int other = 0, start = 0; other < count; start = walks_[other++])
+        if (other == w || connected.of(other) != connected.of(w))
+          std::for_each(walked_.begin() + start, walked_.begin() + walks_[other], meet);
       if (reach <= widest) continue;
       widest = reach;
       place = middle + across * (reach / 2);

@@ -46,7 +46,6 @@ class Arrangement {
   void connect();
   void walk();
   void place_walks();
-  Point position(int node) const;  // from the origin
   Point on_grid(const GridCell& cell) const;
 
   double step_ = 0;  // metres
@@ -54,7 +53,8 @@ class Arrangement {
   std::vector<Node> nodes_;
   std::vector<Half> halves_;
   std::vector<int> around_;  // by half: the next one clockwise about its `from`
-  std::vector<std::vector<int>> walks_;
+  std::vector<int> walked_;  // halves, walk by walk
+  std::vector<int> walks_;   // where each ends in these
   std::vector<Point> places_;
 };
 

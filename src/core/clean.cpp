@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "box_index.hpp"
+#include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
@@ -100,6 +102,10 @@ void apply(Filter filter, std::vector<Vertex>& line) {
   if (!is_flat_loop(out)) line = std::move(out);
 }
 
+struct Inner {
+  std::size_t line, vertex;
+};
+
 }  // namespace
 
 Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, double r_min) {
@@ -115,6 +121,41 @@ Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, doub
   apply(TightTurn(r_min), vertices);
   Line out;
   for (const Vertex& vertex : vertices) out.push_back(vertex.point);
+  return out;
+}
+
+std::vector<Line> clean(const std::vector<Line>& lines, const std::vector<Line>& beside,
+                        double tolerance, double epsilon, double r_min) {
+  std::vector<Line> out;
+  std::vector<std::vector<bool>> keep(lines.size());
+  std::vector<Inner> places;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    out.push_back(clean(line, {}, epsilon, r_min));
+    // What loses no point where none is kept loses none, unless a filter was passed over.
+    const bool closed = distance(line.front(), line.back()) == 0;
+    if (out[i].size() == line.size() && !closed) continue;
+    keep[i].resize(line.size());
+    for (std::size_t j = 1; j + 1 < line.size(); ++j) {
+      places.push_back({i, j});
+      boxes.push_back(box_of(line[j], line[j]));
+    }
+  }
+  const BoxIndex index(boxes);
+  const auto meet = [&](const Line& line, std::size_t of) {
+    poll_cancel();
+    for (const Point& p : line)
+      for (const int at : index.near(box_of(p, p), tolerance)) {
+        const Inner& place = places[at];
+        if (place.line != of && distance(lines[place.line][place.vertex], p) <= tolerance)
+          keep[place.line][place.vertex] = true;
+      }
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) meet(lines[i], i);
+  for (const Line& line : beside) meet(line, lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!keep[i].empty()) out[i] = clean(lines[i], keep[i], epsilon, r_min);
   return out;
 }
 

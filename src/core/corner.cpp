@@ -230,6 +230,17 @@ Point towards(const Line& axis, double abscissa, const Point& centre, double hal
   return planar(foot.point) + away * half;
 }
 
+// The largest radius that fits two straight axes, as long as the slack takes them.
+double straight_radius(const Line& axis_a, const Line& axis_b, double width_a, double width_b) {
+  const Point u = unit(axis_a[1] - axis_a[0]), v = unit(axis_b[1] - axis_b[0]);
+  const double sine = cross(u, v), cosine = dot(u, v);
+  const auto fitting = [&](const Line& axis, double own, double other) {
+    const double size = distance(axis[0], axis[1]) + slack;
+    return (size * sine - (other + own * cosine) / 2) / (1 + cosine);
+  };
+  return std::min(fitting(axis_a, width_a, width_b), fitting(axis_b, width_b, width_a));
+}
+
 }  // namespace
 
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
@@ -264,6 +275,7 @@ std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double w
 
 std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, double width_a,
                                         double width_b, double radius_limit) {
+  constexpr double precision = 1e-7;
   const Axis a(axis_a), b(axis_b);
   const auto fits = [&](double radius) {
     return nearest_meeting(a, b, width_a / 2 + radius, width_b / 2 + radius).has_value();
@@ -271,7 +283,12 @@ std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, 
   if (!fits(0)) return std::nullopt;
   if (fits(radius_limit)) return radius_limit;
   double low = 0, high = radius_limit;
-  while (high - low > 1e-7) {
+  if (axis_a.size() == 2 && axis_b.size() == 2) {
+    const double expected = straight_radius(axis_a, axis_b, width_a, width_b);
+    const double below = expected - 0.4 * precision, above = expected + 0.4 * precision;
+    if (below > low && above < high && fits(below) && !fits(above)) return below;
+  }
+  while (high - low > precision) {
     const double middle = (low + high) / 2;
     (fits(middle) ? low : high) = middle;
   }

@@ -32,6 +32,21 @@ std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
   return holes;
 }
 
+constexpr double frame_off = 1;  // metres
+
+// A band beyond the box, all around it.
+MultiPolygon frame_about(const Box& box) {
+  const auto ring = [&](double off) {
+    const Box b = box.grown(off);
+    return Ring{{b.min_x, b.min_y, 0},
+                {b.max_x, b.min_y, 0},
+                {b.max_x, b.max_y, 0},
+                {b.min_x, b.max_y, 0},
+                {b.min_x, b.min_y, 0}};
+  };
+  return {{ring(2 * frame_off), reversed(ring(frame_off))}};
+}
+
 // Metres of the hole's ring that run along the surface.
 double shared_border(const Ring& hole, const MultiPolygon& surface) {
   double shared = 0;
@@ -47,16 +62,23 @@ double shared_border(const Ring& hole, const MultiPolygon& surface) {
   return shared;
 }
 
+using ClaimsOnEdge = std::unordered_map<int, std::vector<int>>;
+
+ClaimsOnEdge claims_on_edges(const std::vector<Claim>& claims) {
+  ClaimsOnEdge on_edge;
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i)
+    for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
+  return on_edge;
+}
+
 // Claims of one level joined by disputes, with those near a dispute that share an edge with its
 // claims: the ring of a small hole turns where two surfaces overlap.
-std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
-                                  const std::vector<std::pair<int, int>>& disputes) {
+void add_disputing(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
+                   const ClaimsOnEdge& on_edge, const std::vector<std::pair<int, int>>& disputes,
+                   std::vector<std::set<int>>& groups) {
   Groups joined(static_cast<int>(claims.size()));
   for (const auto& [i, j] : disputes)
     if (claims[i].level == claims[j].level) joined.join(i, j);
-  std::unordered_map<int, std::vector<int>> on_edge;
-  for (int i = 0; i < static_cast<int>(claims.size()); ++i)
-    for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
   std::map<int, std::set<int>> by_name;
   for (const auto& [i, j] : disputes) {
     const Box place = boxes[i].shared_with(boxes[j]).grown(hole_extent);
@@ -64,14 +86,40 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::v
       std::set<int>& group = by_name[joined.of(claim)];
       group.insert(claim);
       for (const int edge : claims[claim].edges)
-        for (const int neighbour : on_edge[edge])
+        for (const int neighbour : on_edge.at(edge))
           if (claims[neighbour].level == claims[claim].level && boxes[neighbour].meets(place, 0))
             group.insert(neighbour);
     }
   }
-  std::vector<std::set<int>> all;
-  for (auto& [of, group] : by_name) all.push_back(std::move(group));
-  return all;
+  for (auto& [of, group] : by_name) groups.push_back(std::move(group));
+}
+
+// What closes a ring with nothing in dispute: a claim that an edge leaves and comes back to, or two
+// with more than one edge between them, and all of their level on those edges.
+void add_rings(const std::vector<Claim>& claims, const ClaimsOnEdge& on_edge,
+               std::vector<std::set<int>>& groups) {
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
+    const auto add = [&](const std::vector<int>& edges) {
+      std::set<int> group;
+      for (const int edge : edges)
+        for (const int claim : on_edge.at(edge))
+          if (claims[claim].level == claims[i].level && !claims[claim].surface->empty())
+            group.insert(claim);
+      groups.push_back(std::move(group));
+    };
+    std::map<int, std::vector<int>> shared;  // edges, by the later claim at their other end
+    for (const int edge : claims[i].edges) {
+      const std::vector<int>& there = on_edge.at(edge);
+      if (std::count(there.begin(), there.end(), i) > 1) {
+        add({edge});
+        continue;
+      }
+      for (const int other : there)
+        if (other > i && claims[other].level == claims[i].level) shared[other].push_back(edge);
+    }
+    for (const auto& [other, edges] : shared)
+      if (edges.size() > 1) add(edges);
+  }
 }
 
 // Those of a group that a hole beside a wanted one may touch.
@@ -106,10 +154,24 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     solid.push_back(i);
   }
   const BoxIndex index(solid_boxes);
-  const auto united = [&](const auto& members) {
+  // Surfaces that touch in two points alone close a ring only together with what lies about them.
+  const auto holes_in = [&](const Box& place, const std::vector<int>& members) {
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : members) surfaces.push_back(claims[i].surface);
-    return geos.polygons(geos.unite_valid(surfaces).get());
+    const auto united = [&] { return geos.polygons(geos.unite_valid(surfaces).get()); };
+    const MultiPolygon plain = united();
+    std::vector<Ring> holes = small_holes(plain, max_area);
+    if (!holes.empty() || plain.size() < 2) return holes;
+    const MultiPolygon frame = frame_about(place);
+    surfaces.push_back(&frame);
+    holes = small_holes(united(), max_area);
+    const Box within = place.grown(frame_off / 2);
+    const auto outside = [&](const Ring& ring) {
+      return !std::all_of(ring.begin(), ring.end(),
+                          [&](const Point& p) { return within.holds(p, 0); });
+    };
+    holes.erase(std::remove_if(holes.begin(), holes.end(), outside), holes.end());
+    return holes;
   };
   const auto members_near = [&](const std::vector<int>& group, const Box& place) {
     std::vector<int> members;
@@ -141,13 +203,17 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
              other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
     });
   };
-  for (const std::set<int>& whole : groups(claims, boxes, disputes)) {
+  const ClaimsOnEdge on_edge = claims_on_edges(claims);
+  std::vector<std::set<int>> groups;
+  add_disputing(claims, boxes, on_edge, disputes, groups);
+  add_rings(claims, on_edge, groups);
+  for (const std::set<int>& whole : groups) {
     poll_cancel();
     const std::vector<int> group = near_wanted(whole, claims, boxes);
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : group) surfaces.push_back(claims[i].surface);
     for (const Box& place : narrow_places(surfaces, max_area))
-      for (const Ring& found : small_holes(united(members_near(group, place)), max_area)) {
+      for (const Ring& found : holes_in(place, members_near(group, place))) {
         const Box box = box_of({{found}});
         std::vector<int> around = members_near(group, box);
         std::sort(around.begin(), around.end(), [&](int i, int j) {
@@ -155,7 +221,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                  std::tie(claims[j].axis_id, claims[j].place);
         });
         // Once more from its neighbours alone: the same whatever else was united.
-        for (const Ring& ring : small_holes(united(around), max_area))
+        for (const Ring& ring : holes_in(box, around))
           if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
               box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
             holes.push_back({ring, around});
@@ -163,6 +229,20 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
   }
   return holes;
 }
+
+namespace {
+
+// Its vertices are those of the surface where they lie on one: a union may have moved them.
+Ring on_vertices(Ring ring, const MultiPolygon& surface) {
+  for (Point& p : ring)
+    for (const Polygon& polygon : surface)
+      for (const Ring& of_surface : polygon)
+        for (const Point& vertex : of_surface)
+          if (distance(p, vertex) <= touching) p = vertex;
+  return ring;
+}
+
+}  // namespace
 
 void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>& holes) {
   for (const Hole& hole : holes) {
@@ -175,7 +255,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
       owner = claims[i].surface;
     }
     if (owner == nullptr) continue;
-    *owner = geos.polygons(geos.unite({*owner, {{hole.ring}}}).get());
+    *owner = geos.polygons(geos.unite({*owner, {{on_vertices(hole.ring, *owner)}}}).get());
     fill_holes(*owner, least_hole);
   }
 }

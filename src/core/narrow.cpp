@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <iterator>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "groups.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -23,8 +23,8 @@ constexpr double largest_disc = 1000;  // metres, of its radius
 // A segment of a ring, the surface on its left.
 struct Side {
   Point from, to;
-  int surface;
-  std::vector<double> met{};  // shares of it where it meets other surfaces' sides
+  int surface, ring;
+  std::vector<double> met{};  // shares of it where it meets other rings' sides
 
   Point at(double share) const { return from + (to - from) * share; }
 };
@@ -33,8 +33,8 @@ struct Piece {
   Point from, to;
 };
 
-// Part of a ring between places where it meets other surfaces: all of it borders on the outside of
-// the union, or nothing.
+// Part of a ring between places where it meets other rings, be it of its own surface's other parts:
+// all of it borders on the outside of the union, or nothing.
 struct Run {
   int surface;
   std::vector<Piece> pieces;
@@ -65,21 +65,31 @@ class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
     std::vector<Box> boxes;
+    std::size_t count = 0;
+    for (const MultiPolygon* surface : surfaces)
+      for (const Polygon& polygon : *surface)
+        for (const Ring& ring : polygon) count += ring.size();
+    boxes.reserve(count);
+    sides_.reserve(count);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       boxes_.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
         for (const Ring& ring : polygon) {
           rings_.push_back(static_cast<int>(sides_.size()));
           for (std::size_t i = 1; i < ring.size(); ++i) {
-            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k)});
+            sides_.push_back(
+                {ring[i - 1], ring[i], static_cast<int>(k), static_cast<int>(rings_.size())});
             boxes.push_back(box_of(ring[i - 1], ring[i]));
           }
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    index_ = BoxIndex(boxes);
-    std::vector<int> order(sides_.size()), active;
-    std::iota(order.begin(), order.end(), 0);
+    const BoxRuns near(boxes_);
+    std::vector<int> order, active;
+    for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
+      if (near.any_near(boxes[i], touching,
+                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].surface; }))
+        order.push_back(i);
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
     for (const int i : order) {
@@ -88,12 +98,13 @@ class Borders {
       for (const int j : active) {
         if (boxes[j].max_x < boxes[i].min_x - touching) continue;
         active[kept++] = j;
-        if (sides_[i].surface != sides_[j].surface && boxes[i].meets(boxes[j], touching))
+        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching))
           meet(sides_[i], sides_[j]);
       }
       active.resize(kept);
       active.push_back(i);
     }
+    index_ = BoxRuns(std::move(boxes));
   }
 
   std::vector<Run> runs() {
@@ -134,7 +145,7 @@ class Borders {
         go_on(share);
         met = true;
         if (begun.pieces.empty()) continue;
-        of_ring.push_back(begun);
+        of_ring.push_back({begun.surface, std::move(begun.pieces)});
         begun.pieces.clear();
       }
       go_on(1);
@@ -142,15 +153,15 @@ class Borders {
     if (!met) return;
     if (!begun.pieces.empty()) {
       if (of_ring.empty()) {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       } else if (sides_[first].met.empty() || sides_[first].met.front() > 0) {
         auto& pieces = of_ring.front().pieces;
         pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
       } else {
-        of_ring.push_back(begun);
+        of_ring.push_back(std::move(begun));
       }
     }
-    all.insert(all.end(), of_ring.begin(), of_ring.end());
+    std::move(of_ring.begin(), of_ring.end(), std::back_inserter(all));
   }
 
   static Point place_beside(const Piece& piece, double off) {
@@ -160,9 +171,9 @@ class Borders {
 
   bool free_beside(const Piece& piece, double radius) const {
     if (radius > largest_disc) return false;
-    constexpr double slack = 1e-3;
+    constexpr double slack = 1e-6;
     const Point centre = place_beside(piece, radius * (1 + slack));
-    return !index_.any_near(box_of(centre, centre), radius, [&](int i) {
+    return !index_.any_near(box_of(centre, centre), radius, [&](std::size_t i) {
       return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
     });
   }
@@ -180,7 +191,7 @@ class Borders {
   std::vector<Box> boxes_;  // of surfaces
   std::vector<Side> sides_;
   std::vector<int> rings_;  // their first sides, and the end
-  BoxIndex index_;          // of sides
+  BoxRuns index_;           // of sides
 };
 
 // Of each run the places where it starts and ends, told apart by number.

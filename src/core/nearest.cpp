@@ -16,8 +16,9 @@ constexpr double same_site = 1e-5;  // metres
 constexpr double noise = 1e-6;      // metres
 constexpr double beyond = 1;        // metres
 constexpr double stride = 2;        // metres: sites in a row are no farther apart
-constexpr std::size_t worth_an_index = 1024;
+constexpr int beside = 2;           // sites of a row
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Box everywhere{-infinite, -infinite, infinite, infinite};
 
 std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& origin) {
   std::vector<int> order(sites.size());
@@ -37,19 +38,23 @@ std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& or
   return out;
 }
 
-// Without those that are nearest nowhere in the box.
+// Without those that are nearest nowhere in the box, told by parts of it.
 void drop_far(std::vector<Site>& sites, const Box& box) {
-  const auto square = [](double x, double y) { return x * x + y * y; };
-  double enough = infinite;
-  for (const Site& site : sites)
-    enough = std::min(enough, square(std::max(site.point.x - box.min_x, box.max_x - site.point.x),
-                                     std::max(site.point.y - box.min_y, box.max_y - site.point.y)));
-  const auto far = [&](const Site& site) {
-    return square(std::max({box.min_x - site.point.x, 0.0, site.point.x - box.max_x}),
-                  std::max({box.min_y - site.point.y, 0.0, site.point.y - box.max_y})) >
-           enough + noise;
-  };
-  sites.erase(std::remove_if(sites.begin(), sites.end(), far), sites.end());
+  constexpr int parts = 2;  // a side
+  const double width = (box.max_x - box.min_x) / parts, height = (box.max_y - box.min_y) / parts;
+  std::vector<bool> near(sites.size());
+  for (int part = 0; part < parts * parts; ++part) {
+    const Point corner{box.min_x + width * (part % parts), box.min_y + height * (part / parts), 0};
+    const Box within = box_of(corner, corner + Point{width, height, 0});
+    double enough = infinite;
+    for (const Site& site : sites) enough = std::min(enough, within.farthest_square(site.point));
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (within.square_from(sites[i].point) <= enough + noise) near[i] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (near[i]) sites[kept++] = sites[i];
+  sites.resize(kept);
 }
 
 // Ends of edges that meet come out of each edge a little different.
@@ -77,16 +82,25 @@ class NearestOwner::Edge {
   Edge(const Point& p, const Point& q)
       : p_(p), middle_((q - p) * 0.5), along_(left_normal(unit(q - p))) {}
 
-  // Takes off what is nearer to another site.
-  void leave_to(int site, const Point& at) {
-    const Point away = at - p_;
-    const double slope = dot(along_, away), most = dot(away, away) / 2 - dot(middle_, away);
-    if (slope > 0)
-      end(last_, -1, most / slope, site);
-    else if (slope < 0)
-      end(first_, 1, most / slope, site);
-    else if (most < 0)
-      last_.at = -infinite;
+  // Takes off what is nearer to another site. Whether that is as near at an end then.
+  bool leave_to(const Point& site) {
+    const auto [slope, most] = limit(site);
+    if (slope > 0) {
+      if (most > (last_ + 2 * noise) * slope) return false;
+      last_ = std::min(last_, most / slope);
+    } else if (slope < 0) {
+      if (most > (first_ - 2 * noise) * slope) return false;
+      first_ = std::max(first_, most / slope);
+    } else {
+      if (most < 0) last_ = -infinite;
+      return false;
+    }
+    return true;
+  }
+  // Whether a site is as near at one of its ends.
+  bool ends_at(const Point& site) const {
+    const auto [slope, most] = limit(site);
+    return slope != 0 && std::abs(most / slope - (slope > 0 ? last_ : first_)) <= noise;
   }
   // Takes off what lies outside.
   void clip(const Box& box) {
@@ -94,44 +108,38 @@ class NearestOwner::Edge {
     clip(along_.x, start.x, box.min_x, box.max_x);
     clip(along_.y, start.y, box.min_y, box.max_y);
   }
-  double size() const { return last_.at - first_.at; }
-  std::pair<Point, Point> ends() const { return {place(first_.at), place(last_.at)}; }
-  // The farthest that it comes from the two sites.
-  double reach() const {
-    return std::max(norm(middle_ + along_ * first_.at), norm(middle_ + along_ * last_.at));
-  }
-  // Sites that are as near at its ends.
-  std::vector<int> neighbours() const {
-    std::vector<int> sites;
-    for (const End* end : {&first_, &last_})
-      for (const auto& [at, site] : end->sites)
-        if (std::abs(at - end->at) <= noise) sites.push_back(site);
-    return sites;
+  double size() const { return last_ - first_; }
+  std::pair<Point, Point> ends() const { return {place(first_), place(last_)}; }
+  bool open() const { return first_ == -infinite || last_ == infinite; }
+  // Holds each site that is as near to a place of it as its two are: about its ends.
+  Box reach() const {
+    Box box;
+    for (const double at : {first_, last_}) {
+      const Point end = place(at);
+      box = box.joined_with(box_of(end, end).grown(distance(end, p_) + noise));
+    }
+    return box;
   }
 
  private:
-  struct End {
-    double at;
-    std::vector<std::pair<double, int>> sites{};
+  struct Limit {
+    double slope, most;  // places nearer to the two: slope * metres <= most
   };
-  void end(End& end, int inwards, double at, int site) {
-    const double ahead = (at - end.at) * inwards;
-    if (ahead < -noise) return;
-    if (ahead > noise) end.sites.clear();
-    end.sites.emplace_back(at, site);
-    if (ahead > 0) end.at = at;
+  Limit limit(const Point& site) const {
+    const Point away = site - p_;
+    return {dot(along_, away), dot(away, away) / 2 - dot(middle_, away)};
   }
   void clip(double slope, double start, double least, double most) {
     if (slope == 0) return;
     const double low = ((slope > 0 ? least : most) - start) / slope;
     const double high = ((slope > 0 ? most : least) - start) / slope;
-    first_.at = std::max(first_.at, low);
-    last_.at = std::min(last_.at, high);
+    first_ = std::max(first_, low);
+    last_ = std::min(last_, high);
   }
   Point place(double at) const { return p_ + middle_ + along_ * at; }
 
   Point p_, middle_, along_;
-  End first_{-infinite}, last_{infinite};
+  double first_ = -infinite, last_ = infinite;
 };
 
 NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
@@ -139,10 +147,9 @@ NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
       origin_{within.min_x, within.min_y, 0},
       sites_(distinct_sites(sites, origin_)) {
   drop_far(sites_, within_);
-  if (sites_.size() < worth_an_index) return;
   std::vector<Box> boxes;
   for (const Site& site : sites_) boxes.push_back(box_of(site.point, site.point));
-  index_.emplace(boxes);
+  index_ = BoxRuns(std::move(boxes));
 }
 
 double NearestOwner::square(int site, const Point& p) const {
@@ -151,43 +158,37 @@ double NearestOwner::square(int site, const Point& p) const {
 }
 
 template <class Use>
-void NearestOwner::each_near(const Point& p, double reach, Use use) const {
-  if (index_)
-    for (const int i : index_->near(box_of(p, p), reach)) use(i);
-  else
-    for (int i = 0; i < size(); ++i) use(i);
+void NearestOwner::each_in(const Box& box, Use use) const {
+  index_.any_near(box, 0, [&](std::size_t i) {
+    use(static_cast<int>(i));
+    return false;
+  });
 }
 
 int NearestOwner::nearest(const Point& p, int end) const {
-  for (double reach = 8;; reach *= 2) {
-    int best = -1;
-    double least = index_ ? reach * reach : infinite;
-    each_near(p, reach, [&](int i) {
-      const double apart = square(i, p);
-      if (i >= end || apart >= least) return;
-      best = i;
-      least = apart;
-    });
-    if (best >= 0) return best;
-  }
+  return index_.nearest(p, [&](int i) { return i < end ? square(i, p) : infinite; });
 }
 
 bool NearestOwner::first_owns(const Point& place) const {
   return sites_[nearest(place - origin_, size())].first;
 }
 
-NearestOwner::Edge NearestOwner::edge_between(int first, int second) const {
-  const Point &p = sites_[first].point, &q = sites_[second].point;
-  for (double reach = std::max(8.0, 2 * distance(p, q));; reach *= 2) {
-    Edge edge(p, q);
-    std::size_t asked = 0;
-    each_near(p, reach, [&](int i) {
-      ++asked;
-      if (i != first && i != second) edge.leave_to(i, sites_[i].point);
-    });
-    // A site that is nearer to a place of the edge lies within twice its reach.
-    if (asked == sites_.size() || 2 * edge.reach() <= reach) return edge;
-  }
+NearestOwner::Edge NearestOwner::edge_between(int first, int second,
+                                              std::vector<int>& neighbours) const {
+  Edge edge(sites_[first].point, sites_[second].point);
+  // Those beside the two in their rows leave little to the others.
+  for (const int site : {first, second})
+    for (int i = std::max(0, site - beside); i <= std::min(site + beside, size() - 1); ++i)
+      if (i != first && i != second) edge.leave_to(sites_[i].point);
+  neighbours.clear();
+  if (edge.size() < -noise) return edge;
+  each_in(edge.open() ? everywhere : edge.reach(), [&](int i) {
+    if (i != first && i != second && edge.leave_to(sites_[i].point)) neighbours.push_back(i);
+  });
+  neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(),
+                                  [&](int i) { return !edge.ends_at(sites_[i].point); }),
+                   neighbours.end());
+  return edge;
 }
 
 // Lines that join all sites meet every line of the border, which has sites on both its sides: from
@@ -202,27 +203,24 @@ std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
     const int before = goes_on ? next - 1 : nearest(to, next);
     const Point& from = sites_[before].point;
     const double size = distance(from, to);
-    const Point middle = (from + to) * 0.5;
-    const bool owner = sites_[next].first;
-    if (sites_[before].first == owner) {
+    if (const bool owner = sites_[next].first; sites_[before].first == owner) {
       // No other owner's cell lies on the way if none of its sites is nearer than the way is long.
+      const Point middle = (from + to) * 0.5;
       if (distance(middle, asked) + size < apart) continue;
       asked = middle;
-      const double reach = std::max(16.0, 2 * size);
-      double least = reach * reach;
-      each_near(middle, reach, [&](int i) {
-        if (sites_[i].first != owner) least = std::min(least, square(i, middle));
-      });
-      apart = std::sqrt(least);
+      const int other = index_.nearest(
+          middle, [&](int i) { return sites_[i].first != owner ? square(i, middle) : infinite; });
+      apart = other < 0 ? infinite : distance(sites_[other].point, middle);
       if (apart > size) continue;
     }
     apart = 0;
-    double at = 0;
+    // The nearest site of each place on the way is no farther than the nearer end.
+    const Box way = box_of(from, to).grown(size / 2 + noise);
     for (int now = before; now != next;) {
       const Point& p = sites_[now].point;
       int then = next;
       double soonest = 1;
-      each_near(from + (to - from) * at, 2 * size, [&](int i) {
+      each_in(way, [&](int i) {
         const Point away = sites_[i].point - p;
         const double slope = dot(to - from, away);
         if (slope <= 0) return;
@@ -234,7 +232,6 @@ std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
       if (sites_[now].first != sites_[then].first)
         pairs.emplace_back(sites_[now].first ? now : then, sites_[now].first ? then : now);
       now = then;
-      at = soonest;
     }
   }
   return pairs;
@@ -246,14 +243,15 @@ std::vector<std::pair<Point, Point>> NearestOwner::border() const {
   const auto started = some_pairs();
   std::set<std::pair<int, int>> seen(started.begin(), started.end());
   std::vector<std::pair<int, int>> open(seen.begin(), seen.end());
+  std::vector<int> neighbours;
   const Box shown = within_.grown(beyond);
   while (!open.empty()) {
     poll_cancel();
     const auto [first, second] = open.back();
     open.pop_back();
-    Edge edge = edge_between(first, second);
+    Edge edge = edge_between(first, second, neighbours);
     if (edge.size() < -noise) continue;
-    for (const int site : edge.neighbours()) {
+    for (const int site : neighbours) {
       const std::pair<int, int> pair =
           sites_[site].first ? std::pair(site, second) : std::pair(first, site);
       if (seen.insert(pair).second) open.push_back(pair);

@@ -1,11 +1,10 @@
 // Whose site is nearest: ground between two owners.
 #pragma once
 
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "overlap.hpp"
 #include "streetgen/geometry.hpp"
 
@@ -33,18 +32,18 @@ class NearestOwner {
 
   int size() const { return static_cast<int>(sites_.size()); }
   double square(int site, const Point& p) const;
-  // Of some sites, or of all.
   template <class Use>
-  void each_near(const Point& p, double reach, Use use) const;
+  void each_in(const Box& box, Use use) const;
   int nearest(const Point& p, int end) const;  // of those before `end`
-  Edge edge_between(int first, int second) const;
+  // And the sites that are as near at its ends.
+  Edge edge_between(int first, int second, std::vector<int>& neighbours) const;
   // Pairs on the border, of each of its lines at least one.
   std::vector<std::pair<int, int>> some_pairs() const;
 
   Box within_;  // from the origin, as all below
   Point origin_;
   std::vector<Site> sites_;
-  std::optional<BoxIndex> index_;  // where they are many
+  BoxRuns index_;  // of sites
 };
 
 }  // namespace streetgen

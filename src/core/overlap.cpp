@@ -1,9 +1,9 @@
 #include "overlap.hpp"
 
 #include <cmath>
-#include <optional>
+#include <utility>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -12,7 +12,6 @@ namespace streetgen {
 namespace {
 
 constexpr double depth = 1e-6;
-constexpr std::size_t worth_an_index = 64;
 
 bool cross_deeply(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point u = b - a, v = d - c;
@@ -30,38 +29,36 @@ bool passes(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
-// The segments of a surface's rings, by place where they are many.
+// The segments of a surface's rings.
 class Ground::Boundary {
  public:
   explicit Boundary(const MultiPolygon& surface) {
+    std::size_t count = 0;
+    for (const Polygon& polygon : surface)
+      for (const Ring& ring : polygon) count += ring.size();
+    starts_.reserve(count);
+    std::vector<Box> boxes;
+    boxes.reserve(count + count / 4);
     for (const Polygon& polygon : surface)
       for (const Ring& ring : polygon)
         for (std::size_t i = 1; i < ring.size(); ++i) {
-          segments_.push_back({&ring[i - 1], &ring[i]});
-          boxes_.push_back(box_of(ring[i - 1], ring[i]));
+          starts_.push_back(&ring[i - 1]);
+          boxes.push_back(streetgen::box_of(ring[i - 1], ring[i]));
         }
-    if (segments_.size() > worth_an_index) index_.emplace(boxes_);
+    boxes_ = BoxRuns(std::move(boxes));
   }
 
   // Whether `holds` is true of any segment that comes near the box.
   template <class Holds>
   bool any(const Box& within, Holds holds) const {
-    const auto use = [&](std::size_t i) {
-      return holds(*segments_[i].from, *segments_[i].to, boxes_[i]);
-    };
-    if (index_) return index_->any_near(within, depth, use);
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-      if (boxes_[i].meets(within, depth) && use(i)) return true;
-    return false;
+    return boxes_.any_near(within, depth, [&](std::size_t i) {
+      return holds(starts_[i][0], starts_[i][1], boxes_[i]);
+    });
   }
 
  private:
-  struct Segment {
-    const Point *from, *to;
-  };
-  std::vector<Segment> segments_;
-  std::vector<Box> boxes_;
-  std::optional<BoxIndex> index_;
+  std::vector<const Point*> starts_;  // the end of each follows in its ring
+  BoxRuns boxes_;
 };
 
 Ground::Ground(const MultiPolygon& surface)
@@ -90,6 +87,29 @@ bool Ground::holds_deeply(const Point& p) const {
   return holds(p) && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
     return distance_to_segment(p, a, b) <= depth;
   });
+}
+
+Box Ground::box_within(const Box& box) const {
+  Box held;
+  boundary().any(box, [&](const Point& a, const Point& b, const Box&) {
+    double first = 0, last = 1;
+    const auto clip = [&](double from, double to, double least, double most) {
+      if (from == to) return;
+      const double t = (least - from) / (to - from), u = (most - from) / (to - from);
+      first = std::max(first, std::min(t, u));
+      last = std::min(last, std::max(t, u));
+    };
+    clip(a.x, b.x, box.min_x, box.max_x);
+    clip(a.y, b.y, box.min_y, box.max_y);
+    if (first > last) return false;
+    held.add(a + (b - a) * first);
+    held.add(a + (b - a) * last);
+    return false;
+  });
+  for (const double x : {box.min_x, box.max_x})
+    for (const double y : {box.min_y, box.max_y})
+      if (holds({x, y, 0})) held.add({x, y, 0});
+  return held.grown(depth).shared_with(box);
 }
 
 bool Ground::comes_near(const Point& from, const Point& to) const {
@@ -133,13 +153,6 @@ bool Ground::reaches_into(const Ground& other, const Box& shared) const {
     }
     return false;
   });
-}
-
-Box box_of(const Point& a, const Point& b) {
-  Box box;
-  box.add(a);
-  box.add(b);
-  return box;
 }
 
 Box box_of(const MultiPolygon& surface) {

@@ -30,13 +30,29 @@ struct Box {
     return p.x >= min_x - margin && p.x <= max_x + margin && p.y >= min_y - margin &&
            p.y <= max_y + margin;
   }
+  // Squares of the distances from p to the nearest of it and to the farthest.
+  double square_from(const Point& p) const {
+    const double x = std::max({min_x - p.x, 0.0, p.x - max_x});
+    const double y = std::max({min_y - p.y, 0.0, p.y - max_y});
+    return x * x + y * y;
+  }
+  double farthest_square(const Point& p) const {
+    const double x = std::max(p.x - min_x, max_x - p.x), y = std::max(p.y - min_y, max_y - p.y);
+    return x * x + y * y;
+  }
+  Box joined_with(const Box& o) const {
+    return {std::min(min_x, o.min_x), std::min(min_y, o.min_y), std::max(max_x, o.max_x),
+            std::max(max_y, o.max_y)};
+  }
   // What both hold; of boxes that do not meet, a box that holds nothing.
   Box shared_with(const Box& o) const {
     return {std::max(min_x, o.min_x), std::max(min_y, o.min_y), std::min(max_x, o.max_x),
             std::min(max_y, o.max_y)};
   }
 };
-Box box_of(const Point& a, const Point& b);
+inline Box box_of(const Point& a, const Point& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
 Box box_of(const MultiPolygon& surface);
 
 bool inside(const Point& p, const Polygon& polygon);
@@ -51,6 +67,8 @@ class Ground {
 
   const Box& box() const { return box_; }
   bool holds(const Point& p) const;
+  // Of what lies in the box, to a micrometre.
+  Box box_within(const Box& box) const;
   // False only of segments that have no part on it.
   bool comes_near(const Point& from, const Point& to) const;
   // Appends where the segment meets the boundary, as shares of its length.

@@ -105,12 +105,11 @@ class Settlement {
       if (levels_meet || i == claim || j == claim) append_border(i, j);
     });
     std::optional<Arrangement> faces(lines);
+    std::vector<Contest> contests = contests_in(claim, *faces);
     // Where lost ground may come back, it depends on the borders between opponents too.
     std::set<std::pair<int, int>> further;
-    for (const Point& place : faces->places()) {
+    for (const Contest& contest : contests) {
       if (levels_meet) break;
-      if (!ground.holds(place)) continue;
-      const Contest contest = contest_at(claim, place);
       if (!contest.beaten(claim) || !contest.won(claim)) continue;
       each_pair(contest.parties, [&](int i, int j) {
         if (i != claim && j != claim) further.emplace(i, j);
@@ -118,12 +117,15 @@ class Settlement {
     }
     const std::size_t before = lines.size();
     for (const auto& [i, j] : further) append_border(i, j);
-    if (lines.size() > before) faces.emplace(lines);
+    if (lines.size() > before) {
+      faces.emplace(lines);
+      contests = contests_in(claim, *faces);
+    }
     std::vector<bool> kept;
     bool lost = false;
-    for (const Point& place : faces->places()) {
-      const bool held = ground.holds(place);
-      kept.push_back(held && owns(claim, contest_at(claim, place)));
+    for (const Contest& contest : contests) {
+      const bool held = !contest.parties.empty();
+      kept.push_back(held && owns(claim, contest));
       lost = lost || (held && !kept.back());
     }
     if (!lost) return surface;
@@ -175,6 +177,15 @@ class Settlement {
           duels.end());
     }
   };
+
+  // By face; of those off its ground an empty one.
+  std::vector<Contest> contests_in(int claim, const Arrangement& faces) {
+    const Ground& ground = grounds_.at(claim);
+    std::vector<Contest> contests;
+    for (const Point& place : faces.places())
+      contests.push_back(ground.holds(place) ? contest_at(claim, place) : Contest{});
+    return contests;
+  }
 
   Contest contest_at(int claim, const Point& place) {
     Contest contest;

@@ -8,15 +8,6 @@
 
 namespace streetgen {
 
-double norm(const Point& a) { return std::sqrt(dot(a, a)); }
-double distance(const Point& a, const Point& b) { return norm(a - b); }
-Point planar(const Point& a) { return {a.x, a.y, 0}; }
-Point unit(const Point& a) {
-  const double n = norm(a);
-  return n > 0 ? Point{a.x / n, a.y / n, 0} : Point{};
-}
-Point left_normal(const Point& a) { return {-a.y, a.x, 0}; }
-
 double length(const Line& line) {
   double sum = 0;
   for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -14,11 +15,17 @@ inline Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y 
 inline Point operator*(const Point& a, double k) { return {a.x * k, a.y * k, a.z * k}; }
 inline double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 inline double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-double norm(const Point& a);
-double distance(const Point& a, const Point& b);
-Point planar(const Point& a);       // without z
-Point unit(const Point& a);         // zero stays zero
-Point left_normal(const Point& a);  // a quarter turn counter-clockwise
+inline double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+inline double distance(const Point& a, const Point& b) { return norm(a - b); }
+// Without z.
+inline Point planar(const Point& a) { return {a.x, a.y, 0}; }
+// Zero stays zero.
+inline Point unit(const Point& a) {
+  const double n = norm(a);
+  return n > 0 ? Point{a.x / n, a.y / n, 0} : Point{};
+}
+// A quarter turn counter-clockwise.
+inline Point left_normal(const Point& a) { return {-a.y, a.x, 0}; }
 
 // Point by point, of lines, rings and surfaces.
 inline bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }

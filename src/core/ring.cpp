@@ -228,22 +228,41 @@ bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 // that goes on from it.
 bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
+  const MultiPolygon surface{polygon};
+  const Ground ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {
-    if (inside(p, polygon)) return true;
+    if (ground.holds(p)) return true;
     const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
     return at != arm && next != arm && !goes_on(gaps, arm, at) && !goes_on(gaps, arm, next);
+  };
+  const auto kerbs_at = [](const Arm& arm, double abscissa) {
+    const Line border = border_across(arm, abscissa);
+    const Point across = unit(border[1] - border[0]) * inwards;
+    return Line{border[0] + across, border[1] - across};
+  };
+  std::vector<double> cuts;
+  // Straight lines that cross nothing are inside where their ends are.
+  const auto covers_whole = [&](const Line& first, const Line& last) {
+    cuts.clear();
+    for (const int side : {0, 1}) {
+      ground.cut(first[side], last[side], cuts);
+      if (!cuts.empty() || !ground.holds(first[side]) || !ground.holds(last[side])) return false;
+    }
+    return true;
   };
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const Arm& arm = arms[k];
     if (arm.limit <= 0) continue;
+    const auto clamped = [&](double abscissa) {
+      return std::clamp(abscissa, inwards, arm.limit - inwards);
+    };
+    if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
+        covers_whole(kerbs_at(arm, clamped(0)), kerbs_at(arm, clamped(arm.limit))))
+      continue;
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
-    for (int i = 0; i <= steps; ++i) {
-      const double abscissa = std::clamp(arm.limit * i / steps, inwards, arm.limit - inwards);
-      const Line border = border_across(arm, abscissa);
-      const Point across = unit(border[1] - border[0]) * inwards;
-      for (const Point& p : {border[0] + across, border[1] - across})
+    for (int i = 0; i <= steps; ++i)
+      for (const Point& p : kerbs_at(arm, clamped(arm.limit * i / steps)))
         if (!held(k, p)) return false;
-    }
   }
   return true;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "box_index.hpp"
+#include "box_runs.hpp"
 #include "nearest.hpp"
 #include "polyline.hpp"
 #include "ring.hpp"
@@ -47,10 +47,10 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
                                      of_b = skeleton_within(b, within);
   std::vector<Box> boxes;
   for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
-  const BoxIndex index(boxes);
+  const BoxRuns index(std::move(boxes));
   for (const SkeletonSegment& s : of_a) {
     poll_cancel();
-    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](int i) {
+    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](std::size_t i) {
       const SkeletonSegment& t = of_b[i];
       if (!segments_cross(s.from, s.to, t.from, t.to)) return false;
       const Point u = s.to - s.from, v = t.to - t.from;
@@ -136,11 +136,14 @@ bool before(const Claim& a, const Claim& b) {
 }
 
 Rivalry::Rivalry(const Party& a, const Party& b) {
-  const Box within = a.ground->box().shared_with(b.ground->box());
+  Box within = a.ground->box().shared_with(b.ground->box());
   const bool first_wins = before(*a.claim, *b.claim);
   crossed_ = skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;
+  // Border there is on the ground of both.
+  for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
+    within = ground->box_within(within);
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
   sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);

@@ -43,6 +43,10 @@ bool turn(const Side& s, const Side& t) {
 
 std::optional<bool> simple(const MultiPolygon& surface) {
   std::vector<Side> sides;
+  std::size_t count = 0;
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon) count += ring.size();
+  sides.reserve(count);
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon) {
       const std::size_t first = sides.size();
@@ -52,6 +56,7 @@ std::optional<bool> simple(const MultiPolygon& surface) {
                          i + 1 < ring.size() ? sides.size() + 1 : first});
     }
   std::vector<const Side*> order, active;
+  order.reserve(count);
   for (const Side& side : sides) order.push_back(&side);
   std::sort(order.begin(), order.end(),
             [](const Side* s, const Side* t) { return s->box.min_x < t->box.min_x; });

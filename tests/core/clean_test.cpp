@@ -131,3 +131,43 @@ TEST(Clean, Cancels) {
   EXPECT_THROW(clean({{0, 0}, {1, 0}}, {}, 0.3, 3), streetgen::Error);
   streetgen::set_cancel_check(nullptr);
 }
+
+TEST(CleanNetwork, APointThatAnotherLineHasStays) {
+  const Line street{{0, 0}, {40, 0}, {60, 0}, {100, 0}}, side{{40.05, 0}, {40, 50}};
+  EXPECT_EQ(xs(clean({street, side}, {}, 0.1, 0.3, 0)[0]), (std::vector<double>{0, 40, 100}));
+  EXPECT_EQ(xs(clean({street}, {side}, 0.1, 0.3, 0)[0]), (std::vector<double>{0, 40, 100}));
+  EXPECT_EQ(xs(clean({street, side}, {}, 0.01, 0.3, 0)[0]), (std::vector<double>{0, 100}));
+}
+
+TEST(CleanNetwork, ItsOwnPointsKeepNothing) {
+  const Line back{{0, 0}, {50, 0}, {50.1, 0}, {100, 0}, {100, 80}, {50, 0.05}};
+  EXPECT_EQ(xs(clean({back}, {}, 0.1, 0.3, 0)[0]), xs(clean(back, {}, 0.3, 0)));
+}
+
+// Small closed lines among them, for which a filter is passed over.
+TEST(CleanNetwork, EachLineAsIfToldWhatOthersHave) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> step(-4, 4), count(3, 7);
+  for (int turn = 0; turn < 200; ++turn) {
+    std::vector<Line> lines;
+    for (int i = 0; i < 6; ++i) {
+      Line line{{0, 0}};
+      for (int more = count(random); more > 0; --more)
+        line.push_back({line.back().x + step(random) / 4.0, line.back().y + step(random) / 4.0});
+      if (turn % 2) line.push_back(line.front());
+      lines.push_back(line);
+    }
+    const std::vector<Line> together = clean(lines, {}, 0.1, 0.3, 0.5);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      std::vector<bool> keep;
+      for (const Point& p : lines[i]) {
+        bool met = false;
+        for (std::size_t k = 0; k < lines.size(); ++k)
+          for (const Point& q : lines[k])
+            met = met || (k != i && std::hypot(p.x - q.x, p.y - q.y) <= 0.1);
+        keep.push_back(met);
+      }
+      EXPECT_EQ(xs(together[i]), xs(clean(lines[i], keep, 0.3, 0.5))) << turn;
+    }
+  }
+}

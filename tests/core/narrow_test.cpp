@@ -35,6 +35,15 @@ TEST(Narrow, AHoleSmallerThanAskedForIsAPlace) {
   EXPECT_TRUE(places[0].holds({10.7, 10.7, 0}, 1e-9));
 }
 
+// A fifth of a millimetre wide.
+TEST(Narrow, AHairIsAPlace) {
+  const auto surfaces = about_a_block(0.0);
+  std::vector<MultiPolygon> hair{rectangle(0, 0, 30, 10), rectangle(0, 10.0002, 30, 10),
+                                 rectangle(0, 0, 10, 20), rectangle(11, 0, 10, 20)};
+  EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
+  EXPECT_EQ(narrow_places(all(hair), 0.5).size(), 1u);
+}
+
 TEST(Narrow, AWideHoleIsNone) {
   const auto surfaces = about_a_block(5);
   EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
@@ -54,6 +63,18 @@ TEST(Narrow, SurfacesThatShareABorderLeaveNone) {
                                  rectangle(20, 2, 10, 6), rectangle(10, 10, 10, 30)}),
                             0.5)
                   .empty());
+}
+
+// The two parts of the first surface touch at (10, 10), where a hole against the second one ends.
+TEST(Narrow, AHoleMayEndWhereASurfaceTouchesItself) {
+  MultiPolygon parts = rectangle(0, 0, 10, 10);
+  parts.push_back(rectangle(10, 10, 10, 10)[0]);
+  const MultiPolygon beside{
+      {{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10.5, 10, 0}, {10, 9.5, 0}, {10, 0, 0}}}};
+  const std::vector<MultiPolygon> surfaces{parts, beside};
+  const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_TRUE(places[0].holds({10, 10, 0}, 1e-9));
 }
 
 TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {

@@ -119,5 +119,40 @@ TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
   EXPECT_NEAR(area(town.surfaces.front()), first + 0.2, 1e-6);
 }
 
+// Two surfaces that touch in two points and nowhere else.
+TEST(Holes, LieBetweenSurfacesThatTouchInPoints) {
+  Geos geos;
+  MultiPolygon left{{{{0, 0, 0}, {10, 4, 0}, {9.7, 4.5, 0}, {10, 5, 0}, {0, 9, 0}, {0, 0, 0}}}};
+  MultiPolygon right{
+      {{{20, 0, 0}, {20, 9, 0}, {10, 5, 0}, {10.3, 4.5, 0}, {10, 4, 0}, {20, 0, 0}}}};
+  std::vector<Claim> claims(2);
+  claims[0].surface = &left;
+  claims[1].surface = &right;
+  claims[1].place = 1;
+  for (Claim& claim : claims) claim.edges = {1, 2};
+  const std::vector<Hole> holes = holes_between(geos, claims, {}, 0.5);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.3, 1e-9);
+}
+
+// The union that finds a hole may move its corners by the noise of coordinates.
+TEST(Holes, LeaveNoHairlineAroundWhatWasFilled) {
+  Geos geos;
+  MultiPolygon frame{{{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 0}},
+                      {{5, 5, 0}, {5, 5.5, 0}, {5.5, 5.5, 0}, {5.5, 5, 0}, {5, 5, 0}}}};
+  Claim claim;
+  claim.surface = &frame;
+  std::vector<Claim> claims{claim};
+  const Ring moved{{5, 5, 0},
+                   {5.5 - 2e-7, 5 + 3e-7, 0},
+                   {5.5 - 3e-7, 5.5 - 2e-7, 0},
+                   {5 + 2e-7, 5.5 - 3e-7, 0},
+                   {5, 5, 0}};
+  give_holes(geos, claims, {{moved, {0}}});
+  ASSERT_EQ(frame.size(), 1u);
+  EXPECT_EQ(frame[0].size(), 1u);
+  EXPECT_NEAR(area(frame), 100, 1e-9);
+}
+
 }  // namespace
 }  // namespace streetgen

@@ -213,6 +213,26 @@ TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
 }
 
+// Two streets bowed away from each other between the same nodes: nothing overlaps, and the lens
+// between their kerbs holds a circle of 0.3 m at most.
+TEST(Streets, AnIslandOfATinyBlockIsRoadway) {
+  constexpr double half = 2, inner = 0.3;
+  const double bow = 10 * (half + inner) / std::sqrt(100 - (half + inner) * (half + inner));
+  const Streets town = streets({{1, {{0, 0, 0}, {10, bow, 0}, {20, 0, 0}}, 0, 4, 4, 3, 3},
+                                {2, {{0, 0, 0}, {10, -bow, 0}, {20, 0, 0}}, 0, 4, 4, 3, 3},
+                                {3, {{-50, 0, 0}, {0, 0, 0}}, 0, 4, 4, 3, 3},
+                                {4, {{20, 0, 0}, {70, 0, 0}}, 0, 4, 4, 3, 3}},
+                               {});
+  std::vector<MultiPolygon> surfaces;
+  for (const Section& section : town.sections) surfaces.push_back(section.surface);
+  for (const Intersection& intersection : town.intersections)
+    surfaces.push_back(intersection.surface);
+  Geos geos;
+  const MultiPolygon roadway = geos.polygons(geos.unite(surfaces).get());
+  ASSERT_EQ(roadway.size(), 1u);
+  EXPECT_EQ(roadway[0].size(), 1u);
+}
+
 // Bent to either side: the corner inside the bend, or both where it is slight, would take an arc.
 TEST(Streets, AChangeOfWidthHasNoCornerArc) {
   for (const double y : {-30.0, -5.0, 0.0, 5.0, 30.0}) {

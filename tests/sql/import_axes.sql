@@ -84,6 +84,8 @@ SELECT 'a constant of the wrong type is 22023', test.state(pg_temp.with_mapping(
 SELECT 'a geometry column that is none is 22023', test.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
 SELECT 'an unknown direction is 22023', test.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
 SELECT 'axes and levels of different number: 2202E', test.state($$SELECT streetgen._doubled('{}', '{1}', 0.3)$$) = '2202E';
+SELECT 'a line that is NULL: 22004', test.state($$SELECT streetgen._clean_network('{}', '{NULL}', 0.1, 0.3, 4)$$) = '22004';
+SELECT 'a tolerance out of range: 22023', test.state($$SELECT streetgen._clean_network('{}', '{}', 11, 0.3, 4)$$) = '22023';
 SELECT 'an axis that is NULL: 22004', test.state($$SELECT streetgen._doubled('{NULL}', '{1}', 0.3)$$) = '22004';
 SELECT 'an axis that is no line: 22023', test.state($$SELECT streetgen._doubled(ARRAY['POINT(0 0)'::geometry::bytea], '{1}', 0.3)$$) = '22023';
 SELECT 'a model that does not exist is 3F000',
