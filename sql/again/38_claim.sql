@@ -84,10 +84,13 @@ BEGIN
         FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(used.axis_id)))
     SELECT used.axis_id || coalesce(array_agg(DISTINCT axis_id), '{}') INTO gathered FROM beside b
         WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half));
-    -- With what meets it farther on: that bounds its edges.
+    -- With what meets it farther on: that bounds its edges. An axis too short for an edge has no node, but may place that of others.
     SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
         WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
         SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.from_node = m.node_id UNION SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.to_node = m.node_id
+        UNION SELECT a.axis_id FROM met m JOIN %1$I.node n USING (node_id), LATERAL (
+                SELECT a.axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, n.geom, 3 * tolerance) AND a.axis_id <> ALL (gathered) OFFSET 0) a
+            WHERE EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id AND r.issue = 'collapsed_axis')
         EXCEPT SELECT unnest(gathered)) e JOIN %1$I.axis USING (axis_id);
     -- A run writes every axis near the asked ones whole, ends included.
     SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (

@@ -360,6 +360,16 @@ SELECT 'and loses it when the arc is back', pg_temp.ceded() = :ceded;
 SELECT 'as from scratch again', test.followed('bend', 'once');
 SELECT streetgen.drop_model('bend') \g /dev/null
 
+-- Beyond the reach of an edit lies an axis too short for an edge: the node where its neighbours meet lies at its vertex all the same.
+SELECT streetgen.create_model('short', 2154) \g /dev/null
+INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.3 6860000.2)', 7),
+  (2, 'SRID=2154;LINESTRING(650300.3 6860000.2, 650400 6860050)', 7), (3, 'SRID=2154;LINESTRING(650000 6860000, 650300 6860000)', 7),
+  (4, 'SRID=2154;LINESTRING(650000 6860000, 650000 6859950)', 7);
+SELECT 'it has no edge, and a node', (SELECT count(*) = 0 FROM short.edge WHERE axis_id = 1) AND (SELECT ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3);
+UPDATE short.axis SET width = 8 WHERE axis_id = 4;
+SELECT 'an edit far from it leaves its node', ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3;
+SELECT streetgen.drop_model('short') \g /dev/null
+
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN
