@@ -50,9 +50,12 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
   RETURN edits.one_of('width', 'width', 'width', 'width_end', 'level', 'direction', 'importance', 'speed', 'lane_count', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
 
-CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
-  SELECT format('INSERT INTO edited.axis (axis_id, geom, width, level, direction, importance) VALUES (%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom),
-                edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
+CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
+  SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
+
+CREATE FUNCTION edits.inserted(rows text) RETURNS text LANGUAGE sql VOLATILE RETURN 'INSERT INTO edited.axis (axis_id, geom, width, level, direction, importance) VALUES ' || rows;
+
+CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE RETURN edits.inserted(edits.drawn_row(axis_id, geom));
 
 -- One edit of the town as it is: a statement, or the two of a split or merge.
 CREATE FUNCTION edits.edit() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
@@ -140,12 +143,12 @@ BEGIN
   RETURN '{}';
 END $$;
 
--- A grid that is not one: places jittered, streets missing, ends that miss each other by centimetres, levels, a ring.
-CREATE FUNCTION edits.grid() RETURNS SETOF edited.axis LANGUAGE plpgsql VOLATILE AS $$
+-- A grid that is not one: places jittered, streets missing, ends that miss each other by centimetres, levels, a ring: rows to insert.
+CREATE FUNCTION edits.grid() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   spacing float8 := edits.between(25, 90);
   many integer := 2 + floor(random() * 3);
-  id bigint := 0;
+  rows text[] := '{}';
   pair record;
 BEGIN
   DROP TABLE IF EXISTS place;
@@ -154,14 +157,13 @@ BEGIN
     FROM generate_series(0, many) x, generate_series(0, many) y;
   FOR pair IN SELECT a.geom AS a, b.geom AS b FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1), (a.x + 1, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y LOOP
     CONTINUE WHEN edits.chance(0.3);
-    id := id + 1;
-    EXECUTE edits.drawn(id, CASE
+    rows := rows || edits.drawn_row(cardinality(rows) + 1, CASE
       WHEN edits.chance(0.15) THEN ST_MakeLine(ST_Translate(pair.a, edits.between(-0.3, 0.3), edits.between(-0.3, 0.3)), pair.b)
       WHEN edits.chance(0.2) THEN ST_MakeLine(ARRAY[pair.a, ST_Translate(ST_Centroid(ST_MakeLine(pair.a, pair.b)), edits.between(-9, 9), edits.between(-9, 9)), pair.b])
       WHEN edits.chance(0.05) THEN ST_MakeLine(ARRAY[pair.a, ST_Translate(pair.a, 20, 5), ST_Translate(pair.a, 8, 22), pair.a])
       ELSE ST_MakeLine(pair.a, pair.b) END);
   END LOOP;
-  RETURN QUERY SELECT * FROM edited.axis ORDER BY axis_id;
+  RETURN rows;
 END $$;
 
 -- The axes of a model about a random one of them, moved near the origin of the others.
@@ -179,8 +181,8 @@ BEGIN
   FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
-  PERFORM streetgen.set('edited', name, value) FROM streetgen._default_setting();
-  PERFORM streetgen.set('edited', split_part(s, '=', 1), split_part(s, '=', 2)) FROM unnest(script.settings) s;
+  PERFORM streetgen.set('edited', name, wanted) FROM (SELECT name, coalesce(split_part(chosen, '=', 2), d.value) AS wanted FROM streetgen._default_setting() d
+    LEFT JOIN unnest(script.settings) chosen ON split_part(chosen, '=', 1) = name) w JOIN edited.setting s USING (name) WHERE s.value <> wanted;
   INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
 END $$;
 
@@ -199,8 +201,8 @@ DECLARE
   differs text;
 BEGIN
   PERFORM test.generate_anew('edited', 'scratch');
-  WITH edited AS (SELECT test.content('edited') AS content EXCEPT ALL SELECT test.content('scratch')),
-    scratch AS (SELECT test.content('scratch') AS content EXCEPT ALL SELECT test.content('edited'))
+  WITH all_edited AS MATERIALIZED (SELECT test.content('edited') AS content), all_scratch AS MATERIALIZED (SELECT test.content('scratch') AS content),
+    edited AS (TABLE all_edited EXCEPT ALL TABLE all_scratch), scratch AS (TABLE all_scratch EXCEPT ALL TABLE all_edited)
   SELECT string_agg(format('%s: %s', side, left(content, 300)), E'\n') INTO differs FROM (
     (SELECT 'only edited' AS side, content FROM edited e WHERE NOT EXISTS (SELECT FROM scratch s WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
     UNION ALL (SELECT 'only from scratch', content FROM scratch s WHERE NOT EXISTS (SELECT FROM edited e WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
@@ -222,11 +224,12 @@ EXCEPTION WHEN OTHERS THEN
   RETURN format('%s: %s', SQLSTATE, SQLERRM);
 END $$;
 
--- The script of a seed, executed as it is drawn.
+-- The script of a seed, executed as it is drawn. Every fourth town of its own grows axis by axis.
 CREATE FUNCTION edits.drawn_script(seed integer) RETURNS edits.script LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   script edits.script := ('{}', '{}', '{}');
   source text;
+  rows text[];
   edit text[];
   statement text;
 BEGIN
@@ -236,7 +239,16 @@ BEGIN
   PERFORM edits.begin(script);
   source := edits.one_of(VARIADIC ARRAY(SELECT NULL UNION ALL SELECT NULL UNION ALL (SELECT name FROM edits.town ORDER BY name)));
   IF source IS NULL THEN
-    SELECT array_agg(a::text) INTO script.axes FROM edits.grid() a;
+    rows := edits.grid();
+    IF seed % 4 = 0 THEN
+      script.statements := ARRAY(SELECT edits.inserted(row) FROM unnest(rows) row);
+    ELSE
+      EXECUTE edits.inserted(array_to_string(rows, ', '));
+      script.axes := ARRAY(SELECT a::text FROM edited.axis a ORDER BY axis_id);
+    END IF;
+    FOREACH statement IN ARRAY script.statements LOOP
+      EXECUTE statement;
+    END LOOP;
   ELSE
     SELECT array_agg(a::text) INTO script.axes FROM edits.window(source) a;
     INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;

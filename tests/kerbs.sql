@@ -44,9 +44,25 @@ WHERE NOT coalesce(abs(radius - r) <= 1e-3 AND ST_Distance(k.centre, l.centre) <
     AND abs(cos(ST_Azimuth(ST_StartPoint(arc), k.centre) - azimuth_a)) <= sin(radians(0.1))
     AND abs(cos(ST_Azimuth(ST_EndPoint(arc), k.centre) - azimuth_b)) <= sin(radians(0.1)), false);
 
--- No arc below 160 degrees, and why.
+-- No arc below 160 degrees, and why. Between two axes lies a block, a face of the network of their level; no ground is between them
+-- where they are one line drawn twice, or where their block is wholly roadway.
+CREATE TEMPORARY TABLE arcless AS
+SELECT p.*, a.level, ST_Translate(ST_StartPoint(line_a), away * sin(azimuth_a - phi / 2), away * cos(azimuth_a - phi / 2)) AS place
+FROM pair p JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
+JOIN :"model".edge a ON a.edge_id = edge_a JOIN :"model".edge b ON b.edge_id = edge_b AND b.level = a.level
+CROSS JOIN LATERAL (SELECT least(0.5, length_a / 2, length_b / 2) AS away) w
+WHERE k.method = 'no_arc' AND phi < radians(160);
+CREATE TEMPORARY TABLE block AS
+SELECT level, (ST_Dump(ST_Polygonize(line))).geom AS block
+FROM (SELECT level, (ST_Dump(ST_Node(ST_Collect(ST_Force2D(geom))))).geom AS line FROM :"model".edge WHERE level IN (SELECT level FROM arcless) GROUP BY level) l GROUP BY level;
+CREATE INDEX ON block USING gist (block);
+CREATE TEMPORARY TABLE groundless AS
+SELECT node_id, edge_a, end_a, edge_b, end_b FROM arcless c WHERE ST_HausdorffDistance(line_a, line_b) < 1e-3
+    OR EXISTS (SELECT FROM block b WHERE b.level = c.level AND ST_Intersects(block, place)
+        AND ST_Area(ST_Difference(block, (SELECT ST_Union(surface) FROM surface s WHERE s.surface && block AND s.level = c.level))) < 0.01);
 INSERT INTO finding
-SELECT 'no arc: ' || CASE WHEN r <= 0 THEN 'none wanted' WHEN largest IS NULL THEN 'borders do not meet' WHEN largest <= 0.001 THEN 'under 1 mm fits' ELSE 'borders meet in one point' END,
+SELECT 'no arc: ' || CASE WHEN r <= 0 THEN 'none wanted' WHEN EXISTS (SELECT FROM groundless g WHERE (g.node_id, g.edge_a, g.end_a, g.edge_b, g.end_b) = (p.node_id, p.edge_a, p.end_a, p.edge_b, p.end_b)) THEN 'no ground between'
+        WHEN largest IS NULL THEN 'borders do not meet' WHEN largest <= 0.001 THEN 'under 1 mm fits' ELSE 'borders meet in one point' END,
        'node', node_id, degrees(phi), ST_StartPoint(line_a)
 FROM pair p JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
 CROSS JOIN LATERAL (SELECT streetgen.max_corner_radius(line_a, line_b, 2 * half_a, 2 * half_b) AS largest) m

@@ -30,9 +30,10 @@ SELECT 'kerbs | ' || :'model', (SELECT count(*) FROM lawful),
     (SELECT count(*) FROM filled), coalesce((SELECT round(sum(ST_Area(filled))::numeric, 2)::text FROM filled), '-') || ' |';
 SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 * c.count / total, 0), 2)::text, ' | ' ORDER BY i)
         FROM unnest(ARRAY['hypothesis', 'radius_reduced', 'radius_minimal', 'followed', 'no_arc']) WITH ORDINALITY AS m(method, i) LEFT JOIN (SELECT method, count(*) FROM :"model".corner GROUP BY method) c USING (method)),
-    coalesce(round(100.0 * (SELECT count(*) FROM finding WHERE measure LIKE 'no arc:%') / nullif((SELECT count(*) FROM pair WHERE phi < radians(160)), 0), 2)::text, '-'),
+    (SELECT coalesce(round(100.0 * count(measure) / nullif(below, 0), 2)::text, '-') || ' | ' || coalesce(round(100.0 * count(measure) FILTER (WHERE measure <> 'no arc: no ground between') / nullif(below, 0), 2)::text, '-')
+        FROM (SELECT count(*) AS below FROM pair WHERE phi < radians(160)) b LEFT JOIN finding ON measure LIKE 'no arc:%' GROUP BY below),
     (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = 'no arc: ' || reason)::text, ' | ' ORDER BY i)
-        FROM unnest(ARRAY['none wanted', 'borders do not meet', 'under 1 mm fits', 'borders meet in one point']) WITH ORDINALITY AS r(reason, i)) || ' |'
+        FROM unnest(ARRAY['none wanted', 'no ground between', 'borders do not meet', 'under 1 mm fits', 'borders meet in one point']) WITH ORDINALITY AS r(reason, i)) || ' |'
 FROM (SELECT count(*) AS total FROM :"model".corner) k;
 -- Where nothing was contested; 0.1 m as the importers' epsilon.
 CREATE TEMPORARY TABLE whole AS SELECT edge_id, surface FROM :"model".section WHERE contested_area = 0 AND NOT ST_IsEmpty(surface);

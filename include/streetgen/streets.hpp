@@ -31,7 +31,6 @@ struct StreetAxis {
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
   bool changed = true;   // false: as it was when the streets about it were computed
-  bool beside = false;   // unchanged, but its roadway meets ground that changed axes left
   bool outer = false;    // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
@@ -150,19 +149,28 @@ struct Roadway {
 };
 
 // What was there before the change: it tells what else the change moves.
+struct FormerSurface {
+  MultiPolygon ground;
+  bool contested = false;  // part of its ground belonged to another surface
+};
+struct FormerLimit {
+  double wanted_abscissa = 0;  // metres along the edge
+  double abscissa = 0;
+  Line border_line;
+};
 struct FormerEdge {
   std::int64_t axis_id = 0;
   Line line;
-  // Of its limits, from start to end: wanted and settled abscissas, metres.
-  std::array<double, 4> limits{};
+  FormerLimit start, end;
+  FormerSurface section;
 };
-struct FormerPlace {
+struct FormerNode {
   Point point;
-  bool met = true;  // true: all that meets here may move; false: only the intersection
+  FormerSurface intersection;
 };
 struct Former {
   std::vector<FormerEdge> edges;
-  std::vector<FormerPlace> places;
+  std::vector<FormerNode> nodes;  // with an intersection
 };
 
 struct Streets {
@@ -171,8 +179,9 @@ struct Streets {
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
   // What changed axes can change, and only for that sections and intersections come out: their
-  // edges and those that they cut otherwise, what meets these at a node, corners that follow an
-  // axis to there, and claims on the same ground.  Where all axes changed, everything.
+  // edges and nodes, edges that they cut otherwise and where these meet others, corners that follow
+  // an axis to there, limits that move, and claims on the same ground whose surface is not what it
+  // was.  Where all axes changed, everything.
   std::vector<bool> asked_edges, asked_nodes;
   std::vector<Section> sections;            // one per asked edge
   std::vector<Intersection> intersections;  // one per asked node of degree two and more

@@ -2,11 +2,11 @@
 
 CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes streetgen.street_axis[], transitions streetgen.street_transition[],
     limits streetgen.street_limit[], corners streetgen.street_corner[], lanes streetgen.street_lane[], restrictions streetgen.street_restriction[],
-    former_edges streetgen.former_edge[], former_places streetgen.former_place[])
+    former_edges streetgen.former_edge[], former_nodes streetgen.former_node[])
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[], streetgen.street_limit[], streetgen.street_corner[],
-    streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_place[])
+    streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: names and values as words, of all in streetgen._default_setting() that the core reads. No axes (NULL): NULL; any other list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)

@@ -190,27 +190,51 @@ CREATE OR REPLACE FUNCTION streetgen._holders(model name) RETURNS text
     LEFT JOIN pg_stat_activity a USING (pid) $$;
 COMMENT ON FUNCTION streetgen._holders(name) IS 'The other sessions that hold places, rows or tables of a model, as text.';
 
-CREATE OR REPLACE FUNCTION streetgen._enter(model name, wait boolean, alone boolean) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._enter(model name, wait boolean, alone boolean, keys boolean DEFAULT true) RETURNS boolean
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     model_key constant integer := hashtext('streetgen.' || model);
+    missing constant boolean := keys AND streetgen._keys_are_missing(model);
+    entered boolean := true;
 BEGIN
     IF current_setting('transaction_isolation') <> 'read committed' THEN
         RAISE EXCEPTION 'streets of model "%" need isolation level read committed, this transaction has %', model, current_setting('transaction_isolation')
             USING ERRCODE = '0A000', HINT = 'Under a higher level they would be computed from a snapshot older than the locks.';
     END IF;
     CASE
-        WHEN wait AND alone THEN PERFORM pg_advisory_xact_lock(model_key, 0);
+        WHEN wait AND (alone OR missing) THEN PERFORM pg_advisory_xact_lock(model_key, 0);
         WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, 0);
-        WHEN alone THEN RETURN pg_try_advisory_xact_lock(model_key, 0);
-        ELSE RETURN pg_try_advisory_xact_lock_shared(model_key, 0);
+        WHEN alone OR missing THEN entered := pg_try_advisory_xact_lock(model_key, 0);
+        ELSE entered := pg_try_advisory_xact_lock_shared(model_key, 0);
     END CASE;
-    RETURN true;
+    -- Who waited for another may find them made.
+    IF missing AND entered AND streetgen._keys_are_missing(model) THEN
+        PERFORM streetgen._make_keys(model);
+    END IF;
+    RETURN entered;
 EXCEPTION WHEN lock_not_available THEN
     RAISE EXCEPTION 'another session holds model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
 END $$;
-COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
+COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. keys: not before those that a first run by clusters left are made, for which it is alone. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_place(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_place(name) IS 'Raises 55P03, naming who holds places of the model.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_all(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_place(model);
+END $$;
+COMMENT ON FUNCTION streetgen._claim_all(name) IS 'Locks all places of a model by one key, for this transaction. A lock_timeout that ends: 55P03, naming who holds some.';
 
 CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -265,7 +289,7 @@ BEGIN
         EXCEPTION
             WHEN SQLSTATE 'SG001' THEN CONTINUE;
             WHEN lock_not_available THEN
-                RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+                PERFORM streetgen._refuse_place(model);
         END;
         EXIT;
     END LOOP;

@@ -8,15 +8,15 @@ CREATE OR REPLACE FUNCTION streetgen._filled(template text, places jsonb) RETURN
     FROM string_to_table(translate(template, '}', '{'), '{') WITH ORDINALITY p(piece, n) $$;
 COMMENT ON FUNCTION streetgen._filled(text, jsonb) IS 'A text with its places, {name}, filled.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, whole boolean, bare boolean DEFAULT false) RETURNS jsonb
+CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, whole boolean, bare boolean DEFAULT false, first boolean DEFAULT false) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT jsonb_build_object('model', quote_ident(model), 'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
-        'whole', whole, 'bare', bare, 'by_key', CASE WHEN whole THEN '' ELSE 'OFFSET 0' END,
+        'whole', whole, 'bare', bare, 'first', first, 'by_key', CASE WHEN whole THEN '' ELSE 'OFFSET 0' END,
         'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
             format('streetgen._with_height(c.geom, (SELECT a.geom FROM %I.axis a WHERE a.axis_id = c.axis_id))', model) END)
     FROM streetgen.model m WHERE m.name = model $$;
-COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean) IS 'The places of the one statement. {model}: the schema; {quoted_model}: the same between quotes; {srid}; {whole}: all axes are asked, and {bare}: no derived row is there: true or false, which the planner takes out. {by_key}: where rows are few beside those of the model, keeps a lateral subquery apart, so that it is looked up row by row and not joined. {geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
+COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean, boolean) IS 'The places of the one statement. {model}: the schema; {quoted_model}: the same between quotes; {srid}; {whole}: all axes are asked, {bare}: no derived row is there, {first}: none of the asked axes, and what is there was computed with them: true or false, which the planner takes out. {by_key}: where rows are few beside those of the model, keeps a lateral subquery apart, so that it is looked up row by row and not joined. {geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.
 CREATE OR REPLACE FUNCTION streetgen._with_height(place geometry, axis geometry) RETURNS geometry
@@ -42,10 +42,15 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, i
 new_{relation} AS MATERIALIZED (
     SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
     FROM ({rows}
-        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}) {by_key}) old ON true{order_named}),
+        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{order_named}),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
-    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{order}{on_conflict})$part$
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$
+    || CASE WHEN (places ->> 'first')::boolean THEN $part$,
+-- Those that can meet no row need not look for one.
+add_{relation} AS (
+    INSERT INTO {model}.{relation} ({id}, {written})
+    SELECT {id_new}, {written} FROM new_{relation} WHERE fresh ORDER BY number)$part$ ELSE '' END
     || CASE WHEN named THEN $part$,
 {relation}_ids AS MATERIALIZED (
     SELECT array_agg(coalesce({id}, 0) ORDER BY number) AS ids
@@ -64,12 +69,15 @@ count_{relation} AS (
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
             'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
             'id_new', CASE WHEN same IS NULL THEN id ELSE format('coalesce(%s, %s)', id, next_id) END,
+            -- Of what hangs on a row that this statement made none is there.
+            'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
+            'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, columns, streetgen._columns_of('excluded', columns)) END,
             'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
             'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END))
-    FROM (SELECT (places ->> 'bare')::boolean AS bare, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
+    FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
 COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
@@ -82,7 +90,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS tex
             FROM unnest(streetgen._derived_tables()) WITH ORDINALITY t(relation, n)) $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false)
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
@@ -94,11 +102,11 @@ DECLARE
     work_mem_before text := current_setting('work_mem');
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare))
+    RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare, first => first))
         USING written, gathered, changed;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean, boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else; first: not of the changed axes, and what lies around them is right.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

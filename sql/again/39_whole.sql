@@ -25,55 +25,65 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, and its tables the caller''s and without triggers of others?';
 
-CREATE OR REPLACE FUNCTION streetgen._take_off(model name) RETURNS text[]
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false) RETURNS TABLE(turn integer, relation name, statement text)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     off text[];
-    back text[];
+    turns integer[];
+    relations name[];
+    statements text[];
 BEGIN
-    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) relation);
-    WITH derived AS (SELECT c.oid, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) d(relation));
+    WITH derived AS (SELECT c.oid, relname, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
     part AS (
-        -- Indexes that no constraint, no replication and nobody else builds on, and nothing but a comment says more of.
-        SELECT 1 AS turn, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off, pg_get_indexdef(i.indexrelid) AS back,
+        -- Indexes that no constraint, no replication and nobody else builds on, and nothing but a comment says more of. Clusters find rows by B-trees.
+        SELECT 1 AS turn, d.relname, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off, regexp_replace(pg_get_indexdef(i.indexrelid), '^CREATE INDEX', 'CREATE INDEX IF NOT EXISTS') AS back,
                format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')) AS said
         FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
         WHERE NOT i.indisunique AND NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid AND c.reltablespace = 0
+            AND (NOT by_cluster OR c.relam <> (SELECT oid FROM pg_am WHERE amname = 'btree'))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE refclassid = 'pg_class'::regclass AND refobjid = i.indexrelid)
             AND NOT EXISTS (SELECT FROM pg_depend WHERE classid = 'pg_class'::regclass AND objid = i.indexrelid AND deptype NOT IN ('a', 'n'))
             AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = i.indexrelid AND attstattarget >= 0)
         UNION ALL
-        SELECT 3, k.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', d.name, conname), format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)),
+        SELECT 2, d.relname, k.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', d.name, conname),
+               -- A cluster replaces rows of others now and then, and what belonged to them is still there.
+               CASE WHEN by_cluster AND confdeltype = 'c' THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s)); ', d.name, confrelid::regclass,
+                   (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n) FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid AND attnum = key),
+                   (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n) FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid AND attnum = key)) ELSE '' END
+               || format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)),
                format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, d.name, obj_description(k.oid, 'pg_constraint'))
         FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
         WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
-            AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O'))
-    SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FILTER (WHERE b.place = 1),
-           array_agg(b.statement ORDER BY p.turn, p.oid, b.place) || (SELECT array_agg('ANALYZE ' || d.name) FROM derived d)
-        INTO off, back FROM part p, LATERAL (VALUES (1, p.back), (2, p.said)) b(place, statement) WHERE b.statement IS NOT NULL;
-    FOR i IN 1 .. cardinality(off) LOOP
+            AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
+    make AS (
+        SELECT 1 AS turn, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 1 AND p.relname = d.relname), 'ANALYZE ' || d.name) AS back FROM derived d
+        UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 2)
+    SELECT (SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FROM part p), array_agg(m.turn), array_agg(m.relname), array_agg(m.back)
+        INTO off, turns, relations, statements FROM make m WHERE m.back IS NOT NULL;
+    FOR i IN 1 .. coalesce(cardinality(off), 0) LOOP
         EXECUTE off[i];
     END LOOP;
-    RETURN back;
+    RETURN QUERY SELECT * FROM unnest(turns, relations, statements);
 EXCEPTION WHEN lock_not_available OR object_in_use THEN
     -- Somebody reads them.
-    RETURN NULL;
+    RETURN;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name) IS 'Takes foreign keys between derived tables, and indexes that hold no constraint, off the tables of a model, which it locks against all others. Gives the statements that put them back, with their comments, and renew statistics; NULL, and nothing is changed, where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, and indexes that hold no constraint, off the tables of a model, which it locks against all others. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    back text[];
+    back text[] := '{}';
 BEGIN
     IF streetgen._is_bare(model) THEN
-        back := streetgen._take_off(model);
+        back := ARRAY(SELECT t.statement FROM streetgen._take_off(model) t ORDER BY t.turn);
     END IF;
-    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back IS NOT NULL);
-    FOR i IN 1 .. coalesce(cardinality(back), 0) LOOP
+    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back <> '{}');
+    FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;
 END $$;

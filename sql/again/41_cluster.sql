@@ -76,6 +76,7 @@ DECLARE
     many bigint;
     planned integer;
     left_over integer;
+    came integer;
     hash bigint;
 BEGIN
     PERFORM streetgen._check_owner(model);
@@ -93,6 +94,11 @@ BEGIN
             SELECT max(k.cluster_id) + 1, n.ids, n.hull, $1 FROM %1$I.cluster k, (
                 SELECT array_agg(a.axis_id) AS ids, ST_ConvexHull(ST_Collect(centroid)) AS hull FROM streetgen._axis_centroids(%2$L) a
                 WHERE NOT EXISTS (SELECT FROM %1$I.cluster c, unnest(c.axes) id WHERE id = a.axis_id)) n WHERE n.ids IS NOT NULL GROUP BY n.ids, n.hull$sql$, model, model) USING hash;
+        GET DIAGNOSTICS came = ROW_COUNT;
+        IF came > 0 THEN
+            -- They may change what is computed already.
+            PERFORM streetgen._enter(model, wait => true, alone => false);
+        END IF;
         RAISE NOTICE 'model "%": % of % clusters are done, the run goes on', model, planned - left_over, planned;
         EXECUTE format('SELECT count(*) FROM %I.cluster WHERE ended IS NULL', model) INTO left_over;
         RETURN left_over;
@@ -101,6 +107,12 @@ BEGIN
     SELECT count(*) INTO many FROM streetgen._axis_centroids(model);
     planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
     EXECUTE format('DELETE FROM %I.cluster', model);
+    IF streetgen._keys_are_missing(model) OR streetgen._is_bare(model) THEN
+        PERFORM streetgen._enter(model, wait => true, alone => true);
+        IF streetgen._is_bare(model) THEN
+            PERFORM streetgen._leave_keys(model);
+        END IF;
+    END IF;
     IF planned > 0 THEN
         EXECUTE format('INSERT INTO %I.cluster (cluster_id, axes, hull, setting_hash)
             SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(centroid)), $1
@@ -147,7 +159,42 @@ $sql$, model) INTO near, cells, blocks USING asked, written, reach + widest, siz
 END $$;
 COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS 'The places of a model that a run for many axes (asked) may read or write: cells, by which it keeps edits away, and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there whole, asked and written among them.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, axes bigint[], wait boolean, OUT free boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT asked bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    AS $$
+DECLARE
+    reach float8;
+    near float8;
+    -- No roadway is wider.
+    widest constant float8 := 200;
+BEGIN
+    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8) FILTER (WHERE name = 'tolerance') FROM %I.setting WHERE name IN ('reach', 'max_arc_distance', 'tolerance')$sql$, model) INTO reach, near;
+    EXECUTE format($sql$
+WITH own AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1))
+SELECT $1 || coalesce(array_agg(axis_id), '{}') FROM (
+    SELECT DISTINCT a.axis_id FROM own o, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom, $2) OFFSET 0) a EXCEPT SELECT unnest($1)) m
+WHERE (SELECT true FROM %1$I.edge e WHERE e.axis_id = m.axis_id LIMIT 1)
+$sql$, model) INTO written USING axes, near;
+    -- Those far around are few: they look for the written ones.
+    EXECUTE format($sql$
+WITH used AS MATERIALIZED (
+    SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS inside
+    FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)) h, LATERAL (SELECT * FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, h.geom, $2 + $4) OFFSET 0) u),
+beside AS MATERIALIZED (
+    SELECT DISTINCT u.axis_id, u.geom FROM used u, (SELECT max(half) AS half FROM used WHERE inside) m, LATERAL (
+        SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + m.half) OFFSET 0) o
+    JOIN used w ON w.axis_id = o.axis_id AND w.inside WHERE NOT u.inside AND ST_DWithin(o.geom, u.geom, $2 + u.half + w.half)),
+-- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next.
+met AS MATERIALIZED (SELECT DISTINCT m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
+SELECT array_agg(axis_id) FROM (
+    SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
+    UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
+$sql$, model) INTO gathered USING written, reach, near, widest;
+    asked := axes;
+END $$;
+COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS 'What a run for axes without streets writes and gathers where nothing around them changes by it, since all that is computed there was computed with them: as _reach_of, but by the places of axes alone. Of others it writes those that they meet.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, axes bigint[], wait boolean, OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -156,6 +203,7 @@ DECLARE
     reach record;
     key integer;
 BEGIN
+    first := streetgen._keys_are_missing(model);
     LOOP
         free := true;
         -- Where more turns out to be needed, the locks taken here are given back first, as _claim does.
@@ -178,7 +226,11 @@ BEGIN
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
             END IF;
-            reach := streetgen._reach_of(model, axes);
+            IF first THEN
+                reach := streetgen._surroundings(model, axes);
+            ELSE
+                reach := streetgen._reach_of(model, axes);
+            END IF;
             IF EXISTS (SELECT unnest(reach.asked) EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written) EXCEPT SELECT unnest(places.near)) THEN
                 places := streetgen._footprint(model, reach.asked, reach.written);
                 axes := reach.asked;
@@ -199,7 +251,7 @@ BEGIN
         gathered := reach.gathered;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the places of a cluster for this transaction, in one order; gives what a run for it writes and gathers. Without wait: not free where another session holds any of them, and nothing is locked.';
+COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the places of a cluster for this transaction, in one order; gives what a run for it writes and gathers, and whether it is the first of the model. Without wait: not free where another session holds any of them, and nothing is locked.';
 
 CREATE OR REPLACE FUNCTION streetgen.progress(model name)
     RETURNS TABLE(clusters integer, ended integer, sessions integer, axes bigint, axes_ended bigint, began timestamptz, axes_per_second float8, time_left interval)
@@ -234,7 +286,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
-    PERFORM streetgen._enter(model, wait => true, alone => false);
+    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
     LOOP
         BEGIN
             EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id <> ALL ($1) ORDER BY cluster_id < $2, cluster_id LIMIT 1 FOR UPDATE SKIP LOCKED', model)
@@ -270,8 +322,31 @@ BEGIN
             END IF;
         END IF;
     END LOOP;
-    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    IF claimed.first THEN
+        PERFORM FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed, first => true);
+    ELSE
+        PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    END IF;
     EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE cluster_id = $2', model) USING started, chosen.cluster_id;
     RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes), extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left FROM streetgen.progress(model) p;
 END $$;
 COMMENT ON FUNCTION streetgen.generate_cluster(name, integer) IS 'Computes the next cluster of a run planned by streetgen.plan_clusters that is free, from number first on, and gives how far the run is then; no row where none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it until there is no row. Rows shared with clusters computed before are finished, so that after the last one the model is as streetgen.generate makes it, but for keys. A session that ends takes nothing along: what it had not committed is computed by the next. Sessions keep apart by places; where only places beside others are left it waits for them, and for edits. Needs read committed (0A000) and the rights of the owner (42501). Settings that changed since the plan: 55000; lock_timeout that ends: 55P03.';
+
+CREATE OR REPLACE FUNCTION streetgen.finish_clusters(model name) RETURNS text
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    made text;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
+    IF streetgen._keys_are_missing(model) THEN
+        made := streetgen._make_key(model);
+        -- The last one leaves nothing behind.
+        IF made IS NULL AND pg_try_advisory_xact_lock(hashtext('streetgen.' || model), 0) THEN
+            PERFORM streetgen._make_keys(model);
+        END IF;
+    END IF;
+    RETURN made;
+END $$;
+COMMENT ON FUNCTION streetgen.finish_clusters(name) IS 'After the last cluster of a first run: makes the next of the foreign keys, indexes and statistics that it left for its end, and says what it made; NULL when none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it. Whatever else enters the model before, an edit or streetgen.generate, makes them all first. Needs the rights of the owner (42501).';

@@ -66,7 +66,7 @@ BEGIN
     PERFORM streetgen._enter(model, wait => true, alone => false);
     -- A run under way there does not see what is written here.
     IF cardinality(axes) > most_claimed THEN
-        PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+        PERFORM streetgen._claim_all(model);
     ELSE
         PERFORM FROM streetgen._claim(model, axes, wait => true);
     END IF;
@@ -100,7 +100,7 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
-    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' THEN
+    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
         PERFORM streetgen._enter_edit(%2$L);
     END IF;
     RETURN NULL;

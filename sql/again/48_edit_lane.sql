@@ -93,6 +93,8 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         IF ST_NPoints(NEW.geom) <> 3 OR ST_Distance(ST_StartPoint(NEW.geom), ST_StartPoint(OLD.geom)) > 1e-6 OR ST_Distance(ST_EndPoint(NEW.geom), ST_EndPoint(OLD.geom)) > 1e-6 THEN
             RAISE EXCEPTION 'of % only the middle point can be dragged', subject USING ERRCODE = '22023', DETAIL = 'Its ends lie on its lanes, and it has three points.', HINT = 'Undo, and drag the middle point.';
+        ELSIF ST_Distance(ST_PointN(NEW.geom, 2), place.node) > 200 THEN
+            RAISE EXCEPTION 'the middle point of % cannot lie % m from its node', subject, round(ST_Distance(ST_PointN(NEW.geom, 2), place.node)) USING ERRCODE = '22023', DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and drag it less far.';
         END IF;
     END IF;
     decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;
@@ -106,4 +108,4 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
     NEW.by_hand := true;
     RETURN NEW;
 END $$;
-COMMENT ON FUNCTION streetgen._edit_interconnection() IS 'Trigger of interconnection_editing: writes interconnection_override. A line whose ends moved or that has not three points: 22023; INSERT: 0A000.';
+COMMENT ON FUNCTION streetgen._edit_interconnection() IS 'Trigger of interconnection_editing: writes interconnection_override. A line whose ends moved, that has not three points, or whose middle one lies over 200 m from its node: 22023; INSERT: 0A000.';

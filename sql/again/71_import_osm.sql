@@ -67,12 +67,13 @@ CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 
     AS $$
 DECLARE
     source regclass := streetgen._osm_table('_line', prefix, schemas);
+    named constant text[] := ARRAY['lanes_both_ways', 'turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
+        'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward', 'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward',
+        'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right', 'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
+        'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both', 'parking_lane_left', 'parking_lane_right', 'parking_lane_both'];
     -- Tables written by an older flex file lack some.
-    tags text := (
-        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ') FROM unnest(ARRAY['lanes_both_ways', 'turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
-            'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward', 'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward',
-            'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right', 'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
-            'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both', 'parking_lane_left', 'parking_lane_right', 'parking_lane_both']) tag
+    tags constant text := (
+        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ') FROM unnest(named) tag
         LEFT JOIN pg_attribute ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
     driving_side text;
 BEGIN
@@ -83,8 +84,13 @@ BEGIN
     PERFORM streetgen._take_classes(model);
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
-SELECT geom, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end, coalesce(lanes_both, lanes_sum) AS lane_count, direction,
-       CASE WHEN kmh <= 400 THEN kmh END AS speed, NULL::integer AS importance, name,
+-- A city's ways have few wordings of tags, and each is read once.
+WITH line AS MATERIALIZED (
+    SELECT *, dense_rank() OVER (ORDER BY class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %5$s) AS wording
+    FROM (SELECT geom, way_id, name, class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
+meaning AS MATERIALIZED (
+SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end, coalesce(lanes_both, lanes_sum) AS lane_count, direction,
+       CASE WHEN kmh <= 400 THEN kmh END AS speed, NULL::integer AS importance,
        coalesce(CASE WHEN layer ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, layer::integer)) END,
                 CASE WHEN coalesce(bridge, 'no') <> 'no' THEN 1 WHEN coalesce(tunnel, 'no') <> 'no' THEN -1 ELSE 0 END) AS level,
        class, NULL::float8 AS radius, stated_forward AS lanes_forward, stated_backward AS lanes_backward,
@@ -95,7 +101,6 @@ SELECT geom, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS w
            streetgen._osm_beside('near', 'reverse', direction, cycle_far, cycle_near), streetgen._osm_beside('far', 'reverse', direction, cycle_far, cycle_near),
            streetgen._osm_beside('near', 'reverse', direction, parking_far, parking_near), streetgen._osm_beside('far', 'reverse', direction, parking_far, parking_near)) AS kind_backward,
        lane_width_forward, lane_width_backward, turn_forward, turn_backward,
-       way_id::text AS source_ref, NULL::text AS left_out,
        array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
                           CASE WHEN lanes IS NOT NULL AND lanes_both IS NULL OR coalesce(lanes_forward, lanes_backward) IS NOT NULL AND coalesce(lanes_both, lanes_sum) IS NULL
                                OR lanes_both_ways IS NOT NULL AND (centre IS NULL OR centre > 0 AND coalesce(lanes_both, stated_forward, stated_backward) IS NULL) THEN 'lane_count' END,
@@ -104,7 +109,7 @@ SELECT geom, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS w
                           CASE WHEN layer !~ '^[-+]?\d{1,2}$' THEN 'level' END,
                           CASE WHEN direction = 'both' AND turn_lanes IS NOT NULL OR said_turn_forward IS NOT NULL AND turn_forward IS NULL OR said_turn_backward IS NOT NULL AND turn_backward IS NULL THEN 'turn' END,
                           CASE WHEN said_width_forward IS NOT NULL AND lane_width_forward IS NULL OR said_width_backward IS NOT NULL AND lane_width_backward IS NULL THEN 'lane_width' END], NULL) AS unread
-FROM (SELECT geom, way_id, class, name, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) line,
+FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
      streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse') THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
                           WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link') THEN 'direct' ELSE 'both' END AS direction) d,
@@ -130,8 +135,9 @@ FROM (SELECT geom, way_id, class, name, lanes, lanes_forward, lanes_backward, wi
      LATERAL (SELECT streetgen._osm_kerb(cycleway_%3$s, cycleway_both, cycleway, cycleway_%3$s_oneway, direction, '%3$s', '%3$s') AS cycle_near, streetgen._osm_kerb(cycleway_%4$s, cycleway_both, cycleway, cycleway_%4$s_oneway, direction, '%4$s', '%3$s') AS cycle_far,
                      streetgen._osm_kerb(busway_%3$s, busway_both, busway, NULL, direction, '%3$s', '%3$s') AS bus_near, streetgen._osm_kerb(busway_%4$s, busway_both, busway, NULL, direction, '%4$s', '%3$s') AS bus_far,
                      CASE WHEN coalesce(parking_%3$s, parking_both) = 'lane' OR coalesce(parking_lane_%3$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_near,
-                     CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane' OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_far) kerb$sql$,
-        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END));
+                     CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane' OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_far) kerb)
+SELECT geom, name, way_id::text AS source_ref, meaning.*, NULL::text AS left_out FROM line JOIN meaning USING (wording)$sql$,
+        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END, array_to_string(named, ', ')));
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source, streetgen._osm_table('_restriction', prefix, schemas));
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS 'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of search_path or named with its schema (gis.osm): lanes (lanes:both_ways, a centre turn lane, counts as the innermost forward lane), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported by way.';

@@ -3,7 +3,7 @@ CREATE TYPE streetgen.street_axis AS (
     axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer, speed float8,
     lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text,
     lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
-    changed boolean, beside boolean, outer_axis boolean
+    changed boolean, outer_axis boolean
 );
 COMMENT ON TYPE streetgen.street_axis IS 'An axis with the values used, and what an edit has to do with it.';
 COMMENT ON COLUMN streetgen.street_axis.axis_id IS 'the axis';
@@ -23,7 +23,6 @@ COMMENT ON COLUMN streetgen.street_axis.lane_width_backward IS 'widths of the la
 COMMENT ON COLUMN streetgen.street_axis.turn_forward IS 'turns painted on the lanes along the axis, parted by |; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.turn_backward IS 'turns painted on the lanes against the axis, parted by |; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
-COMMENT ON COLUMN streetgen.street_axis.beside IS 'did it lie beside ground of a changed axis before the change?';
 COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
 
 CREATE TYPE streetgen.street_transition AS (axis_id bigint, which text, kind text, length float8);
@@ -65,17 +64,24 @@ COMMENT ON COLUMN streetgen.street_restriction.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_restriction.kind IS 'no or only';
 COMMENT ON COLUMN streetgen.street_restriction.turn IS 'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
 
-CREATE TYPE streetgen.former_edge AS (axis_id bigint, geom bytea, wanted_start float8, start float8, wanted_end float8, "end" float8);
-COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with the abscissas of its section limits.';
+CREATE TYPE streetgen.former_edge AS (
+    axis_id bigint, geom bytea, wanted_start float8, start float8, border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
+);
+COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.former_edge.geom IS 'LINESTRING, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.wanted_start IS 'limit wanted at its start, m along the edge';
 COMMENT ON COLUMN streetgen.former_edge.start IS 'limit at its start, m along the edge';
+COMMENT ON COLUMN streetgen.former_edge.border_start IS 'border line there, LINESTRING, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.wanted_end IS 'limit wanted at its end, m along the edge';
 COMMENT ON COLUMN streetgen.former_edge."end" IS 'limit at its end, m along the edge';
+COMMENT ON COLUMN streetgen.former_edge.border_end IS 'border line there, LINESTRING, EWKB';
+COMMENT ON COLUMN streetgen.former_edge.surface IS 'its section, MULTIPOLYGON, EWKB';
+COMMENT ON COLUMN streetgen.former_edge.contested IS 'did part of the section''s ground belong to another surface?';
 
-CREATE TYPE streetgen.former_place AS (x float8, y float8, met boolean);
-COMMENT ON TYPE streetgen.former_place IS 'A node whose surroundings changed axes may have given up ground to.';
-COMMENT ON COLUMN streetgen.former_place.x IS 'abscissa in the plane';
-COMMENT ON COLUMN streetgen.former_place.y IS 'ordinate in the plane';
-COMMENT ON COLUMN streetgen.former_place.met IS 'did a corner follow a changed axis to there?';
+CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean);
+COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';
+COMMENT ON COLUMN streetgen.former_node.x IS 'abscissa in the plane';
+COMMENT ON COLUMN streetgen.former_node.y IS 'ordinate in the plane';
+COMMENT ON COLUMN streetgen.former_node.surface IS 'its intersection, MULTIPOLYGON, EWKB';
+COMMENT ON COLUMN streetgen.former_node.contested IS 'did part of the intersection''s ground belong to another surface?';

@@ -104,7 +104,7 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
     solved.method = Method::radius_reduced;
   }
   if (found && !near(*found)) {
-    double least = std::min(wish.radius_minimal, wish.radius);
+    double least = std::min(wish.radius_minimal, found->radius);
     solved.method = Method::radius_minimal;
     for (double high = found->radius; wish.by_hand && high - least > 1e-7;) {
       const double middle = (least + high) / 2;

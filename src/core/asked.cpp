@@ -1,101 +1,163 @@
 #include "asked.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
+#include "box_index.hpp"
+#include "near.hpp"
 #include "polyline.hpp"
 
 namespace streetgen {
 
 namespace {
 
-bool same(const Line& a, const Line& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; });
+// Metres between surfaces, no more than which may have been filled as a hole.
+constexpr double near_enough = 1;
+
+bool stays(const FormerLimit& before, const SectionLimit& now) {
+  return before.wanted_abscissa == now.wanted_abscissa && before.abscissa == now.abscissa &&
+         same(before.border_line, now.border_line);
 }
+
+// What a surface was that moved or is gone.
+struct GivenUp {
+  const FormerSurface* surface;
+  bool of_changed;  // of an axis that changed, or a node that it met
+};
 
 class Change {
  public:
   Change(const Layout& layout, const Former& former)
       : layout_(layout),
         edges_(layout.streets.network.edges),
+        nodes_(layout.streets.network.nodes),
         former_(former),
-        met_(layout.junctions.size()),
-        places_(layout.junctions.size()),
-        moved_{std::vector<bool>(edges_.size()), std::vector<bool>(layout.junctions.size())} {}
+        met_(nodes_.size()),
+        moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
+               std::vector<const FormerSurface*>(edges_.size()),
+               std::vector<const FormerSurface*>(nodes_.size())} {}
 
   Moved moved() {
     compare_edges();
-    for (const FormerPlace& place : former_.places)
-      mark_near(place.point, place.met ? met_ : places_);
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (layout_.axis_of(e).outer) continue;
-      for (const int node : {edges_[e].from_node, edges_[e].to_node})
-        if (met_[node] || follows_met(node)) moved_.edges[e] = moved_.nodes[node] = true;
-    }
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
+        moved_.nodes[n] = true;
+    compare_nodes();
     return moved_;
   }
 
-  // Nodes near which ground was given up.
-  const std::vector<bool>& places() const { return places_; }
+  const std::vector<GivenUp>& given_up() const { return given_up_; }
 
  private:
-  void mark_near(const Point& place, std::vector<bool>& nodes) const {
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-      if (distance(layout_.streets.network.nodes[n].point, place) <= 3 * layout_.settings.tolerance)
-        nodes[n] = true;
-  }
-
   // Met are the nodes at which an edge came, went or got another line; elsewhere limits moved.
   void compare_edges() {
     std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
     for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
+    std::unordered_set<std::int64_t> unchanged;
+    std::vector<const FormerEdge*> kept(edges_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Edge& edge = edges_[e];
-      if (layout_.axis_of(e).outer) continue;
-      auto& lines = former[edge.axis_id];
-      const auto kept = std::find_if(lines.begin(), lines.end(), [&](const FormerEdge* old) {
-        return same(old->line, edge.line);
-      });
-      if (kept == lines.end() || layout_.axis_of(e).changed) {
-        met_[edge.from_node] = met_[edge.to_node] = true;
-        continue;
+      const StreetAxis& axis = layout_.axis_of(e);
+      if (axis.outer) continue;
+      if (!axis.changed) {
+        unchanged.insert(axis.axis_id);
+        kept[e] = take(former[axis.axis_id], edges_[e].line);
       }
-      compare_limits(e, (*kept)->limits);
-      lines.erase(kept);
+      if (kept[e] == nullptr)
+        moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
     }
     for (const auto& [axis_id, gone] : former)
-      for (const FormerEdge* edge : gone)
-        for (const Point& end : {edge->line.front(), edge->line.back()}) mark_near(end, met_);
+      for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+      if (kept[e] != nullptr) compare(e, *kept[e]);
   }
 
-  void compare_limits(int e, const std::array<double, 4>& before) {
+  static const FormerEdge* take(std::vector<const FormerEdge*>& some, const Line& line) {
+    const auto found = std::find_if(some.begin(), some.end(),
+                                    [&](const FormerEdge* edge) { return same(edge->line, line); });
+    if (found == some.end()) return nullptr;
+    const FormerEdge* edge = *found;
+    some.erase(found);
+    return edge;
+  }
+
+  void give_up(const FormerEdge& edge, bool of_changed) {
+    given_up_.push_back({&edge.section, of_changed});
+    for (const Point& end : {edge.line.front(), edge.line.back()}) {
+      for (std::size_t n = 0; n < nodes_.size(); ++n)
+        if (distance(nodes_[n].point, end) <= 3 * layout_.settings.tolerance) met_[n] = true;
+      if (of_changed) ends_of_changed_.insert({end.x, end.y});
+    }
+  }
+
+  void compare(int e, const FormerEdge& before) {
+    const Edge& edge = edges_[e];
     const SectionLimit &start = layout_.streets.limits[2 * e],
                        &end = layout_.streets.limits[2 * e + 1];
-    const std::array<double, 4> now{start.wanted_abscissa, start.abscissa, end.wanted_abscissa,
-                                    end.abscissa};
-    if (before == now) return;
-    // Lanes of crossed limits end at the other one's.
-    const bool crossed = before[1] >= before[3] || limits_crossed(layout_.streets, e);
-    if (crossed || before[0] != now[0] || before[1] != now[1])
-      moved_.nodes[edges_[e].from_node] = true;
-    if (crossed || before[2] != now[2] || before[3] != now[3])
-      moved_.nodes[edges_[e].to_node] = true;
+    const bool same_start = stays(before.start, start), same_end = stays(before.end, end);
+    // Where another edge comes to a dead end, its round end goes.
+    const bool rounded =
+        layout_.settings.round_dead_ends && (met_[edge.from_node] || met_[edge.to_node]);
+    if (same_start && same_end && !rounded) {
+      moved_.sections[e] = &before.section;
+      return;
+    }
     moved_.edges[e] = true;
+    given_up_.push_back({&before.section, false});
+    // Lanes of crossed limits end at the other one's.
+    const bool crossed =
+        before.start.abscissa >= before.end.abscissa || limits_crossed(layout_.streets, e);
+    if (crossed || !same_start) moved_.nodes[edge.from_node] = true;
+    if (crossed || !same_end) moved_.nodes[edge.to_node] = true;
   }
 
   // A corner there looked at a node that is met.
-  bool follows_met(int node) const {
+  bool follows_met(std::size_t node) const {
     const auto& followed = layout_.junctions[node].followed;
     return std::any_of(followed.begin(), followed.end(), [&](int other) { return met_[other]; });
   }
 
+  void compare_nodes() {
+    std::map<std::pair<double, double>, std::size_t> at;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      at.insert({{nodes_[n].point.x, nodes_[n].point.y}, n});
+    for (const FormerNode& node : former_.nodes) {
+      const std::pair place{node.point.x, node.point.y};
+      const auto kept = at.find(place);
+      if (kept == at.end() || moved_.nodes[kept->second])
+        given_up_.push_back({&node.intersection, ends_of_changed_.count(place) > 0});
+      else
+        moved_.intersections[kept->second] = &node.intersection;
+    }
+  }
+
   const Layout& layout_;
   const std::vector<Edge>& edges_;
+  const std::vector<Node>& nodes_;
   const Former& former_;
-  std::vector<bool> met_, places_;
+  std::vector<bool> met_;
   Moved moved_;
+  std::vector<GivenUp> given_up_;
+  std::set<std::pair<double, double>> ends_of_changed_;
 };
+
+// Marks those whose surface lies by ground that was given up: they may get some of it, or close no
+// hole there any more.
+void ask_by(const std::vector<GivenUp>& given_up, const std::vector<const FormerSurface*>& surfaces,
+            std::vector<bool>& asked) {
+  std::vector<Box> boxes;
+  for (const FormerSurface* surface : surfaces)
+    boxes.push_back(surface == nullptr ? Box{} : box_of(surface->ground));
+  const BoxIndex index(boxes);
+  for (const auto& [ground, of_changed] : given_up)
+    for (const int i : index.near(box_of(ground->ground), near_enough))
+      if (!asked[i] && (of_changed || surfaces[i]->contested) &&
+          come_near(surfaces[i]->ground, ground->ground, near_enough))
+        asked[i] = true;
+}
 
 }  // namespace
 
@@ -105,10 +167,8 @@ Moved ask_around_changes(Layout& layout, const Former& former) {
   auto &edges = layout.streets.asked_edges, &nodes = layout.streets.asked_nodes;
   edges = moved.edges;
   nodes = moved.nodes;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (layout.axis_of(e).beside && !layout.axis_of(e).outer) edges[e] = true;
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    if (change.places()[n]) nodes[n] = true;
+  ask_by(change.given_up(), moved.sections, edges);
+  ask_by(change.given_up(), moved.intersections, nodes);
   return moved;
 }
 

@@ -7,13 +7,14 @@
 
 namespace streetgen {
 
-// By edge and node: whether the axes about it may give its surface another shape. What is asked
-// beyond these only meets ground that others give up.
+// By edge and node: those whose surface may get another shape from the axes about it. What is asked
+// beyond these only meets ground that others give up; its surface before the change is known.
 struct Moved {
   std::vector<bool> edges, nodes;
+  std::vector<const FormerSurface*> sections, intersections;  // nullptr: none, or it moved
 };
 
-// Marks the asked edges and nodes.
+// Marks the asked edges and nodes. `former` outlives what it gives.
 Moved ask_around_changes(Layout& layout, const Former& former);
 
 }  // namespace streetgen

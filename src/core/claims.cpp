@@ -31,7 +31,8 @@ Claim claim_of_section(const Layout& layout, int e) {
   claim.level = edge.level;
   claim.axis_id = edge.axis_id;
   claim.place = place_of(edge.start_abscissa) + 1;
-  if (start < end) claim.skeleton.push_back({&layout.arms[2 * e].line, start, end});
+  if (start < end)
+    claim.skeleton.push_back({&layout.arms[2 * e].line, start, end, edge.start_abscissa});
   add_axis(claim, layout, e);
   return claim;
 }
@@ -47,9 +48,11 @@ Claim claim_of_intersection(const Layout& layout, int node) {
     const Line& along = layout.arms[2 * end.edge].line;
     const double limit = layout.arm(end).limit, total = length(along);
     if (limit > 0)
-      claim.skeleton.push_back(
-          {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+      claim.skeleton.push_back({&along, end.at_start ? 0 : total - limit,
+                                end.at_start ? limit : total,
+                                layout.streets.network.edges[end.edge].start_abscissa});
     add_axis(claim, layout, end.edge);
+    claim.joins_levels |= layout.streets.network.edges[end.edge].level != claim.level;
   }
   return claim;
 }

@@ -47,16 +47,23 @@ double shared_border(const Ring& hole, const MultiPolygon& surface) {
   return shared;
 }
 
+using ClaimsOnEdge = std::unordered_map<int, std::vector<int>>;
+
+ClaimsOnEdge claims_on_edges(const std::vector<Claim>& claims) {
+  ClaimsOnEdge on_edge;
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i)
+    for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
+  return on_edge;
+}
+
 // Claims of one level joined by disputes, with those near a dispute that share an edge with its
 // claims: the ring of a small hole turns where two surfaces overlap.
-std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
-                                  const std::vector<std::pair<int, int>>& disputes) {
+void add_disputing(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
+                   const ClaimsOnEdge& on_edge, const std::vector<std::pair<int, int>>& disputes,
+                   std::vector<std::set<int>>& groups) {
   Groups joined(static_cast<int>(claims.size()));
   for (const auto& [i, j] : disputes)
     if (claims[i].level == claims[j].level) joined.join(i, j);
-  std::unordered_map<int, std::vector<int>> on_edge;
-  for (int i = 0; i < static_cast<int>(claims.size()); ++i)
-    for (const int edge : claims[i].edges) on_edge[edge].push_back(i);
   std::map<int, std::set<int>> by_name;
   for (const auto& [i, j] : disputes) {
     const Box place = boxes[i].shared_with(boxes[j]).grown(hole_extent);
@@ -64,14 +71,39 @@ std::vector<std::set<int>> groups(const std::vector<Claim>& claims, const std::v
       std::set<int>& group = by_name[joined.of(claim)];
       group.insert(claim);
       for (const int edge : claims[claim].edges)
-        for (const int neighbour : on_edge[edge])
+        for (const int neighbour : on_edge.at(edge))
           if (claims[neighbour].level == claims[claim].level && boxes[neighbour].meets(place, 0))
             group.insert(neighbour);
     }
   }
-  std::vector<std::set<int>> all;
-  for (auto& [of, group] : by_name) all.push_back(std::move(group));
-  return all;
+  for (auto& [of, group] : by_name) groups.push_back(std::move(group));
+}
+
+// What closes a ring with nothing in dispute: a claim that an edge leaves and comes back to, or two
+// with more than one edge between them, and all of their level on those edges.
+void add_rings(const std::vector<Claim>& claims, const ClaimsOnEdge& on_edge,
+               std::vector<std::set<int>>& groups) {
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
+    const auto add = [&](const std::vector<int>& edges) {
+      std::set<int> group;
+      for (const int edge : edges)
+        for (const int claim : on_edge.at(edge))
+          if (claims[claim].level == claims[i].level) group.insert(claim);
+      groups.push_back(std::move(group));
+    };
+    std::map<int, std::vector<int>> shared;  // edges, by the later claim at their other end
+    for (const int edge : claims[i].edges) {
+      const std::vector<int>& there = on_edge.at(edge);
+      if (std::count(there.begin(), there.end(), i) > 1) {
+        add({edge});
+        continue;
+      }
+      for (const int other : there)
+        if (other > i && claims[other].level == claims[i].level) shared[other].push_back(edge);
+    }
+    for (const auto& [other, edges] : shared)
+      if (edges.size() > 1) add(edges);
+  }
 }
 
 // Those of a group that a hole beside a wanted one may touch.
@@ -141,7 +173,11 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
              other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
     });
   };
-  for (const std::set<int>& whole : groups(claims, boxes, disputes)) {
+  const ClaimsOnEdge on_edge = claims_on_edges(claims);
+  std::vector<std::set<int>> groups;
+  add_disputing(claims, boxes, on_edge, disputes, groups);
+  add_rings(claims, on_edge, groups);
+  for (const std::set<int>& whole : groups) {
     poll_cancel();
     const std::vector<int> group = near_wanted(whole, claims, boxes);
     std::vector<const MultiPolygon*> surfaces;
@@ -164,6 +200,20 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
   return holes;
 }
 
+namespace {
+
+// Its vertices are those of the surface where they lie on one: a union may have moved them.
+Ring on_vertices(Ring ring, const MultiPolygon& surface) {
+  for (Point& p : ring)
+    for (const Polygon& polygon : surface)
+      for (const Ring& of_surface : polygon)
+        for (const Point& vertex : of_surface)
+          if (distance(p, vertex) <= touching) p = vertex;
+  return ring;
+}
+
+}  // namespace
+
 void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>& holes) {
   for (const Hole& hole : holes) {
     MultiPolygon* owner = nullptr;
@@ -175,7 +225,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
       owner = claims[i].surface;
     }
     if (owner == nullptr) continue;
-    *owner = geos.polygons(geos.unite({*owner, {{hole.ring}}}).get());
+    *owner = geos.polygons(geos.unite({*owner, {{on_vertices(hole.ring, *owner)}}}).get());
     fill_holes(*owner, least_hole);
   }
 }

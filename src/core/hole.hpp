@@ -22,8 +22,9 @@ struct Hole {
 constexpr double hole_extent = 20;
 
 // Holes under `max_area` square metres in the union of a level's surfaces. Only surfaces in a
-// dispute and those within `hole_extent` of it that share an edge with them are looked at: without
-// a dispute there is no such hole. Only holes beside a wanted claim are found.
+// dispute and those within `hole_extent` of it that share an edge with them are looked at, and
+// those on a loop or on two edges between the same nodes: elsewhere there is no such hole. Only
+// holes beside a wanted claim are found.
 std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area);
 

@@ -55,7 +55,7 @@ MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const
   Ring ring = right;
   ring.insert(ring.end(), left.rbegin(), left.rend());
   ring.push_back(ring.front());
-  if (convex(ring) || geos.valid(geos.polygon({ring}).get())) return {{ring}};
+  if (convex(ring) || geos.valid(MultiPolygon{{ring}})) return {{ring}};
   const std::vector<double> half(middle.size(), width / 2);
   return variable_buffer(middle, half);
 }

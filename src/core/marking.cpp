@@ -58,7 +58,7 @@ void append_band(Geos& geos, const Line& line, double half, MultiPolygon& out) {
   ring.insert(ring.end(), left.line.begin(), left.line.end());
   ring = closed(std::move(ring));
   if (ring.empty()) return;
-  if (middle.size() == 2 || (right.whole && left.whole && geos.valid(geos.polygon({ring}).get()))) {
+  if (middle.size() == 2 || (right.whole && left.whole && geos.valid(MultiPolygon{{ring}}))) {
     out.push_back({std::move(ring)});
     return;
   }
@@ -153,7 +153,7 @@ MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
     for (const Line& piece : cut(separator.line, dashes(total, dash, gap)))
       append_band(geos, piece, stripe / 2, surface);
   // Dashes of a line that comes back may lie on each other.
-  if (separator.line.size() > 2 && !geos.valid(geos.surface(surface).get()))
+  if (separator.line.size() > 2 && !geos.valid(surface))
     return geos.polygons(geos.unite({surface}).get());
   return surface;
 }

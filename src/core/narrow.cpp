@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <iterator>
+#include <map>
 
 #include "box_runs.hpp"
 #include "groups.hpp"
@@ -23,8 +23,8 @@ constexpr double largest_disc = 1000;  // metres, of its radius
 // A segment of a ring, the surface on its left.
 struct Side {
   Point from, to;
-  int surface;
-  std::vector<double> met{};  // shares of it where it meets other surfaces' sides
+  int surface, ring;
+  std::vector<double> met{};  // shares of it where it meets other rings' sides
 
   Point at(double share) const { return from + (to - from) * share; }
 };
@@ -33,8 +33,8 @@ struct Piece {
   Point from, to;
 };
 
-// Part of a ring between places where it meets other surfaces: all of it borders on the outside of
-// the union, or nothing.
+// Part of a ring between places where it meets other rings, be it of its own surface's other parts:
+// all of it borders on the outside of the union, or nothing.
 struct Run {
   int surface;
   std::vector<Piece> pieces;
@@ -64,7 +64,7 @@ void meet(Side& s, Side& t) {
 class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
-    std::vector<Box> boxes;
+    std::vector<Box> boxes, ring_boxes;
     std::size_t count = 0;
     for (const MultiPolygon* surface : surfaces)
       for (const Polygon& polygon : *surface)
@@ -75,19 +75,22 @@ class Borders {
       boxes_.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
         for (const Ring& ring : polygon) {
+          const int number = static_cast<int>(rings_.size());
           rings_.push_back(static_cast<int>(sides_.size()));
+          ring_boxes.emplace_back();
+          for (const Point& p : ring) ring_boxes.back().add(p);
           for (std::size_t i = 1; i < ring.size(); ++i) {
-            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k)});
+            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k), number});
             boxes.push_back(box_of(ring[i - 1], ring[i]));
           }
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    const BoxRuns near(boxes_);
+    const BoxRuns near(std::move(ring_boxes));
     std::vector<int> order, active;
     for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
       if (near.any_near(boxes[i], touching,
-                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].surface; }))
+                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].ring; }))
         order.push_back(i);
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
@@ -97,7 +100,7 @@ class Borders {
       for (const int j : active) {
         if (boxes[j].max_x < boxes[i].min_x - touching) continue;
         active[kept++] = j;
-        if (sides_[i].surface != sides_[j].surface && boxes[i].meets(boxes[j], touching))
+        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching))
           meet(sides_[i], sides_[j]);
       }
       active.resize(kept);

@@ -6,6 +6,7 @@
 #include "claims.hpp"
 #include "hole.hpp"
 #include "ownership.hpp"
+#include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "surfaces.hpp"
@@ -25,10 +26,12 @@ class Owners {
       : layout_(layout),
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
+        was_(moved.sections),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
         served_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
+    was_.insert(was_.end(), moved.intersections.begin(), moved.intersections.end());
     claims_.reserve(surfaces_.size());
     for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(layout, e));
     for (std::size_t n = 0; n < layout.junctions.size(); ++n)
@@ -40,6 +43,7 @@ class Owners {
     const std::vector<Hole> holes = build_what_matters();
     settle_ownership(geos_, claims_, disputes_);
     give_holes(geos_, claims_, holes);
+    leave_what_stays();
     give_rows();
   }
 
@@ -70,7 +74,7 @@ class Owners {
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
       needed[i] = true;
-      for (const int other : vicinity().rivals(i)) needed[other] = true;
+      for (const int other : vicinity().opponents(i)) needed[other] = true;
     }
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
@@ -117,11 +121,11 @@ class Owners {
   }
 
   // What claims the same ground as something that moved.
-  void ask_rivals() {
-    for (const auto& [i, j] : disputes_) {
-      if (moved_[i]) ask(j);
-      if (moved_[j]) ask(i);
-    }
+  void ask_opponents() {
+    const std::vector<std::vector<int>> all = opponents(claims_, disputes_);
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (moved_[i])
+        for (const int other : all[i]) ask(other);
   }
 
   bool ask_around(const std::vector<Hole>& holes) {
@@ -136,7 +140,7 @@ class Owners {
     for (;;) {
       build(needed_by_wanted());
       disputes_ = disputes(claims_);
-      ask_rivals();
+      ask_opponents();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
@@ -144,6 +148,15 @@ class Owners {
       vicinity_.reset();
       return holes;
     }
+  }
+
+  // What neither moved nor got or lost ground.
+  void leave_what_stays() {
+    auto& streets = layout_.streets;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (claims_[i].wanted && was_[i] != nullptr && same(was_[i]->ground, surfaces_[i].ground))
+        (i < edges_ ? streets.asked_edges : streets.asked_nodes)[i < edges_ ? i : i - edges_] =
+            false;
   }
 
   template <class Row>
@@ -178,6 +191,7 @@ class Owners {
   const int edges_;
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
+  std::vector<const FormerSurface*> was_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;

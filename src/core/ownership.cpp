@@ -74,38 +74,42 @@ class Settlement {
  public:
   Settlement(Geos& geos, const std::vector<Claim>& claims,
              const std::vector<std::pair<int, int>>& disputes)
-      : geos_(geos), claims_(claims), rivals_(claims.size()) {
+      : geos_(geos), claims_(claims), opponents_(streetgen::opponents(claims, disputes)) {
     for (const auto& [i, j] : disputes) {
-      rivals_[i].push_back(j);
-      rivals_[j].push_back(i);
       rivalries_[{i, j}];
       for (const int k : {i, j}) grounds_.try_emplace(k, *claims[k].surface);
     }
-    for (auto& of_claim : rivals_) std::sort(of_claim.begin(), of_claim.end());
   }
 
-  bool disputed(int claim) const { return !rivals_[claim].empty(); }
+  bool disputed(int claim) const { return !opponents_[claim].empty(); }
 
-  // The claim's ground, its rivals' and the borders against them make faces, each of which has one
-  // owner: the same faces whatever else is settled.
+  // The claim's ground, its opponents' and the borders against them make faces, each of which has
+  // one owner: the same faces whatever else is settled.
   MultiPolygon ground_of(int claim) {
     poll_cancel();
     const MultiPolygon& surface = *claims_[claim].surface;
     const Ground& ground = grounds_.at(claim);
     std::vector<Line> lines;
     append_near(surface, ground, lines);
-    for (const int rival : rivals_[claim]) append_near(*claims_[rival].surface, ground, lines);
+    for (const int other : opponents_[claim]) append_near(*claims_[other].surface, ground, lines);
     const auto append_border = [&](int i, int j) {
       for (const Line& line : rivalry(i, j).border())
         if (ground.comes_near(line.front(), line.back())) lines.push_back(line);
     };
-    for (const int rival : rivals_[claim])
-      append_border(std::min(claim, rival), std::max(claim, rival));
+    const bool levels_meet =
+        std::any_of(opponents_[claim].begin(), opponents_[claim].end(),
+                    [&](int other) { return claims_[other].level != claims_[claim].level; });
+    std::vector<int> all = opponents_[claim];
+    all.insert(std::lower_bound(all.begin(), all.end(), claim), claim);
+    each_pair(all, [&](int i, int j) {
+      if (levels_meet || i == claim || j == claim) append_border(i, j);
+    });
     std::optional<Arrangement> faces(lines);
     std::vector<Contest> contests = contests_in(claim, *faces);
-    // Where lost ground may come back, it depends on the borders between rivals too.
+    // Where lost ground may come back, it depends on the borders between opponents too.
     std::set<std::pair<int, int>> further;
     for (const Contest& contest : contests) {
+      if (levels_meet) break;
       if (!contest.beaten(claim) || !contest.won(claim)) continue;
       each_pair(contest.parties, [&](int i, int j) {
         if (i != claim && j != claim) further.emplace(i, j);
@@ -147,14 +151,30 @@ class Settlement {
     return *slot;
   }
 
+  struct Duel {
+    int winner, loser;
+    bool crossed;
+  };
+
   // Those that hold a place, ascending, and how they fare there against each other.
   struct Contest {
     std::vector<int> parties;
-    std::vector<int> losers, winners_of_crossings;
-    bool beaten(int claim) const { return has(losers, claim); }
-    bool won(int claim) const { return has(winners_of_crossings, claim); }
-    static bool has(const std::vector<int>& some, int claim) {
-      return std::find(some.begin(), some.end(), claim) != some.end();
+    std::vector<Duel> duels;
+
+    bool beaten(int claim) const {
+      return std::any_of(duels.begin(), duels.end(),
+                         [&](const Duel& d) { return d.loser == claim; });
+    }
+    bool won(int claim) const {
+      return std::any_of(duels.begin(), duels.end(),
+                         [&](const Duel& d) { return d.crossed && d.winner == claim; });
+    }
+    void leave(int claim) {
+      parties.erase(std::find(parties.begin(), parties.end(), claim));
+      duels.erase(
+          std::remove_if(duels.begin(), duels.end(),
+                         [&](const Duel& d) { return d.winner == claim || d.loser == claim; }),
+          duels.end());
     }
   };
 
@@ -167,41 +187,48 @@ class Settlement {
     return contests;
   }
 
-  // Of the claim's level, and whatever of another level takes the place from it.
   Contest contest_at(int claim, const Point& place) {
     Contest contest;
     contest.parties.push_back(claim);
-    for (const int rival : rivals_[claim]) {
-      if (!grounds_.at(rival).holds(place)) continue;
-      const auto [i, j] = std::minmax(claim, rival);
-      const bool peer = claims_[rival].level == claims_[claim].level;
-      if (peer || rivalry(i, j).first_owns(place) == (i == rival)) contest.parties.push_back(rival);
-    }
+    for (const int other : opponents_[claim])
+      if (grounds_.at(other).holds(place)) contest.parties.push_back(other);
     std::sort(contest.parties.begin(), contest.parties.end());
     each_pair(contest.parties, [&](int i, int j) {
       const Rivalry& between = rivalry(i, j);
       const bool first = between.first_owns(place);
-      contest.losers.push_back(first ? j : i);
-      if (between.crossed()) contest.winners_of_crossings.push_back(first ? i : j);
+      contest.duels.push_back({first ? i : j, first ? j : i, between.crossed()});
     });
     return contest;
   }
 
-  // Who loses to nobody owns the place. A crossing goes by rank, all else by distance: where each
-  // loses to another, the first winner of a crossing, or the first.
-  bool owns(int claim, const Contest& contest) const {
-    const auto& parties = contest.parties;
-    const auto beaten = [&](int party) { return contest.beaten(party); };
-    if (!std::all_of(parties.begin(), parties.end(), beaten)) return !beaten(claim);
-    return claim == *std::min_element(parties.begin(), parties.end(), [&](int i, int j) {
-             return contest.won(i) != contest.won(j) ? contest.won(i)
-                                                     : before(claims_[i], claims_[j]);
-           });
+  // Who loses to nobody owns the place, and those that it beats leave. A crossing goes by rank, all
+  // else by distance: where each loses to another, the first winner of a crossing, or the first.
+  bool owns(int claim, Contest contest) const {
+    for (;;) {
+      const auto& parties = contest.parties;
+      const auto unbeaten = std::find_if(parties.begin(), parties.end(),
+                                         [&](int party) { return !contest.beaten(party); });
+      const int owner = unbeaten != parties.end()
+                            ? *unbeaten
+                            : *std::min_element(parties.begin(), parties.end(), [&](int i, int j) {
+                                return contest.won(i) != contest.won(j)
+                                           ? contest.won(i)
+                                           : before(claims_[i], claims_[j]);
+                              });
+      if (owner == claim) return true;
+      for (const Duel& d : std::vector<Duel>(contest.duels)) {
+        if (d.winner != owner && d.loser != owner) continue;
+        const int other = d.winner == owner ? d.loser : d.winner;
+        if (other == claim) return false;
+        contest.leave(other);
+      }
+      contest.leave(owner);
+    }
   }
 
   Geos& geos_;
   const std::vector<Claim>& claims_;
-  std::vector<std::vector<int>> rivals_;
+  std::vector<std::vector<int>> opponents_;
   std::map<int, Ground> grounds_;
   std::map<std::pair<int, int>, std::unique_ptr<Rivalry>> rivalries_;
 };
@@ -222,6 +249,27 @@ std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
     if (overlap(grounds[pair.first], grounds[pair.second])) pairs.push_back(pair);
   }
   return pairs;
+}
+
+std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
+                                        const std::vector<std::pair<int, int>>& disputes) {
+  std::vector<std::vector<int>> rivals(claims.size());
+  for (const auto& [i, j] : disputes) {
+    rivals[i].push_back(j);
+    rivals[j].push_back(i);
+  }
+  std::vector<std::vector<int>> opponents = rivals;
+  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
+    auto& all = opponents[i];
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (const int next : rivals[all[k]])
+        if (claims[next].level != claims[i].level &&
+            std::find(all.begin(), all.end(), next) == all.end() &&
+            box_of(*claims[next].surface).meets(box_of(*claims[i].surface), 0))
+          all.push_back(next);
+    std::sort(all.begin(), all.end());
+  }
+  return opponents;
 }
 
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,

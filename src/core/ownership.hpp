@@ -14,6 +14,7 @@ namespace streetgen {
 struct Stretch {
   const Line* line = nullptr;
   double from = 0, to = 0;  // metres along it
+  double abscissa = 0;      // of its first point on the axis
 };
 
 // A surface that may claim ground.
@@ -26,6 +27,7 @@ struct Claim {
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t place = 0;         // distinct within one axis_id, to break ties
   std::vector<int> edges;         // that the surface covers or ends on
+  bool joins_levels = false;      // its edges lie on several
   bool wanted = true;             // its ground is to be settled, not only that of others against it
   double contested_area = 0;      // out: square metres left to others
 };
@@ -35,6 +37,11 @@ bool tile(const Claim& a, const Claim& b);
 
 // The pairs of claims that overlap and should tile.
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims);
+
+// Of each claim, those that decide about its ground, ascending: those that it has a dispute with,
+// and of other levels those that dispute with these.
+std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
+                                        const std::vector<std::pair<int, int>>& disputes);
 
 // Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
 // axes cross, to the more important (then the wider, then the smaller axis_id). Pairs are judged on

@@ -1,6 +1,7 @@
 // Planar measures of one polyline.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -25,6 +26,14 @@ inline Point unit(const Point& a) {
 }
 // A quarter turn counter-clockwise.
 inline Point left_normal(const Point& a) { return {-a.y, a.x, 0}; }
+
+// Point by point, of lines, rings and surfaces.
+inline bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
+template <class Part>
+bool same(const std::vector<Part>& a, const std::vector<Part>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Part& p, const Part& q) { return same(p, q); });
+}
 
 double length(const Line& line);
 Line reversed(Line line);

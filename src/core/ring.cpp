@@ -215,16 +215,25 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
   return last;
 }
 
+// Whether one goes on from the other nearly straight.
+bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
+  constexpr double widest_bend = 20 * M_PI / 180;
+  double angle = 0;
+  for (std::size_t i = from; i != to; i = (i + 1) % gaps.size()) angle += gaps[i].angle;
+  return std::abs(angle - M_PI) < widest_bend;
+}
+
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
-// the flat end of an arm reaches past its neighbours' axes, their kerbs hold.
-bool covers(const Polygon& polygon, const std::vector<Arm>& arms) {
+// the flat end of an arm reaches past its neighbours' axes, their kerbs hold, but beside an arm
+// that goes on from it.
+bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const MultiPolygon surface{polygon};
   const Ground ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {
     if (ground.holds(p)) return true;
-    const std::size_t at = sector(arms, p);
-    return at != arm && (at + 1) % arms.size() != arm;
+    const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
+    return at != arm && next != arm && !goes_on(gaps, arm, at) && !goes_on(gaps, arm, next);
   };
   const auto kerbs_at = [](const Arm& arm, double abscissa) {
     const Line border = border_across(arm, abscissa);
@@ -332,7 +341,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
-  if (simple(geos, outline) && covers({outline.ring}, arms)) {
+  if (simple(geos, outline) && covers({outline.ring}, arms, gaps)) {
     if (parts.empty()) return {{{outline.ring}}, false};
     parts.push_back({{outline.ring}});
     return {whole(parts), false};

@@ -8,6 +8,7 @@
 #include "box_runs.hpp"
 #include "nearest.hpp"
 #include "polyline.hpp"
+#include "ring.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -62,12 +63,16 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
-// Every metre of the edge, whatever part of it the stretch is: an edit at one end of an edge
-// moves no border at the other.
+// Every metre of the axis, wherever it is cut and whatever part of it the stretch is: an edit at
+// one end moves no border at the other. Both ends of an edge, too.
 std::vector<double> sample_places(const Stretch& stretch, double total) {
   std::vector<double> places;
-  for (double k = std::ceil(stretch.from / sample_spacing); k * sample_spacing <= stretch.to; ++k)
-    places.push_back(k * sample_spacing);
+  if (stretch.from <= 0) places.push_back(0);
+  for (double k = std::ceil((stretch.abscissa + stretch.from) / sample_spacing);; ++k) {
+    const double at = k * sample_spacing - stretch.abscissa;
+    if (at > stretch.to || at > total - same_place) break;
+    if (at > same_place) places.push_back(at);
+  }
   if (stretch.to >= total) places.push_back(total);
   if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
   return places;
@@ -138,7 +143,7 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   if (crossed_) return;
   // Border there is on the ground of both.
   for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
-    within = ground->box_within(within);
+    if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
   sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);

@@ -114,11 +114,14 @@ const std::vector<int>& Vicinity::touching(int claim) {
   return *found;
 }
 
-std::vector<int> Vicinity::rivals(int claim) {
-  std::vector<int> rivals;
-  for (const int other : touching(claim))
-    if (tile(claims_[claim], claims_[other])) rivals.push_back(other);
-  return rivals;
+std::vector<int> Vicinity::opponents(int claim) {
+  const std::vector<int>& all = touching(claim);
+  const auto joins_levels = [&](int i) { return claims_[i].joins_levels; };
+  if (joins_levels(claim) || std::any_of(all.begin(), all.end(), joins_levels)) return all;
+  std::vector<int> opponents;
+  for (const int other : all)
+    if (tile(claims_[claim], claims_[other])) opponents.push_back(other);
+  return opponents;
 }
 
 // What meets the others about the claim by way of one of its neighbours alone closes no ring.

@@ -32,8 +32,8 @@ class Vicinity {
   // extents[i] is that of claims[i]; the claims outlive the vicinity.
   Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims);
 
-  // Those that may share ground with the claim and tile with it.
-  std::vector<int> rivals(int claim);
+  // Those that may share ground with the claim and tile with it, or with one that does.
+  std::vector<int> opponents(int claim);
   // Those that may close a ring around a hole beside the claim, within `hole_extent` of it; none
   // where all near it are known.
   std::vector<int> enclosing(int claim, const std::vector<bool>& known);

@@ -129,7 +129,6 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column_or_null(axes, "turn_forward", TEXTOID),
                 column_or_null(axes, "turn_backward", TEXTOID),
                 column(axes, "changed", BOOLOID),
-                column(axes, "beside", BOOLOID),
                 column(axes, "outer_axis", BOOLOID)};
 
   const Rows transitions = rows(fcinfo, 3, "transitions");
@@ -173,12 +172,16 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "geom", BYTEAOID),
                         column(edges, "wanted_start", FLOAT8OID),
                         column(edges, "start", FLOAT8OID),
+                        column(edges, "border_start", BYTEAOID),
                         column(edges, "wanted_end", FLOAT8OID),
-                        column(edges, "end", FLOAT8OID)};
+                        column(edges, "end", FLOAT8OID),
+                        column(edges, "border_end", BYTEAOID),
+                        column(edges, "surface", BYTEAOID),
+                        column(edges, "contested", BOOLOID)};
 
-  const Rows places = rows(fcinfo, 9, "former places");
-  call->former_places = {places.count, column(places, "x", FLOAT8OID),
-                         column(places, "y", FLOAT8OID), column(places, "met", BOOLOID)};
+  const Rows nodes = rows(fcinfo, 9, "former nodes");
+  call->former_nodes = {nodes.count, column(nodes, "x", FLOAT8OID), column(nodes, "y", FLOAT8OID),
+                        column(nodes, "surface", BYTEAOID), column(nodes, "contested", BOOLOID)};
 }
 
 }  // namespace streetgen::pg

@@ -22,7 +22,7 @@ struct StreetsCall {
     Column axis_id, geom, level, width, width_end, radius, importance, speed;
     Column lanes_forward, lanes_backward, kind_forward, kind_backward;
     Column lane_width_forward, lane_width_backward, turn_forward, turn_backward;
-    Column changed, beside, outer_axis;
+    Column changed, outer_axis;
   } axes;
   struct {
     int count;
@@ -46,12 +46,13 @@ struct StreetsCall {
   } restrictions;
   struct {
     int count;
-    Column axis_id, geom, wanted_start, start, wanted_end, end;
+    Column axis_id, geom, wanted_start, start, border_start, wanted_end, end, border_end;
+    Column surface, contested;
   } former_edges;
   struct {
     int count;
-    Column x, y, met;
-  } former_places;
+    Column x, y, surface, contested;
+  } former_nodes;
 };
 
 // Raises where a row lacks a value that it needs.

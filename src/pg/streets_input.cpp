@@ -81,7 +81,6 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.level = DatumGetInt32(rows.level.values[i]);
     axis.speed = measure(rows.speed, 0, 1000, "speed");
     axis.changed = DatumGetBool(rows.changed.values[i]);
-    axis.beside = DatumGetBool(rows.beside.values[i]);
     axis.outer = DatumGetBool(rows.outer_axis.values[i]);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
@@ -258,19 +257,29 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
   return settings;
 }
 
+FormerSurface former_surface(const Column& surface, const Column& contested, int row) {
+  return {read_surface(bytes_of(surface.values[row]), "a former surface"),
+          DatumGetBool(contested.values[row])};
+}
+
 Former former_of(const StreetsCall& call) {
   Former former;
   const auto& edges = call.former_edges;
-  for (int i = 0; i < edges.count; ++i)
-    former.edges.push_back(
-        {DatumGetInt64(edges.axis_id.values[i]),
-         read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
-         {DatumGetFloat8(edges.wanted_start.values[i]), DatumGetFloat8(edges.start.values[i]),
-          DatumGetFloat8(edges.wanted_end.values[i]), DatumGetFloat8(edges.end.values[i])}});
-  const auto& places = call.former_places;
-  for (int i = 0; i < places.count; ++i)
-    former.places.push_back(
-        {place_of(places.x, places.y, i, "a former place"), DatumGetBool(places.met.values[i])});
+  for (int i = 0; i < edges.count; ++i) {
+    const auto limit = [&](const Column& wanted, const Column& abscissa, const Column& border) {
+      return FormerLimit{DatumGetFloat8(wanted.values[i]), DatumGetFloat8(abscissa.values[i]),
+                         read_line(bytes_of(border.values[i]), "a former border line").line};
+    };
+    former.edges.push_back({DatumGetInt64(edges.axis_id.values[i]),
+                            read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
+                            limit(edges.wanted_start, edges.start, edges.border_start),
+                            limit(edges.wanted_end, edges.end, edges.border_end),
+                            former_surface(edges.surface, edges.contested, i)});
+  }
+  const auto& nodes = call.former_nodes;
+  for (int i = 0; i < nodes.count; ++i)
+    former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
+                            former_surface(nodes.surface, nodes.contested, i)});
   return former;
 }
 

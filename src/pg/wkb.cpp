@@ -168,6 +168,31 @@ ReadLine read_line(std::string_view wkb, const std::string& what) {
   return read;
 }
 
+MultiPolygon read_surface(std::string_view wkb, const std::string& what) {
+  Reader reader(wkb, what);
+  const Head head = read_head(reader);
+  if (head.type != multi_polygon_type)
+    reader.refuse(std::string("is a ") + type_name(head.type) + ", expected a MULTIPOLYGON");
+  const auto count = [&](std::size_t least_bytes) {
+    const auto parts = reader.take<std::uint32_t>();
+    if (parts > reader.left() / least_bytes) reader.refuse("is cut off");
+    return parts;
+  };
+  MultiPolygon surface(count(9));
+  for (Polygon& polygon : surface) {
+    read_head(reader);
+    polygon.resize(count(4));
+    if (polygon.empty()) reader.refuse("has an empty part");
+    for (Ring& ring : polygon) {
+      ring.resize(count(16));
+      if (ring.size() < 4) reader.refuse("has a ring of less than four points");
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        ring[i] = read_vertex(reader, head.has_z, static_cast<std::uint32_t>(i) + 1);
+    }
+  }
+  return surface;
+}
+
 std::string write_point(const Point& point, Form form) {
   Writer writer(point_type, form);
   writer.put(point);

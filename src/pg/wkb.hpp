@@ -26,6 +26,9 @@ struct ReadPoint {
 // A POINT that is not empty, refused as a line is.
 ReadPoint read_point(std::string_view wkb, const std::string& what);
 
+// A MULTIPOLYGON in the plane, refused as a line is.
+MultiPolygon read_surface(std::string_view wkb, const std::string& what);
+
 struct Form {
   int srid = 0;
   bool has_z = false;

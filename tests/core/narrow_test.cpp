@@ -56,6 +56,18 @@ TEST(Narrow, SurfacesThatShareABorderLeaveNone) {
                   .empty());
 }
 
+// The two parts of the first surface touch at (10, 10), where a hole against the second one ends.
+TEST(Narrow, AHoleMayEndWhereASurfaceTouchesItself) {
+  MultiPolygon parts = rectangle(0, 0, 10, 10);
+  parts.push_back(rectangle(10, 10, 10, 10)[0]);
+  const MultiPolygon beside{
+      {{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10.5, 10, 0}, {10, 9.5, 0}, {10, 0, 0}}}};
+  const std::vector<MultiPolygon> surfaces{parts, beside};
+  const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_TRUE(places[0].holds({10, 10, 0}, 1e-9));
+}
+
 TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(0, 40), turn(0, M_PI), long_side(10, 40),

@@ -7,6 +7,7 @@
 
 #include "../../src/core/geos.hpp"
 #include "../../src/core/hole.hpp"
+#include "../../src/core/overlap.hpp"
 #include "../../src/core/polyline.hpp"
 #include "streetgen/surface.hpp"
 
@@ -60,6 +61,42 @@ TEST(Ownership, EveryPointKeepsOneOwner) {
   }
 }
 
+// Streets of two levels, some of which also tile with one of the other.
+TEST(Ownership, WhereLevelsMeetAPlaceIsOwnedOnceByWhatTiles) {
+  Geos geos;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto place = [&] { return Point{random() % 400 / 10.0, random() % 400 / 10.0, 0}; };
+    Town town;
+    while (town.claims.size() < 7) {
+      const Point a = place(), b = place();
+      if (distance(a, b) < 1) continue;
+      town.add({a, b}, 4 + random() % 100 / 10.0);
+      Claim& claim = town.claims.back();
+      claim.level = static_cast<int>(random() % 2);
+      claim.importance = static_cast<int>(random() % 3);
+      claim.edges.push_back(static_cast<int>(random() % 7));
+    }
+    const std::vector<MultiPolygon> before = town.grounds();
+    settle_ownership(geos, town.claims, disputes(town.claims));
+    for (int k = 0; k < 400; ++k) {
+      const Point at = place() + Point{0.0317, 0.0271, 0};
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!Ground(before[i]).holds(at)) continue;
+        int others = 0;
+        for (std::size_t j = 0; j < before.size(); ++j)
+          others += j != i && tile(town.claims[i], town.claims[j]) &&
+                    Ground(*town.claims[j].surface).holds(at);
+        // Others may both own it where they do not tile with each other.
+        if (Ground(*town.claims[i].surface).holds(at))
+          EXPECT_EQ(others, 0) << "seed " << seed;
+        else
+          EXPECT_GT(others, 0) << "seed " << seed;
+      }
+    }
+  }
+}
+
 // Four streets about a gap of 0.5 m by 0.4 m, each overlapping the next.
 TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
   Geos geos;
@@ -80,6 +117,25 @@ TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
   EXPECT_NEAR(united_area(geos, town), ground + 0.2, 1e-6);
   EXPECT_NEAR(summed_area(town), ground + 0.2, 1e-6);
   EXPECT_NEAR(area(town.surfaces.front()), first + 0.2, 1e-6);
+}
+
+// The union that finds a hole may move its corners by the noise of coordinates.
+TEST(Holes, LeaveNoHairlineAroundWhatWasFilled) {
+  Geos geos;
+  MultiPolygon frame{{{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 0}},
+                      {{5, 5, 0}, {5, 5.5, 0}, {5.5, 5.5, 0}, {5.5, 5, 0}, {5, 5, 0}}}};
+  Claim claim;
+  claim.surface = &frame;
+  std::vector<Claim> claims{claim};
+  const Ring moved{{5, 5, 0},
+                   {5.5 - 2e-7, 5 + 3e-7, 0},
+                   {5.5 - 3e-7, 5.5 - 2e-7, 0},
+                   {5 + 2e-7, 5.5 - 3e-7, 0},
+                   {5, 5, 0}};
+  give_holes(geos, claims, {{moved, {0}}});
+  ASSERT_EQ(frame.size(), 1u);
+  EXPECT_EQ(frame[0].size(), 1u);
+  EXPECT_NEAR(area(frame), 100, 1e-9);
 }
 
 }  // namespace

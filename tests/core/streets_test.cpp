@@ -185,6 +185,24 @@ TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   EXPECT_NEAR(distance(*b->centre, {10, 10, 0}), 0, 1e-9);
 }
 
+// Two straight axes of 112 m, 4.5 degrees apart: their kerbs part within the last metres.
+TEST(Streets, AFarCornerTakesNoMoreThanFits) {
+  constexpr double angle = 4.506 * M_PI / 180, size = 112, half_a = 7, half_b = 1.75;
+  const double fits =
+      (size * std::sin(angle) - half_a - half_b * std::cos(angle)) / (1 + std::cos(angle));
+  ASSERT_GT(fits, 0.01);
+  ASSERT_LT(fits, StreetSettings{}.radius_minimal);
+  const Streets town = streets(
+      {{1, {{0, 0, 0}, {size, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3},
+       {2, {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}}, 0, 3.5, 3.5, 6, 3},
+       {3, {{0, 0, 0}, {-100, 0, 0}}, 0, 2 * half_a, 2 * half_a, 6, 3}},
+      {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_NE(corner, nullptr);
+  EXPECT_EQ(corner->method, Method::radius_minimal);
+  EXPECT_NEAR(corner->radius, fits, 1e-6);
+}
+
 TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   StreetSettings settings;
   settings.reach = 2;
@@ -193,6 +211,26 @@ TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
   wider[0].line = {{0, 0, 0}, {3, 0, 0}};
   wider.push_back({4, {{3, 0, 0}, {100, 0, 0}}, 0, 12, 12, 5, 3});
   EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
+}
+
+// Two streets bowed away from each other between the same nodes: nothing overlaps, and the lens
+// between their kerbs holds a circle of 0.3 m at most.
+TEST(Streets, AnIslandOfATinyBlockIsRoadway) {
+  constexpr double half = 2, inner = 0.3;
+  const double bow = 10 * (half + inner) / std::sqrt(100 - (half + inner) * (half + inner));
+  const Streets town = streets({{1, {{0, 0, 0}, {10, bow, 0}, {20, 0, 0}}, 0, 4, 4, 3, 3},
+                                {2, {{0, 0, 0}, {10, -bow, 0}, {20, 0, 0}}, 0, 4, 4, 3, 3},
+                                {3, {{-50, 0, 0}, {0, 0, 0}}, 0, 4, 4, 3, 3},
+                                {4, {{20, 0, 0}, {70, 0, 0}}, 0, 4, 4, 3, 3}},
+                               {});
+  std::vector<MultiPolygon> surfaces;
+  for (const Section& section : town.sections) surfaces.push_back(section.surface);
+  for (const Intersection& intersection : town.intersections)
+    surfaces.push_back(intersection.surface);
+  Geos geos;
+  const MultiPolygon roadway = geos.polygons(geos.unite(surfaces).get());
+  ASSERT_EQ(roadway.size(), 1u);
+  EXPECT_EQ(roadway[0].size(), 1u);
 }
 
 // Bent to either side: the corner inside the bend, or both where it is slight, would take an arc.
@@ -334,35 +372,39 @@ TEST(Streets, DoesNotDependOnTheOrderOfTheAxes) {
     EXPECT_EQ(area(first.sections[i].surface), area(second.sections[i].surface));
 }
 
-Former former_of(const Streets& before) {
-  Former former;
-  for (std::size_t e = 0; e < before.network.edges.size(); ++e) {
-    const SectionLimit &start = before.limits[2 * e], &end = before.limits[2 * e + 1];
-    former.edges.push_back(
-        {before.network.edges[e].axis_id,
-         before.network.edges[e].line,
-         {start.wanted_abscissa, start.abscissa, end.wanted_abscissa, end.abscissa}});
-  }
-  return former;
+// Its first street shares ground with the second; the third cuts the first, far from there.
+TEST(Streets, ACutFarOffMovesNoBorder) {
+  const std::vector<StreetAxis> two = {{1, {{0, 0, 0}, {318.73, 88.9, 0}}, 0, 8, 8, 4, 3},
+                                       {2, {{320, 90, 0}, {230, 80, 0}}, 0, 7, 7, 4, 3}};
+  std::vector<StreetAxis> three = two;
+  three.push_back({3, {{140, 6, 0}, {138, 104, 0}}, 0, 7, 7, 4, 3});
+  StreetSettings split;
+  split.crossing = Crossing::split;
+  const Streets whole = streets(two, split), cut = streets(three, split);
+  const MultiPolygon &first = whole.sections[0].surface, &second = cut.sections[2].surface;
+  ASSERT_EQ(cut.network.edges[cut.sections[2].edge].axis_id, 2);
+  EXPECT_GT(whole.sections[0].contested_area, 10);
+  // Ground is shared out on a grid of a tenth of a micrometre, here along 200 m of border.
+  EXPECT_LT(shared_area(first, second), 2e-5);
+  EXPECT_NEAR(area(second), area(whole.sections[1].surface), 2e-5);
 }
 
-// Surfaces about one axis, built from what may matter to them, against those of the whole town.
-TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    std::vector<StreetAxis> axes = random_town(seed, 24);
-    const Streets whole = streets(axes, {});
-    std::size_t compared = 0;
-    for (std::int64_t edited = 1; edited <= 6; ++edited) {
-      for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
-      const Streets part = streets(axes, {}, {}, former_of(whole));
-      for (const Section& section : part.sections) {
-        EXPECT_EQ(area(section.surface), area(whole.sections[section.edge].surface))
-            << "seed " << seed << ", axis " << edited << ", edge " << section.edge;
-        ++compared;
-      }
-    }
-    EXPECT_GE(compared, 6u);
-  }
+FormerLimit former_of(const SectionLimit& limit) {
+  return {limit.wanted_abscissa, limit.abscissa, limit.border_line};
+}
+
+Former former_of(const Streets& before) {
+  Former former;
+  for (const Section& section : before.sections)
+    former.edges.push_back({before.network.edges[section.edge].axis_id,
+                            before.network.edges[section.edge].line,
+                            former_of(before.limits[2 * section.edge]),
+                            former_of(before.limits[2 * section.edge + 1]),
+                            {section.surface, section.contested_area > 0}});
+  for (const Intersection& intersection : before.intersections)
+    former.nodes.push_back({before.network.nodes[intersection.node].point,
+                            {intersection.surface, intersection.contested_area > 0}});
+  return former;
 }
 
 // Areas of surfaces, by edge and by node.
@@ -375,6 +417,31 @@ struct Areas {
   }
   std::vector<double> sections, intersections;
 };
+
+// Surfaces about one axis, built from what may matter to them, against those of the whole town.
+TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::vector<StreetAxis> axes = random_town(seed, 24);
+    const Streets whole = streets(axes, {});
+    const Areas areas(whole);
+    std::size_t compared = 0;
+    for (std::int64_t edited = 1; edited <= 6; ++edited) {
+      for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
+      const Streets part = streets(axes, {}, {}, former_of(whole));
+      for (const Section& section : part.sections) {
+        EXPECT_EQ(area(section.surface), areas.sections[section.edge])
+            << "seed " << seed << ", axis " << edited << ", edge " << section.edge;
+        ++compared;
+      }
+      for (const Intersection& intersection : part.intersections) {
+        EXPECT_EQ(area(intersection.surface), areas.intersections[intersection.node])
+            << "seed " << seed << ", axis " << edited << ", node " << intersection.node;
+        ++compared;
+      }
+    }
+    EXPECT_GE(compared, 12u);
+  }
+}
 
 // A wider axis takes ground: what is asked comes out as in the whole town, and nothing else is
 // another there.
@@ -412,6 +479,31 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   }
   EXPECT_GT(asked, 500u);
   EXPECT_GT(left, asked);
+}
+
+// An axis that is said to have changed, and did not: of its neighbours, whose surfaces stay what
+// they were, none comes out.
+TEST(Streets, LeaveOutWhatStaysWhatItWas) {
+  std::size_t out = 0, met = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::vector<StreetAxis> axes = random_town(seed, 40);
+    const Streets whole = streets(axes, {});
+    const auto& edges = whole.network.edges;
+    for (std::int64_t edited = 1; edited <= 10; ++edited) {
+      for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
+      const Streets part = streets(axes, {}, {}, former_of(whole));
+      std::vector<bool> at(whole.network.nodes.size());
+      for (const Edge& edge : edges)
+        if (edge.axis_id == edited) at[edge.from_node] = at[edge.to_node] = true;
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        EXPECT_EQ(part.asked_edges[e], edges[e].axis_id == edited)
+            << "seed " << seed << ", axis " << edited << ", edge " << e;
+        out += part.asked_edges[e];
+        met += at[edges[e].from_node] || at[edges[e].to_node];
+      }
+    }
+  }
+  EXPECT_GT(met, out);
 }
 
 }  // namespace

@@ -140,6 +140,20 @@ TEST(IntersectionSurface, OfAForkIsAsSymmetricAsItsAxes) {
   }
 }
 
+// A wide street goes straight on, and a narrow one leaves it so slightly that its corner with the
+// far half would be on the wide one's roadway.
+TEST(IntersectionSurface, HoldsAStreetThatGoesStraightOnBesideOneThatLeaves) {
+  constexpr double half = 6, degree = M_PI / 180;
+  for (const int side : {+1, -1}) {
+    const MultiPolygon surface = intersection_surface(
+        {ray(0, 60), ray(side * 190 * degree, 60), ray(side * 32 * degree, 60)},
+        {2 * half, 2 * half, 3.5}, {6, 6, 6});
+    for (double abscissa = 0.05; abscissa < 10; abscissa += 0.1)
+      for (double across = -half + 0.01; across < half; across += 0.1)
+        EXPECT_TRUE(inside({abscissa, across, 0}, surface.front())) << abscissa << ' ' << across;
+  }
+}
+
 TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
   for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
     Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);

@@ -97,16 +97,18 @@ Extent from_to(double min_x, double min_y, double max_x, double max_y) {
   return extent;
 }
 
-TEST(Vicinity, RivalsMeetTheClaimAndTileWithIt) {
+TEST(Vicinity, OpponentsMeetTheClaimAndTileWithIt) {
   std::vector<Claim> claims(4);
   claims[2].level = 1;
   for (int i = 0; i < 4; ++i) claims[i].edges = {i};
   Vicinity vicinity(
       {from_to(0, 0, 2, 2), from_to(1, 1, 3, 3), from_to(1, 1, 3, 3), from_to(2.5, 2.5, 4, 4)},
       claims);
-  EXPECT_EQ(vicinity.rivals(0), std::vector<int>{1});
-  EXPECT_EQ(vicinity.rivals(1), (std::vector<int>{0, 3}));
-  EXPECT_EQ(vicinity.rivals(2), std::vector<int>{});
+  EXPECT_EQ(vicinity.opponents(0), std::vector<int>{1});
+  EXPECT_EQ(vicinity.opponents(1), (std::vector<int>{0, 3}));
+  EXPECT_EQ(vicinity.opponents(2), std::vector<int>{});
+  claims[0].joins_levels = true;
+  EXPECT_EQ(vicinity.opponents(1), (std::vector<int>{0, 2, 3}));
 }
 
 // About the first claim: two neighbours with a third behind both, and behind one of them a row of

@@ -154,6 +154,7 @@ SELECT 'an interconnection toggled', by_hand AND NOT connecting AND plausible FR
 UPDATE town.interconnection_editing SET geom = ST_SetPoint(geom, 1, ST_Translate(ST_PointN(geom, 2), 1, 0.5)) WHERE interconnection_id = (SELECT interconnection_id FROM turning);
 SELECT 'its middle point dragged, and still toggled', by_hand AND NOT t.connecting AND ST_Distance(ST_PointN(t.geom, 2), control) < 1e-6 FROM turning t, town.interconnection_override;
 SELECT * FROM pg_temp.refused('an end dragged', $q$UPDATE town.interconnection_editing SET geom = ST_SetPoint(geom, 0, pg_temp.place(0, 0)) WHERE interconnection_id = (SELECT interconnection_id FROM turning)$q$);
+SELECT * FROM pg_temp.refused('a middle point out of sight', $q$UPDATE town.interconnection_editing SET geom = ST_SetPoint(geom, 1, pg_temp.place(400, 0)) WHERE interconnection_id = (SELECT interconnection_id FROM turning)$q$);
 SELECT * FROM pg_temp.refused('a fourth point', $q$UPDATE town.interconnection_editing SET geom = ST_AddPoint(geom, ST_StartPoint(geom), 1) WHERE interconnection_id = (SELECT interconnection_id FROM turning)$q$);
 SELECT * FROM pg_temp.refused('another lane', $q$UPDATE town.interconnection_editing SET lane_in = 1 WHERE interconnection_id = (SELECT interconnection_id FROM turning)$q$, '0A000');
 DELETE FROM town.interconnection_editing WHERE interconnection_id = (SELECT interconnection_id FROM turning);

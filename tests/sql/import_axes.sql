@@ -19,14 +19,16 @@ INSERT INTO import_source VALUES
   (4, 'runway', 45, 1, NULL, 'SRID=32631;LINESTRING(0 1000, 2000 1000)'),
   (5, 'footway', NULL, NULL, NULL, 'SRID=32631;LINESTRING(0 5, 100 5)'),
   (6, 'residential', NULL, NULL, NULL, ST_Transform('SRID=32631;LINESTRING(650000 6860000, 650100 6860000)'::geometry, 32631)),
-  (7, 'residential', 7, NULL, NULL, 'SRID=32631;LINESTRING(100 0, 50 0, 0 0)');
+  (7, 'residential', 7, NULL, NULL, 'SRID=32631;LINESTRING(100 0, 50 0, 0 0)'),
+  (9, 'residential', 7, NULL, NULL, 'SRID=32631;LINESTRING(0 3000, 100 3000)'),
+  (10, 'residential', 7, NULL, NULL, 'SRID=32631;LINESTRING(0 3100, 90 3000.1, 200 3000.2)');
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_axes('import_a', 'import_source',
   '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}');
 
 SELECT 'a class that is not taken makes no axis' AS name,
        (SELECT count(*) = 0 FROM import_a.axis WHERE kind = 'footway') AS holds;
 SELECT 'classes are counted, taken or not',
-       (SELECT count = 4 FROM import_report WHERE what = 'taken' AND class = 'residential')
+       (SELECT count = 6 FROM import_report WHERE what = 'taken' AND class = 'residential')
    AND (SELECT count = 1 FROM import_report WHERE what LIKE 'not taken%' AND class = 'footway');
 SELECT 'a width of zero is unknown and named',
        (SELECT width IS NULL FROM import_a.axis WHERE source_ref = '2')
@@ -42,6 +44,8 @@ SELECT 'near and collinear points go, the original stays beside',
        (SELECT ST_NPoints(geom) = 3 AND ST_NPoints(source_geom) = 5 FROM import_a.axis WHERE source_ref = '1');
 SELECT 'axes over each other are named',
        (SELECT source_refs = '{1,7}' FROM import_report WHERE what = 'lies on another axis');
+SELECT 'and those in part',
+       (SELECT source_refs = '{10,9}' FROM import_report WHERE what = 'lies on another axis in part');
 SELECT 'the report says that generate is due', EXISTS (SELECT FROM import_report WHERE what = 'generate is due');
 
 CREATE TABLE import_before AS SELECT ctid AS place, * FROM import_a.axis;
@@ -79,6 +83,9 @@ SELECT 'a whole number may have decimals', test.state(pg_temp.with_mapping('{"la
 SELECT 'a constant of the wrong type is 22023', test.state(pg_temp.with_mapping('{"width": {"value": "wide"}}')) = '22023';
 SELECT 'a geometry column that is none is 22023', test.state(pg_temp.with_mapping('{"geom": "kind"}')) = '22023';
 SELECT 'an unknown direction is 22023', test.state(pg_temp.with_mapping('{"direction": "kind"}')) = '22023';
+SELECT 'axes and levels of different number: 2202E', test.state($$SELECT streetgen._doubled('{}', '{1}', 0.3)$$) = '2202E';
+SELECT 'an axis that is NULL: 22004', test.state($$SELECT streetgen._doubled('{NULL}', '{1}', 0.3)$$) = '22004';
+SELECT 'an axis that is no line: 22023', test.state($$SELECT streetgen._doubled(ARRAY['POINT(0 0)'::geometry::bytea], '{1}', 0.3)$$) = '22023';
 SELECT 'a model that does not exist is 3F000',
        test.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
 SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), test.state(pg_temp.with_line(line)) = '22023' AND test.said(pg_temp.with_line(line)) LIKE '%77%'
@@ -86,7 +93,7 @@ SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL
                     'SRID=32631;LINESTRING(0 0, NaN 1)',
                     'SRID=32631;LINESTRING(0 0, 1e13 1)', 'SRID=32631;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
 SELECT 'a refused import leaves no axis', (SELECT count(*) = 0 FROM import_b.axis);
-SELECT 'the source is as it was', (SELECT count(*) = 7 FROM import_source);
+SELECT 'the source is as it was', (SELECT count(*) = 9 FROM import_source);
 DROP TABLE import_source, import_report, import_before;
 DO $$ BEGIN
   PERFORM streetgen.drop_model('import_a');

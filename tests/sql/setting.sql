@@ -70,7 +70,9 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"restrictions.kind": "{maybe}"}', '22023', 'unknown kind of a turn restriction "maybe"'), ('{"restrictions.turn": "{up}"}', '22023', 'unknown turn of a turn restriction "up"'),
         ('{"transitions.which": "{middle}"}', '22023', 'unknown transition end "middle", expected start or end'), ('{"transitions.kind": "{both}"}', '22023', 'unknown transition_kind "both"'),
         ('{"transitions.length": "{NaN}"}', '22023', 'transition length of axis 7 is nan'), ('{"transitions.axis_id": "{NULL}"}', '22004', 'axis_id is NULL in row 1 of the transitions'),
-        ('{"former_places.y": "{NaN}"}', '22023', 'y of a former place is nan'), ('{"former_edges.geom": ["POINT(1 2)"]}', '22023', 'a former edge')) v(given, wanted, part),
+        ('{"former_nodes.y": "{NaN}"}', '22023', 'y of a former node is nan'), ('{"former_nodes.surface": ["POINT(1 2)"]}', '22023', 'a former surface is a POINT, expected a MULTIPOLYGON'),
+        ('{"former_nodes.surface": ["MULTIPOLYGON(EMPTY,((0 3,0 -3,9 3,0 3)))"]}', '22023', 'a former surface has an empty part'),
+        ('{"former_nodes.surface": ["MULTIPOLYGON(((0 3,0 -3,1e13 3,0 3)))"]}', '22023', 'a former surface has a coordinate beyond 1e12 m at vertex 3'), ('{"former_edges.geom": ["POINT(1 2)"]}', '22023', 'a former edge')) v(given, wanted, part),
     LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
 SELECT 'streets are kept until their statement ends, and then no more', (r).state = '55000' AND (r).hint <> '' FROM (SELECT test.refusal('SELECT FROM streetgen._computed_node(1)') AS r) t;
 SELECT 'a row that is NULL is refused', (r).state = '22004' AND (r).said LIKE 'row 1 of the axes is NULL' FROM (SELECT test.refusal('SELECT streetgen._streets(0, ''{}'', ARRAY[NULL::streetgen.street_axis], NULL, NULL, NULL, NULL, NULL, NULL, NULL)') AS r) t;
