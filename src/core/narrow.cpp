@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <iterator>
+#include <map>
 
 #include "box_runs.hpp"
 #include "groups.hpp"
@@ -64,7 +64,7 @@ void meet(Side& s, Side& t) {
 class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
-    std::vector<Box> boxes;
+    std::vector<Box> boxes, ring_boxes;
     std::size_t count = 0;
     for (const MultiPolygon* surface : surfaces)
       for (const Polygon& polygon : *surface)
@@ -75,20 +75,22 @@ class Borders {
       boxes_.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
         for (const Ring& ring : polygon) {
+          const int number = static_cast<int>(rings_.size());
           rings_.push_back(static_cast<int>(sides_.size()));
+          ring_boxes.emplace_back();
+          for (const Point& p : ring) ring_boxes.back().add(p);
           for (std::size_t i = 1; i < ring.size(); ++i) {
-            sides_.push_back(
-                {ring[i - 1], ring[i], static_cast<int>(k), static_cast<int>(rings_.size())});
+            sides_.push_back({ring[i - 1], ring[i], static_cast<int>(k), number});
             boxes.push_back(box_of(ring[i - 1], ring[i]));
           }
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    const BoxRuns near(boxes_);
+    const BoxRuns near(std::move(ring_boxes));
     std::vector<int> order, active;
     for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
       if (near.any_near(boxes[i], touching,
-                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].surface; }))
+                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].ring; }))
         order.push_back(i);
     std::sort(order.begin(), order.end(),
               [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });

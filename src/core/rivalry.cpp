@@ -143,7 +143,7 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   if (crossed_) return;
   // Border there is on the ground of both.
   for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
-    within = ground->box_within(within);
+    if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
   sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);
