@@ -32,7 +32,7 @@ WHERE constant AND r > 0 AND sine IS NOT NULL AND o_a BETWEEN 0 AND length_a AND
   AND ST_Distance(centre, ST_StartPoint(line_a)) < (SELECT value::float8 FROM :"model".setting WHERE name = 'max_arc_distance')
   AND ST_Distance(ST_LineInterpolatePoint(line_a, s_a / length_a), ST_Translate(ST_StartPoint(line_a), s_a * sin(azimuth_a), s_a * cos(azimuth_a))) < 1e-4
   AND ST_Distance(ST_LineInterpolatePoint(line_b, s_b / length_b), ST_Translate(ST_StartPoint(line_b), s_b * sin(azimuth_b), s_b * cos(azimuth_b))) < 1e-4
-  AND ST_Distance(centre, line_a) > half_a + r - 1e-4 AND ST_Distance(centre, line_b) > half_b + r - 1e-4;
+  AND ST_Distance(centre, line_a) > half_a + r - 1e-6 AND ST_Distance(centre, line_b) > half_b + r - 1e-6; -- touching no bend before that
 
 INSERT INTO finding
 SELECT 'arc', 'node', node_id, degrees(phi), ST_StartPoint(line_a)
@@ -114,7 +114,8 @@ WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = 
   AND NOT (kind = 'section' AND EXISTS (SELECT FROM :"model".edge e WHERE e.edge_id = s.id AND abs(width - width_end) >= 1e-9));
 INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);
 
--- Each limit's border line lies on the boundary of both neighbours, where nothing was given away.
+-- Each limit's border line lies on the boundary of both neighbours, where nothing was given away; a loop whose limits cross is all
+-- one intersection.
 CREATE TEMPORARY TABLE giving AS
 SELECT edge_id FROM :"model".section WHERE contested_area > 0
 UNION SELECT edge_id FROM :"model".edge JOIN :"model".intersection ON node_id = from_node WHERE contested_area > 0
@@ -125,14 +126,14 @@ FROM :"model".section_limit l JOIN :"model".edge e USING (edge_id)
 CROSS JOIN LATERAL (SELECT CASE which WHEN 'start' THEN from_node ELSE to_node END AS near, CASE which WHEN 'start' THEN to_node ELSE from_node END AS far) o
 CROSS JOIN LATERAL (VALUES ('section', edge_id), ('intersection', near), ('intersection', CASE l.method WHEN 'crossed_limits' THEN far END)) n(kind, id)
 JOIN surface s ON s.kind = n.kind AND s.id = n.id
-WHERE NOT EXISTS (SELECT FROM giving g WHERE g.edge_id = e.edge_id) GROUP BY l.section_limit_id;
+WHERE NOT EXISTS (SELECT FROM giving g WHERE g.edge_id = e.edge_id) AND NOT (near = far AND l.method = 'crossed_limits') GROUP BY l.section_limit_id;
 INSERT INTO finding
 SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off), border_line FROM (
     SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
 GROUP BY section_limit_id, border_line HAVING max(off) > 1e-3;
 
 -- Holes of a level's union that no surface of another level fills by right (one that tiles with a surface of this level at a
--- node); 1e-6 m2 is the noise of coordinates.
+-- node); 1e-6 m2, or a width of 1e-7 m, is the noise of coordinates.
 INSERT INTO finding
 SELECT 'hole', 'level', level, ST_Area(open), open FROM (
     SELECT level, ST_Difference(hole, coalesce((
@@ -142,20 +143,21 @@ SELECT 'hole', 'level', level, ST_Area(open), open FROM (
     FROM (SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
           FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM surface GROUP BY level) u) r
     WHERE ring > 0 AND ST_Area(hole) < 0.5) o
-WHERE ST_Area(open) > 1e-6;
+WHERE ST_Area(open) > greatest(1e-6, 1e-7 * ST_Perimeter(open) / 2);
 
--- T junctions on a straight street: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a
+-- T junctions on a street that is straight on both sides: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a
 -- grid GEOS leaves whole bands where two edges run beside each other.
 CREATE TEMPORARY TABLE tee AS
-SELECT p.node_id, surface, line, half, ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, 30 * nx, 30 * ny), ST_Translate(o, 30 * nx, 30 * ny), o])) AS strip,
+SELECT p.node_id, l.method <> 'crossed_limits' AND reach > 0 AS free, surface, line, half, ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, 30 * nx, 30 * ny), ST_Translate(o, 30 * nx, 30 * ny), o])) AS strip,
        ST_MakePolygon(ST_MakeLine(ARRAY[o, t, ST_Translate(t, half * nx, half * ny), ST_Translate(o, half * nx, half * ny), o])) AS band
 FROM pair p JOIN :"model".intersection i ON i.node_id = p.node_id AND i.contested_area = 0
 CROSS JOIN LATERAL (VALUES (line_a, length_a, azimuth_a, half_a, edge_a, end_a, 1), (line_b, length_b, azimuth_b, half_b, edge_b, end_b, -1)) s(line, length, azimuth, half, edge_id, which, side)
 JOIN :"model".section_limit l ON l.edge_id = s.edge_id AND l.which = s.which
 CROSS JOIN LATERAL (SELECT CASE l.which WHEN 'start' THEN l.abscissa ELSE length - l.abscissa END - 0.5 AS reach, -side * cos(azimuth) AS nx, side * sin(azimuth) AS ny, ST_StartPoint(line) AS o) r
-CROSS JOIN LATERAL (SELECT ST_Translate(o, reach * sin(azimuth), reach * cos(azimuth)) AS t, least(length, reach + half) AS far) e
-WHERE l.method <> 'crossed_limits' AND degree = 3 AND abs(phi - pi()) < radians(0.5) AND constant AND abs(half_a - half_b) < 1e-6 AND reach > 0
+CROSS JOIN LATERAL (SELECT ST_Translate(o, reach * sin(azimuth), reach * cos(azimuth)) AS t, least(length, greatest(reach, 0) + half) AS far) e
+WHERE degree = 3 AND abs(phi - pi()) < radians(0.5) AND constant AND abs(half_a - half_b) < 1e-6
   AND ST_Distance(ST_LineInterpolatePoint(line, far / length), ST_Translate(o, far * sin(azimuth), far * cos(azimuth))) < 1e-3;
+DELETE FROM tee WHERE NOT free OR node_id IN (SELECT node_id FROM tee GROUP BY node_id HAVING count(*) < 2);
 CREATE TEMPORARY TABLE departure AS
 SELECT node_id, max(off) AS departure, ST_Union(part) AS geom FROM (
     SELECT node_id, abs(ST_Distance(d.geom, line) - half) AS off, part

@@ -16,8 +16,9 @@ CREATE TABLE %1$I.missing_key (turn integer NOT NULL, relation name, statement t
 COMMENT ON TABLE %1$I.missing_key IS 'Foreign keys, indexes and statistics that the first run by clusters makes at its end, or the first edit before; the table is there as long as any is missing';
 COMMENT ON COLUMN %1$I.missing_key.turn IS 'what is made first, from 1';
 COMMENT ON COLUMN %1$I.missing_key.relation IS 'table whose indexes and statistics they are; NULL: the foreign keys';
-COMMENT ON COLUMN %1$I.missing_key.statement IS 'makes them'
-$sql$, model);
+COMMENT ON COLUMN %1$I.missing_key.statement IS 'makes them';
+ALTER TABLE %1$I.missing_key OWNER TO %2$s
+$sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
     EXECUTE format('INSERT INTO %I.missing_key SELECT * FROM streetgen._take_off(%L, by_cluster => true)', model, model);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN

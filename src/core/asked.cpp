@@ -157,6 +157,11 @@ void ask_by(const std::vector<GivenUp>& given_up, const std::vector<const Former
       if (!asked[i] && (of_changed || surfaces[i]->contested) &&
           come_near(surfaces[i]->ground, ground->ground, near_enough))
         asked[i] = true;
+  // Of one that had lost all its ground nobody knows where it lay.
+  if (given_up.empty()) return;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i] != nullptr && surfaces[i]->contested && surfaces[i]->ground.empty())
+      asked[i] = true;
 }
 
 }  // namespace

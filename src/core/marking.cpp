@@ -66,6 +66,22 @@ void append_band(Geos& geos, const Line& line, double half, MultiPolygon& out) {
   out.insert(out.end(), built.begin(), built.end());
 }
 
+// Whether all of the line goes within a sixth of a turn of one direction, so that it gets on by
+// half of its length at least and never comes back.
+bool goes_on(const Line& line) {
+  double turned = 0, least = 0, most = 0;
+  Point before;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    if (norm(along) == 0) continue;
+    turned += norm(before) == 0 ? 0 : std::atan2(cross(before, along), dot(before, along));
+    least = std::min(least, turned);
+    most = std::max(most, turned);
+    before = along;
+  }
+  return most - least < 2 * M_PI / 3;
+}
+
 // As many dashes as fit, as far from one end as from the other.
 std::vector<std::pair<double, double>> dashes(double total, double on, double off) {
   const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
@@ -153,7 +169,7 @@ MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
     for (const Line& piece : cut(separator.line, dashes(total, dash, gap)))
       append_band(geos, piece, stripe / 2, surface);
   // Dashes of a line that comes back may lie on each other.
-  if (separator.line.size() > 2 && !geos.valid(surface))
+  if (!goes_on(separator.line) && !geos.valid(surface))
     return geos.polygons(geos.unite({surface}).get());
   return surface;
 }

@@ -128,6 +128,19 @@ class Owners {
         for (const int other : all[i]) ask(other);
   }
 
+  // Whose ground before, holes that it was given included, lies where something that moved lies now.
+  void ask_below_moved() {
+    if (std::all_of(was_.begin(), was_.end(), [](const auto* was) { return was == nullptr; }))
+      return;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!moved_[i] || surfaces_[i].ground.empty()) continue;
+      const Ground ground(surfaces_[i].ground);
+      for (const int j : vicinity().near(ground.box().grown(hole_extent)))
+        if (!claims_[j].wanted && was_[j] != nullptr && overlap(ground, Ground(was_[j]->ground)))
+          ask(j);
+    }
+  }
+
   bool ask_around(const std::vector<Hole>& holes) {
     bool more = false;
     for (const Hole& hole : holes)
@@ -141,6 +154,7 @@ class Owners {
       build(needed_by_wanted());
       disputes_ = disputes(claims_);
       ask_opponents();
+      ask_below_moved();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);

@@ -215,12 +215,21 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
   return last;
 }
 
-// Whether one goes on from the other nearly straight.
-bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
-  constexpr double widest_bend = 20 * M_PI / 180;
+// How much a street turns that goes on from one arm to the other.
+double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
   double angle = 0;
   for (std::size_t i = from; i != to; i = (i + 1) % gaps.size()) angle += gaps[i].angle;
-  return std::abs(angle - M_PI) < widest_bend;
+  return std::abs(angle - M_PI);
+}
+
+// Whether a street goes on nearly straight to the other arm, and no other one straighter.
+bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
+  constexpr double widest_bend = 20 * M_PI / 180;
+  const double own = bend(gaps, from, to);
+  if (own >= widest_bend) return false;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (i != from && i != to && bend(gaps, i, to) < own) return false;
+  return true;
 }
 
 // Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where

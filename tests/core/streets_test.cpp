@@ -481,6 +481,73 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   EXPECT_GT(left, asked);
 }
 
+// The wide street lay on all the ground about a node of two others, and goes.
+TEST(Streets, AnIntersectionThatLostAllItsGroundGetsItBack) {
+  std::vector<StreetAxis> axes = {
+      {8, {{122, 100, 0}, {190, 102, 0}}, 0, 5.5, 5.5, 4, 5},
+      {14, {{190, 102, 0}, {191, 150, 0}}, 0, 5, 5, 4, 6},
+      {15, {{147.71, 110.08, 0}, {196.63, 101.82, 0}}, 0, 15.68, 15.68, 4, 3}};
+  const Streets before = streets(axes, {});
+  const auto emptied = std::find_if(before.intersections.begin(), before.intersections.end(),
+                                    [](const Intersection& i) { return i.surface.empty(); });
+  ASSERT_NE(emptied, before.intersections.end());
+  const Point place = before.network.nodes[emptied->node].point;
+  axes[2].line = {{147.71, 110.08, 0}, {248.08, 151.78, 0}};
+  axes[0].changed = axes[1].changed = false;
+  const Streets after = streets(axes, {}, {}, former_of(before));
+  const auto again = std::find_if(
+      after.intersections.begin(), after.intersections.end(),
+      [&](const auto& i) { return distance(after.network.nodes[i.node].point, place) == 0; });
+  ASSERT_NE(again, after.intersections.end());
+  EXPECT_GT(area(again->surface), 50);
+}
+
+// Two streets leave a hole between them, which goes to one of them until a street of another level
+// that ends on a third one covers it.
+TEST(Streets, AHoleThatIsCoveredGoesBack) {
+  std::vector<StreetAxis> axes = {
+      {237,
+       {{55.7933130867, 88.698831765, 0},
+        {62.5851039334, 90.413623994, 0},
+        {70.2127205366, 97.681852341, 0}},
+       0,
+       6,
+       6,
+       3,
+       5},
+      {427,
+       {{66.3257846195, 102.493926154, 0},
+        {63.5836806569, 99.880003191, 0},
+        {59.1934797047, 95.711095422, 0},
+        {55.7933130867, 88.698831765, 0}},
+       0,
+       6,
+       6,
+       3,
+       5},
+      {442,
+       {{70.2127205366, 97.681852341, 0}, {66.3257846195, 102.493926154, 0}},
+       0,
+       9,
+       9,
+       6.25,
+       2}};
+  const Streets before = streets(axes, {});
+  for (StreetAxis& axis : axes) axis.changed = false;
+  axes.push_back({543,
+                  {{60.8727205367, 93.851852341, 0},
+                   {108.3257846195, 133.723926155, 0},
+                   {66.2157846196, 102.273926155, 0}},
+                  1,
+                  14.6,
+                  14.6,
+                  3,
+                  4});
+  const Areas was(before), told(streets(axes, {}, {}, former_of(before))), is(streets(axes, {}));
+  EXPECT_NE(was.sections[1], is.sections[1]);
+  EXPECT_EQ(told.sections[1], is.sections[1]);
+}
+
 // An axis that is said to have changed, and did not: of its neighbours, whose surfaces stay what
 // they were, none comes out.
 TEST(Streets, LeaveOutWhatStaysWhatItWas) {

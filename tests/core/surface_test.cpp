@@ -124,6 +124,13 @@ TEST(IntersectionSurface, OfATLeavesTheFarKerbStraight) {
   }
 }
 
+// Of a side street wider than the one that it leaves, at an acute angle, no corner sticks out.
+TEST(IntersectionSurface, OfAnAcuteTLeavesTheFarKerbStraight) {
+  const MultiPolygon surface = intersection_surface(
+      {ray(0, 80), ray(M_PI, 80), ray(14 * M_PI / 180, 80)}, {6, 6, 7}, {3, 3, 3});
+  for (const Point& p : surface[0][0]) EXPECT_GT(p.y, -3.01);
+}
+
 // Whatever the bend, the intersection stays within its arms, their bends and their corners.
 TEST(IntersectionSurface, OfAForkIsAsSymmetricAsItsAxes) {
   constexpr double half_fork = 25 * M_PI / 180, half_width = 10;

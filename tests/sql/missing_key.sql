@@ -81,3 +81,20 @@ INSERT INTO again.interconnection (node_id, lane_in, lane_out, turn, angle, plau
 SELECT streetgen.generate('again') \g /dev/null
 SELECT 'a run over all makes them first, and lets go what hangs on nothing', alike('again', 'whole') AND test.same('again', 'whole') AND NOT EXISTS (SELECT FROM again.lane WHERE edge_id = -1);
 SELECT 'a plan for other settings begins with all of them', streetgen.plan_clusters('again', 2) = 2 AND alike('again', 'whole');
+
+-- Planned by somebody else than its owner, and edited by one who may only do that.
+CREATE ROLE streetgen_key_owner;
+CREATE ROLE streetgen_key_editor;
+SELECT format('GRANT CREATE ON DATABASE %I TO streetgen_key_owner', current_database()) \gexec
+SET ROLE streetgen_key_owner;
+CALL town('owned');
+SELECT streetgen.grant('owned', 'streetgen_key_editor', 'editor') \g /dev/null
+RESET ROLE;
+SELECT streetgen.plan_clusters('owned', 6) \g /dev/null
+CALL compute('owned', 2);
+SET ROLE streetgen_key_editor;
+UPDATE owned.axis SET width = 12 WHERE axis_id = 5;
+RESET ROLE;
+SELECT 'an editor''s edit makes them for the owner', foreign_keys('owned') = foreign_keys('whole') AND to_regclass('owned.missing_key') IS NULL;
+DROP OWNED BY streetgen_key_editor, streetgen_key_owner;
+DROP ROLE streetgen_key_editor, streetgen_key_owner;
