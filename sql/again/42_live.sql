@@ -27,7 +27,7 @@ BEGIN
         RETURN;
     END IF;
     claimed := streetgen._claim(model, changed, wait => true);
-    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, wait => true);
     PERFORM pg_notify('qgis', model);
 END $$;
 COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS 'Brings the streets of a model up to date with axes that changed; tells QGIS.';
