@@ -135,7 +135,7 @@ END $body$ $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the functions of a model that upsert a part of it, and tell where that was not enough.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[], wait boolean)
+CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[], onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
@@ -151,12 +151,13 @@ BEGIN
         ELSE
             RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
         END IF;
+        EXIT WHEN NOT onwards;
         EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING written;
         EXIT WHEN leading_on = '{}';
-        -- Where others hold their places they stay stale.
-        claimed := streetgen._claim(model, changed || leading_on, wait);
+        -- Not to wait while places are held; where others hold theirs they stay stale.
+        claimed := streetgen._claim(model, changed || leading_on, wait => false);
         EXIT WHEN claimed.changed <@ changed;
         SELECT claimed.written, claimed.gathered, claimed.changed INTO written, gathered, changed;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; gives a row per table. Where the change goes on beyond the axes written it claims the places there, with wait or as far as they are free, and begins again with the axes that lead there, which gives further rows.';
+COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; gives a row per table. onwards: where the change goes on beyond the axes written it claims the places there as far as they are free, and begins again with the axes that lead there, which gives further rows.';

@@ -46,7 +46,7 @@ BEGIN
         END IF;
         RETURN QUERY SELECT u.relation, sum(u.inserted)::bigint, sum(u.updated)::bigint, sum(u.deleted)::bigint, sum(u.unchanged)::bigint,
                 CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, sum(u.hard)::bigint
-            FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, wait) u
+            FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed) u
             GROUP BY u.relation ORDER BY array_position(streetgen._derived_tables(), u.relation);
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);

@@ -329,7 +329,7 @@ BEGIN
     IF claimed.first THEN
         PERFORM FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed, first => true);
     ELSE
-        PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, wait => false);
+        PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
     END IF;
     EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE cluster_id = $2', model) USING started, chosen.cluster_id;
     RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes), extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left FROM streetgen.progress(model) p;
