@@ -370,6 +370,16 @@ UPDATE short.axis SET width = 8 WHERE axis_id = 4;
 SELECT 'an edit far from it leaves its node', ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3;
 SELECT streetgen.drop_model('short') \g /dev/null
 
+-- An axis less than a metre long has an edge, until one that ends between its ends joins both to one node.
+SELECT streetgen.create_model('short', 2154) \g /dev/null
+INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.5 6859999.5)', 7);
+SELECT 'it has an edge', count(*) = 1 FROM short.edge;
+INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650200 6859900, 650300.25 6859999.75)', 7);
+SELECT 'it has none once its ends are one node', array_agg(axis_id) = '{2}' FROM short.edge;
+SELECT 'and is reported', count(*) = 1 FROM short.report WHERE axis_a = 1 AND issue = 'collapsed_axis';
+SELECT 'as from scratch', test.followed('short', 'once');
+SELECT streetgen.drop_model('short') \g /dev/null
+
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN
