@@ -191,11 +191,6 @@ void ask_by(const std::vector<GivenUp>& given_up, const std::vector<const Former
       if (!asked[i] && (of_changed || surfaces[i]->contested) &&
           come_near(surfaces[i]->ground, ground->ground, near_enough))
         asked[i] = true;
-  // Of one that had lost all its ground nobody knows where it lay.
-  if (given_up.empty()) return;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i] != nullptr && surfaces[i]->contested && surfaces[i]->ground.empty())
-      asked[i] = true;
 }
 
 }  // namespace
@@ -209,6 +204,7 @@ Moved ask_around_changes(Layout& layout, const Former& former) {
   layout.streets.leading_on = change.leading_on();
   ask_by(change.given_up(), moved.sections, edges);
   ask_by(change.given_up(), moved.intersections, nodes);
+  for (const GivenUp& given_up : change.given_up()) moved.given_up.push_back(given_up.surface);
   return moved;
 }
 

@@ -12,6 +12,7 @@ namespace streetgen {
 struct Moved {
   std::vector<bool> edges, nodes;
   std::vector<const FormerSurface*> sections, intersections;  // nullptr: none, or it moved
+  std::vector<const FormerSurface*> given_up{};               // of those that moved or are gone
 };
 
 // Marks the asked edges and nodes. `former` outlives what it gives.

@@ -27,6 +27,7 @@ class Owners {
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
         was_(moved.sections),
+        given_up_(moved.given_up),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
         served_(surfaces_.size()) {
@@ -48,21 +49,26 @@ class Owners {
   }
 
  private:
+  // Whether it was not built yet.
+  bool build(int i) {
+    if (built_[i]) return false;
+    built_[i] = true;
+    poll_cancel();
+    if (i < edges_) {
+      tell_progress("sections", i, edges_);
+      surfaces_[i] = section_of(geos_, layout_, i);
+    } else {
+      tell_progress("intersections", i - edges_, claims_.size() - edges_);
+      surfaces_[i] = intersection_of(geos_, layout_, i - edges_);
+    }
+    return true;
+  }
+
   // Whether any of them was not built yet.
   bool build(const std::vector<bool>& needed) {
     bool more = false;
-    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
-      if (!needed[i] || built_[i]) continue;
-      more = built_[i] = true;
-      poll_cancel();
-      if (i < edges_) {
-        tell_progress("sections", i, edges_);
-        surfaces_[i] = section_of(geos_, layout_, i);
-      } else {
-        tell_progress("intersections", i - edges_, claims_.size() - edges_);
-        surfaces_[i] = intersection_of(geos_, layout_, i - edges_);
-      }
-    }
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (needed[i]) more = build(i) || more;
     return more;
   }
 
@@ -128,7 +134,8 @@ class Owners {
         for (const int other : all[i]) ask(other);
   }
 
-  // Whose ground before, holes that it was given included, lies where something that moved lies now.
+  // Whose ground before, holes that it was given included, lies where something that moved lies
+  // now.
   void ask_below_moved() {
     if (std::all_of(was_.begin(), was_.end(), [](const auto* was) { return was == nullptr; }))
       return;
@@ -141,6 +148,20 @@ class Owners {
     }
   }
 
+  // Who claims ground that was given up, wherever the ground lies that it was left.
+  void ask_above_given_up() {
+    for (const FormerSurface* given_up : given_up_) {
+      if (given_up->ground.empty()) continue;
+      const Ground ground(given_up->ground);
+      for (const int i : vicinity().near(ground.box())) {
+        if (claims_[i].wanted || was_[i] == nullptr) continue;
+        if (was_[i]->contested) build(i);
+        if (overlap(ground, Ground(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)))
+          ask(i);
+      }
+    }
+  }
+
   bool ask_around(const std::vector<Hole>& holes) {
     bool more = false;
     for (const Hole& hole : holes)
@@ -150,6 +171,7 @@ class Owners {
 
   // Gives the holes beside what is wanted.
   std::vector<Hole> build_what_matters() {
+    ask_above_given_up();
     for (;;) {
       build(needed_by_wanted());
       disputes_ = disputes(claims_);
@@ -206,6 +228,7 @@ class Owners {
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<const FormerSurface*> was_;
+  const std::vector<const FormerSurface*>& given_up_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;

@@ -548,6 +548,31 @@ TEST(Streets, AHoleThatIsCoveredGoesBack) {
   EXPECT_EQ(told.sections[1], is.sections[1]);
 }
 
+// A limit by hand leaves a street no section: another gets ground back that this kept from it,
+// though what it was left lies more than two metres off.
+TEST(Streets, GroundComesBackToASurfaceThatWasLeftNoneBesideIt) {
+  std::vector<StreetAxis> axes = {
+      {4, {{-4.6519, 33.832, 0}, {54.5541, 41.4442, 0}}, -1, 5.96, 5.96, 6.25, 2},
+      {5, {{-4.6519, 33.832, 0}, {33.4091, 94.3067, 0}}, 0, 10.48, 10.48, 6.25, 2},
+      {7, {{54.5541, 41.4442, 0}, {33.4091, 94.3067, 0}}, 0, 19.19, 19.19, 3, 5},
+      {8, {{-4.6519, 33.832, 0}, {73.5846, 90.5006, 0}}, 0, 6, 6, 14.53, 5},
+      {9,
+       {{50.748, 1.2687, 0}, {49.02685, 84.11365, 0}, {73.5846, 90.5006, 0}},
+       0,
+       10.68,
+       10.68,
+       3,
+       5}};
+  StreetOverrides by_hand;
+  by_hand.limits.push_back({7, 51.37, true});
+  const Streets before = streets(axes, {});
+  const Areas was(before), is(streets(axes, {}, by_hand));
+  for (StreetAxis& axis : axes) axis.changed = axis.axis_id == 7;
+  const Areas told(streets(axes, {}, by_hand, former_of(before)));
+  EXPECT_GT(is.sections[3], was.sections[3] + 30);
+  EXPECT_EQ(told.sections[3], is.sections[3]);
+}
+
 // An axis that is said to have changed, and did not: of its neighbours, whose surfaces stay what
 // they were, none comes out.
 TEST(Streets, LeaveOutWhatStaysWhatItWas) {

@@ -385,6 +385,15 @@ SELECT 'with the movements beyond', count(*) > 0 FROM left_movement m JOIN led.i
 SELECT 'as from scratch', test.followed('led', 'once');
 SELECT 'nothing is stale', streetgen.live('led', true) = 0;
 SELECT streetgen.drop_model('led') \g /dev/null
+-- An axis less than a metre long has an edge, until one that ends between its ends joins both to one node.
+SELECT streetgen.create_model('short', 2154) \g /dev/null
+INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.5 6859999.5)', 7);
+SELECT 'it has an edge', count(*) = 1 FROM short.edge;
+INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650200 6859900, 650300.25 6859999.75)', 7);
+SELECT 'it has none once its ends are one node', array_agg(axis_id) = '{2}' FROM short.edge;
+SELECT 'and is reported', count(*) = 1 FROM short.report WHERE axis_a = 1 AND issue = 'collapsed_axis';
+SELECT 'as from scratch', test.followed('short', 'once');
+SELECT streetgen.drop_model('short') \g /dev/null
 
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
