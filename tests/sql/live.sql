@@ -395,6 +395,18 @@ SELECT 'and is reported', count(*) = 1 FROM short.report WHERE axis_a = 1 AND is
 SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
+-- The same where a corner beyond a short street follows the one that turns: neither street of it comes near the edit.
+SELECT streetgen.create_model('led', 2154), streetgen.set('led', 'short_axis', 'follow') \g /dev/null
+INSERT INTO led.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
+  (1, 'LINESTRING(0 -100, 0 0)'), (2, 'LINESTRING(0 0, 155 0)'), (3, 'LINESTRING(155 0, 163 0)'), (4, 'LINESTRING(155 0, 155 -100)'),
+  (5, 'LINESTRING(163 0, 163 100)'), (6, 'LINESTRING(163 0, 263 -40)')) a(axis_id, line);
+SELECT 'a corner follows', count(*) = 1 FROM led.corner c JOIN led.node n USING (node_id) WHERE c.method = 'followed' AND ST_DWithin(n.geom, ST_SetSRID(ST_MakePoint(650163, 6860000), 2154), 1);
+SELECT abscissa AS met FROM led.section_limit JOIN led.edge USING (edge_id) WHERE axis_id = 5 AND which = 'start' \gset
+UPDATE led.axis SET geom = ST_SetPoint(geom, 1, ST_Translate(ST_EndPoint(geom), 0.1, 0.3)) WHERE axis_id = 1;
+SELECT 'and moves with it', abs(abscissa - :met) BETWEEN 1e-4 AND 1 FROM led.section_limit JOIN led.edge USING (edge_id) WHERE axis_id = 5 AND which = 'start';
+SELECT 'as from scratch, too', test.followed('led', 'once');
+SELECT streetgen.drop_model('led') \g /dev/null
+
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN
