@@ -15,10 +15,10 @@ CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
 COMMENT ON FUNCTION streetgen._computed_node(bigint) IS 'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as in all these; asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on each, m. Streets that are not kept: 55000, as in all these.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
-    RETURNS TABLE(number integer, asked boolean, lanes_asked boolean, axis_id bigint, from_node integer, to_node integer, level integer,
+    RETURNS TABLE(number integer, asked boolean, lanes_asked boolean, leading_on boolean, axis_id bigint, from_node integer, to_node integer, level integer,
         start_abscissa float8, end_abscissa float8, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
-COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS 'The edges of streets computed in this statement: asked: its section comes out; lanes_asked: its lanes do; abscissas along the axis, m.';
+COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS 'The edges of streets computed in this statement: asked: its section comes out; lanes_asked: its lanes do; leading_on: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint)
     RETURNS TABLE(number integer, edge integer, axis_id bigint, which text, wanted_abscissa float8, abscissa float8, geom geometry, border_line geometry, method text)

@@ -123,22 +123,41 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
 BEGIN
     RETURN QUERY %2$s;
 END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, whole => false)));
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._leading_on(axes bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+    AS $body$
+BEGIN
+    RETURN ARRAY(SELECT axis_id FROM %1$I.edge WHERE axis_id = ANY (axes) AND input_hash = 0);
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_leading_on(bigint[])', 'Of axes that a run wrote those along which the change goes on beyond them: it left them marked as stale');
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
 END $$;
-COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the function of a model that upserts a part of it.';
+COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the functions of a model that upsert a part of it, and tell where that was not enough.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[])
+CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[], onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     -- More axes than this are worth a plan of their own.
     most_planned constant integer := 400;
+    leading_on bigint[];
+    claimed record;
 BEGIN
-    IF cardinality(changed) > most_planned THEN
-        RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
-    ELSE
-        RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
-    END IF;
+    LOOP
+        IF cardinality(changed) > most_planned THEN
+            RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
+        ELSE
+            RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
+        END IF;
+        EXIT WHEN NOT onwards;
+        EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING written;
+        EXIT WHEN leading_on = '{}';
+        -- Not to wait while places are held; where others hold theirs they stay stale.
+        claimed := streetgen._claim(model, changed || leading_on, wait => false);
+        EXIT WHEN claimed.changed <@ changed;
+        SELECT claimed.written, claimed.gathered, claimed.changed INTO written, gathered, changed;
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[]) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many.';
+COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; gives a row per table. onwards: where the change goes on beyond the axes written it claims the places there as far as they are free, and begins again with the axes that lead there, which gives further rows.';

@@ -56,7 +56,7 @@ kept_edge AS (
                level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash
         FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward, u.speed, u.importance,
-                     u.estimated, u.input_hash, u.setting_hash
+                     u.estimated, CASE WHEN e.leading_on THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
               FROM written_edge e JOIN used u USING (axis_id) LEFT JOIN kept_edge k USING (number) ORDER BY e.number OFFSET 0) c$part$,
         there => 'SELECT edge_id FROM old_edge WHERE asked'),
     -- LIMIT: asked of each node, and not joined.

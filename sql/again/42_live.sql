@@ -19,6 +19,7 @@ CREATE OR REPLACE FUNCTION streetgen._follow(model name, changed bigint[]) RETUR
     AS $$
 DECLARE
     claimed record;
+    leading_on bigint[];
 BEGIN
     IF changed IS NULL OR changed = '{}' THEN
         RETURN;
@@ -26,8 +27,19 @@ BEGIN
         RAISE NOTICE 'settings of model "%" changed: its streets follow again after SELECT * FROM streetgen.generate(%, wait => true)', model, quote_literal(model);
         RETURN;
     END IF;
-    claimed := streetgen._claim(model, changed, wait => true);
-    PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    LOOP
+        -- Where the change goes on beyond the axes written all is given back, rows and locks: who waits for more places holds none.
+        BEGIN
+            claimed := streetgen._claim(model, changed, wait => true);
+            PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, onwards => false);
+            EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING claimed.written;
+            EXIT WHEN leading_on <@ changed;
+            changed := changed || leading_on;
+            RAISE SQLSTATE 'SG001';
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            NULL;
+        END;
+    END LOOP;
     PERFORM pg_notify('qgis', model);
 END $$;
 COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS 'Brings the streets of a model up to date with axes that changed; tells QGIS.';

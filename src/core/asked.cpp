@@ -18,6 +18,8 @@ namespace {
 // Metres between surfaces, no more than which may have been filled as a hole.
 constexpr double near_enough = 1;
 
+constexpr int none = -1;
+
 bool stays(const FormerLimit& before, const SectionLimit& now) {
   return before.wanted_abscissa == now.wanted_abscissa && before.abscissa == now.abscissa &&
          same(before.border_line, now.border_line);
@@ -37,6 +39,8 @@ class Change {
         nodes_(layout.streets.network.nodes),
         former_(former),
         met_(nodes_.size()),
+        turned_(nodes_.size(), none),
+        leading_on_(edges_.size()),
         moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
                std::vector<const FormerSurface*>(edges_.size()),
                std::vector<const FormerSurface*>(nodes_.size())} {}
@@ -46,11 +50,13 @@ class Change {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
         moved_.nodes[n] = true;
+    lead_followers_on();
     compare_nodes();
     return moved_;
   }
 
   const std::vector<GivenUp>& given_up() const { return given_up_; }
+  const std::vector<bool>& leading_on() const { return leading_on_; }
 
  private:
   // Met are the nodes at which an edge came, went or got another line; elsewhere limits moved.
@@ -62,12 +68,14 @@ class Change {
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
       const StreetAxis& axis = layout_.axis_of(e);
       if (axis.outer) continue;
+      const auto before = former.find(axis.axis_id);
       if (!axis.changed) {
         unchanged.insert(axis.axis_id);
-        kept[e] = take(former[axis.axis_id], edges_[e].line);
+        if (before != former.end()) kept[e] = take(before->second, edges_[e].line);
       }
-      if (kept[e] == nullptr)
-        moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
+      if (kept[e] != nullptr) continue;
+      moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
+      if (!axis.changed && before != former.end()) turn(e);
     }
     for (const auto& [axis_id, gone] : former)
       for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
@@ -82,6 +90,25 @@ class Change {
     const FormerEdge* edge = *found;
     some.erase(found);
     return edge;
+  }
+
+  // An edge that did not change gets another line.
+  void turn(int e) {
+    for (const int node : {edges_[e].from_node, edges_[e].to_node}) {
+      turned_[node] = e;
+      lead_on(e, node);
+    }
+  }
+
+  void lead_on(int e, int node) {
+    if (layout_.meets_outer(node)) leading_on_[e] = true;
+  }
+
+  void lead_followers_on() {
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      for (const int other : layout_.junctions[n].followed)
+        if (turned_[other] != none && layout_.meets_outer(static_cast<int>(n)))
+          leading_on_[turned_[other]] = true;
   }
 
   void give_up(const FormerEdge& edge, bool of_changed) {
@@ -110,8 +137,13 @@ class Change {
     // Lanes of crossed limits end at the other one's.
     const bool crossed =
         before.start.abscissa >= before.end.abscissa || limits_crossed(layout_.streets, e);
-    if (crossed || !same_start) moved_.nodes[edge.from_node] = true;
-    if (crossed || !same_end) moved_.nodes[edge.to_node] = true;
+    if (crossed || !same_start) move_end(e, edge.from_node);
+    if (crossed || !same_end) move_end(e, edge.to_node);
+  }
+
+  void move_end(int e, int node) {
+    moved_.nodes[node] = true;
+    lead_on(e, node);
   }
 
   // A corner there looked at a node that is met.
@@ -139,6 +171,8 @@ class Change {
   const std::vector<Node>& nodes_;
   const Former& former_;
   std::vector<bool> met_;
+  std::vector<int> turned_;  // by node: an edge there that turned
+  std::vector<bool> leading_on_;
   Moved moved_;
   std::vector<GivenUp> given_up_;
   std::set<std::pair<double, double>> ends_of_changed_;
@@ -167,6 +201,7 @@ Moved ask_around_changes(Layout& layout, const Former& former) {
   auto &edges = layout.streets.asked_edges, &nodes = layout.streets.asked_nodes;
   edges = moved.edges;
   nodes = moved.nodes;
+  layout.streets.leading_on = change.leading_on();
   ask_by(change.given_up(), moved.sections, edges);
   ask_by(change.given_up(), moved.intersections, nodes);
   for (const GivenUp& given_up : change.given_up()) moved.given_up.push_back(given_up.surface);

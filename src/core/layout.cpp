@@ -73,4 +73,10 @@ bool Layout::outer(int node) const {
                      [&](const EdgeEnd& end) { return axis_of(end.edge).outer; });
 }
 
+bool Layout::meets_outer(int node) const {
+  const auto& ends = junctions[node].ends;
+  return std::any_of(ends.begin(), ends.end(),
+                     [&](const EdgeEnd& end) { return axis_of(end.edge).outer; });
+}
+
 }  // namespace streetgen

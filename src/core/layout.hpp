@@ -40,6 +40,8 @@ struct Layout {
   int level_of(int node) const;
   // Whether no edge of the node lies within reach of the change.
   bool outer(int node) const;
+  // Whether one does not.
+  bool meets_outer(int node) const;
 
   const StreetSettings& settings;
   Streets streets;

@@ -80,8 +80,9 @@ bool fill_node(const ComputedStreets& computed, std::size_t i, Row& row) {
 bool fill_edge(const ComputedStreets& computed, std::size_t i, Row& row) {
   const Edge& edge = computed.streets.network.edges[i];
   return put(row, bool(computed.streets.asked_edges[i]), lanes_asked(computed.streets, edge),
-             edge.axis_id, number(edge.from_node), number(edge.to_node), edge.level,
-             edge.start_abscissa, edge.end_abscissa, Ewkb{write_line(edge.line, with_z(computed))});
+             bool(computed.streets.leading_on[i]), edge.axis_id, number(edge.from_node),
+             number(edge.to_node), edge.level, edge.start_abscissa, edge.end_abscissa,
+             Ewkb{write_line(edge.line, with_z(computed))});
 }
 
 bool fill_section_limit(const ComputedStreets& computed, std::size_t i, Row& row) {

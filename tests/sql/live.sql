@@ -370,6 +370,21 @@ UPDATE short.axis SET width = 8 WHERE axis_id = 4;
 SELECT 'an edit far from it leaves its node', ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3;
 SELECT streetgen.drop_model('short') \g /dev/null
 
+-- The node where an edited axis ends moves, which turns the street that begins there, far away too: at its other end (155, 0) corners bend anew, and of the
+-- short street there, whose limits cross, the limit at its far node (155, 25) moves. Nothing else of that node is near the edit.
+SELECT streetgen.create_model('led', 2154) \g /dev/null
+INSERT INTO led.axis (axis_id, geom, width, lane_count) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2 FROM (VALUES
+  (1, 'LINESTRING(0 -100, 0 0)'), (2, 'LINESTRING(0 0, 155 0)'), (3, 'LINESTRING(155 0, 155 25)'), (4, 'LINESTRING(155 0, 255 -40)'),
+  (5, 'LINESTRING(155 25, 255 25)'), (6, 'LINESTRING(155 25, 55 125)')) a(axis_id, line);
+SELECT 'the limits of a short street cross', bool_and(method = 'crossed_limits') FROM led.section JOIN led.edge USING (edge_id) WHERE axis_id = 3;
+SELECT abscissa AS met FROM led.section_limit JOIN led.edge USING (edge_id) WHERE axis_id = 3 AND which = 'end' \gset
+CREATE TEMPORARY TABLE left_movement AS SELECT interconnection_id, lane_in, lane_out, k.geom FROM led.interconnection k JOIN led.node n USING (node_id) WHERE ST_DWithin(n.geom, ST_SetSRID(ST_MakePoint(650155, 6860025), 2154), 1);
+UPDATE led.axis SET geom = ST_SetPoint(geom, 1, ST_Translate(ST_EndPoint(geom), 0.1, 0.3)) WHERE axis_id = 1;
+SELECT 'an edit turns a long street, and moves them', abs(abscissa - :met) BETWEEN 1e-4 AND 1 FROM led.section_limit JOIN led.edge USING (edge_id) WHERE axis_id = 3 AND which = 'end';
+SELECT 'with the movements beyond', count(*) > 0 FROM left_movement m JOIN led.interconnection k USING (interconnection_id) WHERE NOT ST_Equals(k.geom, m.geom);
+SELECT 'as from scratch', test.followed('led', 'once');
+SELECT 'nothing is stale', streetgen.live('led', true) = 0;
+SELECT streetgen.drop_model('led') \g /dev/null
 -- An axis less than a metre long has an edge, until one that ends between its ends joins both to one node.
 SELECT streetgen.create_model('short', 2154) \g /dev/null
 INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.5 6859999.5)', 7);
