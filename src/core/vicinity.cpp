@@ -149,6 +149,14 @@ std::vector<int> Vicinity::enclosing(int claim, const std::vector<bool>& known) 
   return enclosing;
 }
 
-std::vector<int> Vicinity::near(const Box& box) const { return index_.near(box, 0); }
+std::vector<int> Vicinity::near(const Box& box) const {
+  std::vector<int> near = index_.near(box, 0);
+  near.erase(std::remove_if(near.begin(), near.end(),
+                            [&](int i) {
+                              return !extents_[i].meets({box, {box}}, 0);
+                            }),
+             near.end());
+  return near;
+}
 
 }  // namespace streetgen
