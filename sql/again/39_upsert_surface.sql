@@ -6,12 +6,10 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surfaces(places jsonb) RETURNS text
     streetgen._upsert_rows(places, 'section_limit', id => 'section_limit_id', same => 'edge_id, which',
         columns => 'wanted_abscissa, abscissa, geom, border_line, method', rows => $part$
         SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, which, wanted_abscissa, abscissa, {geom_with_height} AS geom, border_line, method
-        FROM streetgen._computed_section_limit((SELECT streets FROM computed)) c WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$,
-        gone => '(SELECT 2 * count(*) FROM gone_edge)'),
+        FROM streetgen._computed_section_limit((SELECT streets FROM computed)) c WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$),
     streetgen._upsert_rows(places, 'section', id => 'edge_id', columns => 'level, surface, method, contested_area', rows => $part$
         SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, level, surface, method, contested_area
-        FROM streetgen._computed_section((SELECT streets FROM computed)) WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$,
-        gone => '(SELECT count(*) FROM gone_edge)'),
+        FROM streetgen._computed_section((SELECT streets FROM computed)) WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$),
     streetgen._upsert_rows(places, 'corner', id => 'corner_id', same => 'node_id, edge_a, end_a, edge_b, end_b',
         columns => 'centre, radius_wanted, radius, arc, method', rows => $part$
         SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM edge_ids)[edge_a] AS edge_a, end_a,
