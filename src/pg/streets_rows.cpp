@@ -136,7 +136,7 @@ bool fill_lane_separator(const ComputedStreets& computed, std::size_t i, Row& ro
   return put(row, number(separator.edge), separator.position,
              name(separator_kind_name(separator.kind)), separator.dashed, separator.axis_offset,
              Ewkb{write_line(separator.line, flat(computed))},
-             Ewkb{write_surface(separator.surface, flat(computed))});
+             Ewkb{write_surface(paint_of(separator), flat(computed))});
 }
 
 bool fill_marking(const ComputedStreets& computed, std::size_t i, Row& row) {
