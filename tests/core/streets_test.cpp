@@ -508,10 +508,9 @@ TEST(Streets, AnIntersectionKeepsItsNode) {
                                 {3, {{0, 0, 0}, {30, 0, 0}}, 0, 4, 4, 1, 5},
                                 {4, {{0, 0, 0}, {0, -30, 0}}, 0, 4, 4, 1, 5}},
                                {});
-  const auto tee = std::find_if(town.intersections.begin(), town.intersections.end(),
-                                [&](const Intersection& i) {
-                                  return distance(town.network.nodes[i.node].point, {}) == 0;
-                                });
+  const auto tee = std::find_if(
+      town.intersections.begin(), town.intersections.end(),
+      [&](const Intersection& i) { return distance(town.network.nodes[i.node].point, {}) == 0; });
   ASSERT_NE(tee, town.intersections.end());
   EXPECT_GT(tee->contested_area, 0);
   EXPECT_TRUE(holds(tee->surface, {1e-3, 1e-3, 0}));
