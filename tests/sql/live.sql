@@ -393,6 +393,9 @@ INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(6
 SELECT 'it has none once its ends are one node', array_agg(axis_id) = '{2}' FROM short.edge;
 SELECT 'and is reported', count(*) = 1 FROM short.report WHERE axis_a = 1 AND issue = 'collapsed_axis';
 SELECT 'as from scratch', test.followed('short', 'once');
+DELETE FROM short.axis WHERE axis_id = 2;
+SELECT 'it has one again when the other is gone', array_agg(axis_id) = '{1}' FROM short.edge;
+SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
 -- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
@@ -411,6 +414,9 @@ INSERT INTO short.axis (axis_id, geom, width, width_end) VALUES (1, 'SRID=2154;L
 CREATE TEMPORARY TABLE before_short AS SELECT geom FROM short.edge;
 INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650300.3 6860000, 650300.7 6860000)', 7);
 SELECT 'an edge keeps its line and begins farther on along its axis', count(*) = 1 FROM short.edge JOIN before_short USING (geom) WHERE abs(start_abscissa - 0.7) < 1e-6;
+SELECT 'as from scratch', test.followed('short', 'once');
+UPDATE short.axis SET geom = ST_Translate(geom, 0, 90) WHERE axis_id = 2;
+SELECT 'and at its start again when that is elsewhere', count(*) = 1 FROM short.edge WHERE axis_id = 1 AND start_abscissa = 0;
 SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
