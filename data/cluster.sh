@@ -103,6 +103,7 @@ shared_buffers = 256MB
 work_mem = 64MB
 maintenance_work_mem = 256MB
 max_wal_size = 2GB
+session_preload_libraries = 'postgis-3'
 logging_collector = off
 EOF
   fi
