@@ -128,9 +128,9 @@ CROSS JOIN LATERAL (VALUES ('section', edge_id), ('intersection', near), ('inter
 JOIN surface s ON s.kind = n.kind AND s.id = n.id
 WHERE NOT EXISTS (SELECT FROM giving g WHERE g.edge_id = e.edge_id) AND NOT (near = far AND l.method = 'crossed_limits') GROUP BY l.section_limit_id;
 INSERT INTO finding
-SELECT CASE WHEN cardinality(neighbours) = 1 AND bool_or(inside) THEN 'street ends on its own roadway' ELSE 'border line off a boundary' END, 'section_limit', section_limit_id, max(off), border_line FROM (
-    SELECT b.*, ST_Covers(n, p) AS inside, ST_Distance(ST_Boundary(n), p) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t, ST_LineInterpolatePoint(border_line, t / 4.0) p) p
-GROUP BY section_limit_id, border_line, neighbours HAVING max(off) > 1e-3;
+SELECT CASE WHEN alone AND bool_or(inside) THEN 'street ends on its own roadway' ELSE 'border line off a boundary' END, 'section_limit', section_limit_id, max(off), border_line FROM (
+    SELECT b.*, cardinality(neighbours) = 1 AS alone, ST_Covers(n, p) AS inside, ST_Distance(ST_Boundary(n), p) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t, ST_LineInterpolatePoint(border_line, t / 4.0) p) p
+GROUP BY section_limit_id, border_line, alone HAVING max(off) > 1e-3;
 
 -- Holes of a level's union that no surface fills by right: of the level (GEOS loses some of many in a union), or of another that tiles
 -- with one of the level, since an edge of both is its own or ends there; 1e-6 m2, or a width of 1e-7 m, is the noise of coordinates.
