@@ -118,7 +118,7 @@ class Settlement {
     std::set<std::size_t> further;
     for (const Contest& contest : contests) {
       if (levels_meet) break;
-      if (!contest.beaten(claim) || !contest.won(claim)) continue;
+      if (!contest.beaten(claim) || !(contest.won(claim) || contest.undecided())) continue;
       each_dispute(contest.parties, [&](std::size_t dispute) {
         if (!is_party(claim, dispute)) further.insert(dispute);
       });
@@ -181,6 +181,27 @@ class Settlement {
       return std::any_of(duels.begin(), duels.end(),
                          [&](const Duel& d) { return d.crossed && d.winner == claim; });
     }
+    bool undecided() const {
+      return std::all_of(parties.begin(), parties.end(), [&](int party) { return beaten(party); });
+    }
+    // Of those that each lose to another: the ones that nobody beats but whom they beat in turn, by
+    // way of others.
+    std::vector<int> circle() const {
+      std::set<std::pair<int, int>> beats;
+      for (const Duel& d : duels) beats.emplace(d.winner, d.loser);
+      for (const int by_way_of : parties)
+        for (const int i : parties)
+          for (const int j : parties)
+            if (beats.count({i, by_way_of}) > 0 && beats.count({by_way_of, j}) > 0)
+              beats.emplace(i, j);
+      std::vector<int> first;
+      std::copy_if(parties.begin(), parties.end(), std::back_inserter(first), [&](int party) {
+        return std::all_of(parties.begin(), parties.end(), [&](int other) {
+          return beats.count({other, party}) == 0 || beats.count({party, other}) > 0;
+        });
+      });
+      return first;
+    }
     void leave(int claim) {
       parties.erase(std::find(parties.begin(), parties.end(), claim));
       duels.erase(
@@ -216,19 +237,14 @@ class Settlement {
   }
 
   // Who loses to nobody owns the place, and those that it beats leave. A crossing goes by rank, all
-  // else by distance: where each loses to another, the first winner of a crossing, or the first.
+  // else by distance, where axes drawn one on the other are as near but for noise: of a circle of
+  // losers the first winner of a crossing owns it, or the first.
   bool owns(int claim, Contest contest) const {
     while (contest.beaten(claim)) {
       const auto& parties = contest.parties;
       const auto unbeaten = std::find_if(parties.begin(), parties.end(),
                                          [&](int party) { return !contest.beaten(party); });
-      const int owner = unbeaten != parties.end()
-                            ? *unbeaten
-                            : *std::min_element(parties.begin(), parties.end(), [&](int i, int j) {
-                                return contest.won(i) != contest.won(j)
-                                           ? contest.won(i)
-                                           : before(claims_[i], claims_[j]);
-                              });
+      const int owner = unbeaten != parties.end() ? *unbeaten : first_of(contest);
       if (owner == claim) return true;
       for (const Duel& d : std::vector<Duel>(contest.duels)) {
         if (d.winner != owner && d.loser != owner) continue;
@@ -239,6 +255,13 @@ class Settlement {
       contest.leave(owner);
     }
     return true;
+  }
+
+  int first_of(const Contest& contest) const {
+    const std::vector<int> circle = contest.circle();
+    return *std::min_element(circle.begin(), circle.end(), [&](int i, int j) {
+      return contest.won(i) != contest.won(j) ? contest.won(i) : before(claims_[i], claims_[j]);
+    });
   }
 
   Geos& geos_;

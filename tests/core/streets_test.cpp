@@ -171,6 +171,30 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
   EXPECT_FALSE(holds(town.intersections[0].surface, {6.6, 6.6, 0}));
 }
 
+// A link of 3 m between kerbs at 5 m, and the street that goes on from it with a bend.
+TEST(Streets, AnAxisIsFollowedWithinABendOfSixtyDegrees) {
+  constexpr double degree = M_PI / 180;
+  const auto bent = [](double angle) {
+    const Point far{3 + 100 * std::cos(angle), 100 * std::sin(angle), 0};
+    return streets({{1, {{0, 0, 0}, {3, 0, 0}}, 0, 10, 10, 5, 3},
+                    {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, 5, 3},
+                    {3, {{3, 0, 0}, far}, 0, 10, 10, 5, 3},
+                    {4, {{3, 0, 0}, {3, -80, 0}}, 0, 10, 10, 5, 3}},
+                   {});
+  };
+  const auto followed_to = [](const Streets& town, const Point& centre) {
+    const Corner* corner = corner_of(town, 1, 2, 0);
+    EXPECT_EQ(corner->method, Method::followed);
+    EXPECT_EQ(corner->radius, 5);
+    ASSERT_TRUE(corner->centre.has_value());
+    EXPECT_NEAR(distance(*corner->centre, centre), 0, 1e-6);
+  };
+  EXPECT_EQ(corner_of(bent(-61 * degree), 1, 2, 0)->method, Method::no_arc);
+  // Ten metres from both axes: left of the next one, and off the bend, whose outer kerb is round.
+  followed_to(bent(35 * degree), {10, (7 * std::sin(35 * degree) + 10) / std::cos(35 * degree), 0});
+  followed_to(bent(-50 * degree), {10, std::sqrt(51), 0});
+}
+
 TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   // The largest radius on 8 m, with both half widths 5 m and a right angle, is 3 m.
   StreetSettings settings;
