@@ -27,7 +27,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END)
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM %1$I.axis a LEFT JOIN (SELECT setting_hash FROM %1$I.setting_used) h ON true
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN %1$I.setting_used ON true
 LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width, (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default, (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
@@ -36,9 +37,8 @@ LEFT JOIN (
            nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb AS radius_by_importance, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
-CROSS JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
-    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane) o
-LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is asked for does.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
