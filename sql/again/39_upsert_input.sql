@@ -56,5 +56,6 @@ computed AS MATERIALIZED (
         former_edges => (
             SELECT array_agg(ROW (axis_id, geom, wanted_start, start, border_start, wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
             FROM former_edge),
-        former_nodes => (SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface, contested)::streetgen.former_node) FROM former_node)) AS streets)$part$, places) $$;
+        former_nodes => (SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface, contested)::streetgen.former_node) FROM former_node),
+        onwards => {whole} OR $4) AS streets)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS 'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

@@ -32,12 +32,10 @@ BEGIN
         BEGIN
             claimed := streetgen._claim(model, changed, wait => true);
             PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, onwards => false);
-            EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING claimed.written;
-            EXIT WHEN leading_on <@ changed;
-            changed := changed || leading_on;
-            RAISE SQLSTATE 'SG001';
+            EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
-            NULL;
+            GET STACKED DIAGNOSTICS leading_on = PG_EXCEPTION_HINT;
+            changed := changed || leading_on;
         END;
     END LOOP;
     PERFORM pg_notify('qgis', model);
