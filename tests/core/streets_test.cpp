@@ -654,5 +654,26 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
   EXPECT_GT(met, out);
 }
 
+// The end of a street moves, and with it the next one, which ends where one meets it that is not
+// written.
+TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
+  std::vector<StreetAxis> axes = {{7, {{0, 0, 0}, {100, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {8, {{100, 0, 0}, {200, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {9, {{200, 0, 0}, {300, 50, 0}}, 0, 6, 6, 4, 5}};
+  Former former = former_of(streets(axes, {}));
+  former.edges.pop_back();
+  axes[0].line.back().y = 0.3;
+  axes[1].changed = axes[2].changed = false;
+  axes[2].outer = true;
+  EXPECT_EQ(streets(axes, {}, {}, former).leading_on, (std::vector<bool>{false, true, false}));
+  former.onwards = false;
+  try {
+    streets(axes, {}, {}, former);
+    FAIL();
+  } catch (const LeadsOn& leads_on) {
+    EXPECT_EQ(leads_on.axes(), std::vector<std::int64_t>{8});
+  }
+}
+
 }  // namespace
 }  // namespace streetgen
