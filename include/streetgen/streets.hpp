@@ -185,7 +185,8 @@ struct Streets {
   // was.  Where all axes changed, everything.
   std::vector<bool> asked_edges, asked_nodes;
   // Edges of axes that did not change along which the change leaves what is written: they move
-  // where axes beyond reach meet them, or where one looks at them.  A run for their axes is due.
+  // where axes beyond reach meet them, look at them or claim the same ground.  A run for their axes
+  // is due.
   std::vector<bool> leading_on;
   std::vector<Section> sections;            // one per asked edge
   std::vector<Intersection> intersections;  // one per asked node of degree two and more
