@@ -175,7 +175,7 @@ struct Former {
   std::vector<FormerEdge> edges;
   std::vector<FormerNode> nodes;  // with an intersection
   // Whether what is computed counts where the change leads on beyond what is written; else it is
-  // LeadsOn, before any surface is computed.
+  // LeadsOn, as soon as that is known.
   bool onwards = true;
 };
 
@@ -201,7 +201,8 @@ struct Streets {
   // was.  Where all axes changed, everything.
   std::vector<bool> asked_edges, asked_nodes;
   // Edges of axes that did not change along which the change leaves what is written: they move
-  // where axes beyond reach meet them, or where one looks at them.  A run for their axes is due.
+  // where axes beyond reach meet them, look at them or claim the same ground.  A run for their axes
+  // is due.
   std::vector<bool> leading_on;
   std::vector<Section> sections;            // one per asked edge
   std::vector<Intersection> intersections;  // one per asked node of degree two and more

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "box_index.hpp"
@@ -17,6 +16,8 @@ namespace {
 
 // Metres between surfaces, no more than which may have been filled as a hole.
 constexpr double near_enough = 1;
+
+constexpr double noise = 1e-6;  // metres
 
 constexpr int none = -1;
 
@@ -63,20 +64,24 @@ class Change {
   void compare_edges() {
     std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
     for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
-    std::unordered_set<std::int64_t> unchanged;
+    std::map<std::int64_t, std::vector<int>> unchanged;  // their edges that are new
     std::vector<const FormerEdge*> kept(edges_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
       const StreetAxis& axis = layout_.axis_of(e);
       if (axis.outer) continue;
       const auto before = former.find(axis.axis_id);
       if (!axis.changed) {
-        unchanged.insert(axis.axis_id);
+        unchanged[axis.axis_id];
         if (before != former.end()) kept[e] = take(before->second, edges_[e]);
       }
       if (kept[e] != nullptr) continue;
       moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
-      if (!axis.changed && before != former.end()) turn(e);
+      if (axis.changed || before == former.end()) continue;
+      turn(e);
+      unchanged[axis.axis_id].push_back(e);
     }
+    for (const auto& [axis_id, fresh] : unchanged)
+      if (!fresh.empty()) compare_course(fresh, former[axis_id]);
     for (const auto& [axis_id, gone] : former)
       for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
@@ -93,6 +98,28 @@ class Change {
     const FormerEdge* before = *found;
     some.erase(found);
     return before;
+  }
+
+  void compare_course(const std::vector<int>& fresh, const std::vector<const FormerEdge*>& gone) {
+    std::vector<const Line*> now, before;
+    Turned turned{fresh, {}};
+    for (const int e : fresh) now.push_back(&edges_[e].line);
+    for (const FormerEdge* edge : gone) {
+      before.push_back(&edge->line);
+      turned.sections.push_back(&edge->section);
+    }
+    if (!lies_on(now, before) || !lies_on(before, now)) moved_.turned.push_back(turned);
+  }
+
+  static bool lies_on(const std::vector<const Line*>& some,
+                      const std::vector<const Line*>& course) {
+    const auto on_course = [&](const Point& p) {
+      return std::any_of(course.begin(), course.end(),
+                         [&](const Line* line) { return distance_to_line(p, *line) <= noise; });
+    };
+    return std::all_of(some.begin(), some.end(), [&](const Line* line) {
+      return std::all_of(line->begin(), line->end(), on_course);
+    });
   }
 
   // An edge of an axis that did not change becomes another.

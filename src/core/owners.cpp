@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "claims.hpp"
 #include "hole.hpp"
@@ -28,6 +29,7 @@ class Owners {
         moved_(moved.edges),
         was_(moved.sections),
         given_up_(moved.given_up),
+        turned_(moved.turned),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
         served_(surfaces_.size()) {
@@ -162,6 +164,40 @@ class Owners {
     }
   }
 
+  bool outer(int i) const {
+    return i < edges_ ? layout_.axis_of(i).outer : layout_.outer(i - edges_);
+  }
+
+  // Turned edges, and intersections at their ends, that share ground with what lies beyond reach.
+  void lead_turned_on() {
+    std::set<int> beside;  // what lies beyond reach
+    for (const auto& [i, j] : disputes_) {
+      if (outer(i)) beside.insert(j);
+      if (outer(j)) beside.insert(i);
+    }
+    for (const Turned& turned : turned_)
+      for (const int e : turned.edges) {
+        const Edge& edge = layout_.streets.network.edges[e];
+        for (const int i : {e, edges_ + edge.from_node, edges_ + edge.to_node})
+          if (beside.count(i) > 0) layout_.streets.leading_on[e] = true;
+      }
+  }
+
+  // Those that shared ground with it.
+  void lead_turned_on_from_given_up() {
+    for (const Turned& turned : turned_)
+      for (const FormerSurface* section : turned.sections) {
+        if (section->ground.empty()) continue;
+        const Ground ground(section->ground);
+        for (const int i : vicinity().near(ground.box())) {
+          if (!outer(i) || !tile(claims_[turned.edges.front()], claims_[i])) continue;
+          build(i);
+          if (overlap(ground, Ground(surfaces_[i].ground)))
+            layout_.streets.leading_on[turned.edges.front()] = true;
+        }
+      }
+  }
+
   bool ask_around(const std::vector<Hole>& holes) {
     bool more = false;
     for (const Hole& hole : holes)
@@ -172,6 +208,7 @@ class Owners {
   // Gives the holes beside what is wanted.
   std::vector<Hole> build_what_matters() {
     ask_above_given_up();
+    lead_turned_on_from_given_up();
     for (;;) {
       build(needed_by_wanted());
       disputes_ = disputes(claims_);
@@ -181,6 +218,7 @@ class Owners {
       std::vector<Hole> holes =
           holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
       if (build(needed_by(holes)) || ask_around(holes)) continue;
+      lead_turned_on();
       vicinity_.reset();
       return holes;
     }
@@ -229,6 +267,7 @@ class Owners {
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<const FormerSurface*> was_;
   const std::vector<const FormerSurface*>& given_up_;
+  const std::vector<Turned>& turned_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;

@@ -13,7 +13,9 @@ namespace streetgen {
 
 namespace {
 
-void stay_within(const Streets& streets) {
+// An edit that has to be given up is so as soon as that is known.
+void stay_within(const Streets& streets, const Former& former) {
+  if (former.onwards) return;
   std::vector<std::int64_t> axes;
   for (std::size_t e = 0; e < streets.leading_on.size(); ++e)
     if (streets.leading_on[e]) axes.push_back(streets.network.edges[e].axis_id);
@@ -28,8 +30,9 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   solve_corners(layout, radii_by_hand(layout, overrides.corners));
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
   const Moved moved = ask_around_changes(layout, former);
-  if (!former.onwards) stay_within(layout.streets);
+  stay_within(layout.streets, former);
   settle_owners(layout, moved);
+  stay_within(layout.streets, former);
   return std::move(layout.streets);
 }
 

@@ -398,6 +398,20 @@ SELECT 'it has one again when the other is gone', array_agg(axis_id) = '{1}' FRO
 SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
+-- An edit joins the end of a street to a place beside it, which turns the whole street: where it shares ground with another beyond reach, that follows too.
+SELECT streetgen.create_model('turned', 2154) \g /dev/null
+INSERT INTO turned.axis (axis_id, geom, width, importance, level) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), width, importance, level FROM (VALUES
+  (1, 'LINESTRING(77.4225 145.08, 120.6675 9.765)', 5.88, 2, 1), (2, 'LINESTRING(195.9975 15.345, 211.42 29.415, 222.5025 54.405)', 12.17, 5, 0),
+  (3, 'LINESTRING(54.5725 56.97, 214.595 206.6175)', 10.85, 4, 1)) a(axis_id, line, width, importance, level);
+CREATE TEMPORARY TABLE before_turn AS SELECT edge_id, contested_area FROM turned.section JOIN turned.edge USING (edge_id) WHERE axis_id = 3;
+UPDATE turned.axis SET geom = ST_SetPoint(geom, 2, 'SRID=2154;POINT(650120.4475 6860010.545)') WHERE axis_id = 2;
+SELECT 'a street beyond the reach of an edit shares other ground with one that it turns', count(*) = 1 FROM before_turn b JOIN turned.section s USING (edge_id) WHERE abs(s.contested_area - b.contested_area) BETWEEN 1e-4 AND 1;
+SELECT 'as from scratch', test.followed('turned', 'once');
+UPDATE turned.axis SET geom = ST_SetPoint(geom, 2, 'SRID=2154;POINT(650222.5025 6860054.405)') WHERE axis_id = 2;
+SELECT 'and what it had when it is turned back', count(*) = 1 FROM before_turn b JOIN turned.section s USING (edge_id) WHERE abs(s.contested_area - b.contested_area) < 1e-6;
+SELECT 'nothing is stale', streetgen.live('turned', true) = 0;
+SELECT streetgen.drop_model('turned') \g /dev/null
+
 -- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
 SELECT streetgen.create_model('gone', 2154) \g /dev/null
 INSERT INTO gone.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
