@@ -421,6 +421,8 @@ Former former_of(const Streets& before) {
   Former former;
   for (const Section& section : before.sections)
     former.edges.push_back({before.network.edges[section.edge].axis_id,
+                            before.network.edges[section.edge].start_abscissa,
+                            before.network.edges[section.edge].end_abscissa,
                             before.network.edges[section.edge].line,
                             former_of(before.limits[2 * section.edge]),
                             former_of(before.limits[2 * section.edge + 1]),
