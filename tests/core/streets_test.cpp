@@ -413,6 +413,22 @@ TEST(Streets, ACutFarOffMovesNoBorder) {
   EXPECT_NEAR(area(second), area(whole.sections[1].surface), 2e-5);
 }
 
+// The same, of one that meets the first beside its end, which makes its line longer.
+TEST(Streets, AnEndThatMovesFarOffMovesNoBorder) {
+  const std::vector<StreetAxis> two = {
+      {2, {{0, 0, 0}, {140, 25, 0}, {318.73, 88.9, 0}}, 0, 8, 8, 4, 3},
+      {3, {{320, 90, 0}, {230, 80, 0}}, 0, 7, 7, 4, 3}};
+  std::vector<StreetAxis> three = two;
+  three.push_back({1, {{-50, 60, 0}, {-0.3, 0.2, 0}}, 0, 7, 7, 4, 3});
+  const Streets before = streets(two, {}), after = streets(three, {});
+  ASSERT_EQ(after.network.edges[1].line.front().x, -0.3);
+  const MultiPolygon &first = before.sections[0].surface, &second = after.sections[2].surface;
+  ASSERT_EQ(after.network.edges[after.sections[2].edge].axis_id, 3);
+  EXPECT_GT(before.sections[0].contested_area, 10);
+  EXPECT_LT(shared_area(first, second), 2e-5);
+  EXPECT_NEAR(area(second), area(before.sections[1].surface), 2e-5);
+}
+
 FormerLimit former_of(const SectionLimit& limit) {
   return {limit.wanted_abscissa, limit.abscissa, limit.border_line};
 }
@@ -636,6 +652,27 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
     }
   }
   EXPECT_GT(met, out);
+}
+
+// The end of a street moves, and with it the next one, which ends where one meets it that is not
+// written.
+TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
+  std::vector<StreetAxis> axes = {{7, {{0, 0, 0}, {100, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {8, {{100, 0, 0}, {200, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {9, {{200, 0, 0}, {300, 50, 0}}, 0, 6, 6, 4, 5}};
+  Former former = former_of(streets(axes, {}));
+  former.edges.pop_back();
+  axes[0].line.back().y = 0.3;
+  axes[1].changed = axes[2].changed = false;
+  axes[2].outer = true;
+  EXPECT_EQ(streets(axes, {}, {}, former).leading_on, (std::vector<bool>{false, true, false}));
+  former.onwards = false;
+  try {
+    streets(axes, {}, {}, former);
+    FAIL();
+  } catch (const LeadsOn& leads_on) {
+    EXPECT_EQ(leads_on.axes(), std::vector<std::int64_t>{8});
+  }
 }
 
 }  // namespace
