@@ -38,7 +38,14 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, i
     named boolean DEFAULT false, there text DEFAULT NULL, gone text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT streetgen._filled($part$
+    SELECT streetgen._filled(CASE WHEN bare AND NOT named THEN $part$
+set_{relation} AS (
+    INSERT INTO {model}.{relation} ({id}, {written})
+    SELECT {id_new}, {written} FROM ({rows}
+        ) n RETURNING {is_hard} AS hard),
+count_{relation} AS (
+    SELECT '{relation}', count(*), 0::bigint, 0::bigint, 0::bigint, count(*) FILTER (WHERE hard) FROM set_{relation})$part$
+    ELSE $part$
 new_{relation} AS MATERIALIZED (
     SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
     FROM ({rows}
@@ -57,18 +64,19 @@ add_{relation} AS (
     FROM generate_series(1, (SELECT max(number) FROM new_{relation})) number LEFT JOIN new_{relation} USING (number))$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
-    DELETE FROM {model}.{relation} WHERE NOT {bare} AND {id} = ANY (ARRAY(
+    -- Of a whole model every row is looked at only where one is too many.
+    DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END || $part$,
 count_{relation} AS (
     SELECT '{relation}', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), {gone},
-           count(*) FILTER (WHERE NOT changed), {hard}
-    FROM new_{relation})$part$,
+           count(*) FILTER (WHERE NOT changed), count(*) FILTER (WHERE {is_hard})
+    FROM new_{relation})$part$ END,
         places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
             'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
             'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
-            'id_new', CASE WHEN same IS NULL THEN id ELSE format('coalesce(%s, %s)', id, next_id) END,
+            'id_new', CASE WHEN same IS NULL THEN id WHEN bare AND NOT named THEN next_id ELSE format('coalesce(%s, %s)', id, next_id) END,
             -- Of what hangs on a row that this statement made none is there.
             'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
@@ -76,9 +84,9 @@ count_{relation} AS (
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, columns, streetgen._columns_of('excluded', columns)) END,
             'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
-            'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END))
+            'is_hard', CASE WHEN columns ~ '\mmethod\M' THEN 'method <> ''hypothesis''' ELSE 'false' END))
     FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts.';
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts; in a bare model rows that are not named go straight to their table, without new_relation.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

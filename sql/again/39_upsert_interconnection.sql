@@ -28,9 +28,9 @@ drawn AS MATERIALIZED (
                CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
                coalesce(d.geom, p.geom) AS geom, CASE WHEN d.by_hand THEN 'by_hand' ELSE 'hypothesis' END AS method
         FROM streetgen._computed_interconnection((SELECT streets FROM computed)) p LEFT JOIN drawn d USING (lane_in, lane_out)
-        WHERE (SELECT ids FROM node_ids)[node] > 0 AND (SELECT ids FROM lane_ids)[lane_in] > 0 AND (SELECT ids FROM lane_ids)[lane_out] > 0$part$,
+        WHERE {whole} OR (SELECT ids FROM node_ids)[node] > 0 AND (SELECT ids FROM lane_ids)[lane_in] > 0 AND (SELECT ids FROM lane_ids)[lane_out] > 0$part$,
         there => 'SELECT interconnection_id FROM left_interconnection'),
-    streetgen._filled($part$
+    CASE WHEN NOT (places ->> 'bare')::boolean THEN streetgen._filled($part$
 -- One of which a lane lies on an axis that is not asked belongs to the run for that axis.
 left_interconnection AS MATERIALIZED (
     SELECT interconnection_id FROM (
@@ -42,5 +42,5 @@ left_interconnection AS MATERIALIZED (
         OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_in))
                 IN (SELECT axis_id FROM asked_axis)
             AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out))
-                IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
+                IN (SELECT axis_id FROM asked_axis))$part$, places) END) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnections(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';

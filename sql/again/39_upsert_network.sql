@@ -18,13 +18,13 @@ old_edge AS MATERIALIZED (
 -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa.
 old_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM old_edge GROUP BY axis_id),
 old_anchor AS (
-    SELECT axis_id, CASE WHEN start_abscissa = first THEN -1 ELSE round((start_abscissa * 100)::numeric) END AS place, from_node AS node_id
+    SELECT axis_id, CASE WHEN start_abscissa = first THEN -1 ELSE round(start_abscissa * 100) END AS place, from_node AS node_id
     FROM old_edge JOIN old_span USING (axis_id)
-    UNION SELECT axis_id, CASE WHEN end_abscissa = last THEN -2 ELSE round((end_abscissa * 100)::numeric) END, to_node
+    UNION SELECT axis_id, CASE WHEN end_abscissa = last THEN -2 ELSE round(end_abscissa * 100) END, to_node
     FROM old_edge JOIN old_span USING (axis_id)),
 new_span AS (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM computed_edge GROUP BY axis_id),
 new_anchor AS (
-    SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round((abscissa * 100)::numeric) END AS place
+    SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round(abscissa * 100) END AS place
     FROM (SELECT number, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa FROM written_node WHERE NOT {bare}) a
     LEFT JOIN new_span USING (axis_id)),
 claim_of AS (SELECT number, node_id, min(axis_id) AS axis_id FROM new_anchor JOIN old_anchor USING (axis_id, place) GROUP BY number, node_id),
