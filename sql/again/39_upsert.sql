@@ -47,9 +47,10 @@ count_{relation} AS (
     SELECT '{relation}', count(*), 0::bigint, 0::bigint, 0::bigint, count(*) FILTER (WHERE hard) FROM set_{relation})$part$
     ELSE $part$
 new_{relation} AS MATERIALIZED (
-    SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
-    FROM ({rows}
-        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{order_named}),
+    SELECT {stored} FROM (
+        SELECT old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed, {id_there}n.*
+        FROM ({rows}
+            ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{as_one}) r),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
     SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$
@@ -79,14 +80,16 @@ count_{relation} AS (
             'id_new', CASE WHEN same IS NULL THEN id WHEN bare AND NOT named THEN next_id ELSE format('coalesce(%s, %s)', id, next_id) END,
             -- Of what hangs on a row that this statement made none is there.
             'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
+            -- Of a whole model what stays as it is need not be stored.
+            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, same, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
-            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
+            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, columns, streetgen._columns_of('excluded', columns)) END,
             'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
             'is_hard', CASE WHEN columns ~ '\mmethod\M' THEN 'method <> ''hypothesis''' ELSE 'false' END))
-    FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts; in a bare model rows that are not named go straight to their table, without new_relation.';
+    FROM (SELECT (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query (those of a whole model only where they changed), id, fresh (not there yet) and changed (fresh ones too); count_relation the counts; in a bare model rows that are not named go straight to their table, without new_relation.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
