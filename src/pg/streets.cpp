@@ -1,5 +1,6 @@
 // streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
 #include <unordered_map>
+#include <unordered_set>
 
 #include "progress.hpp"
 #include "streets_call.hpp"
@@ -24,7 +25,7 @@ ComputedStreets compute_streets(const StreetsCall& call) {
 class Kept {
  public:
   explicit Kept(ComputedStreets computed) : computed_(std::move(computed)) {
-    all()[number_] = &computed_;
+    all()[number_] = this;
   }
   ~Kept() { all().erase(number_); }
   Kept(const Kept&) = delete;
@@ -32,14 +33,21 @@ class Kept {
 
   std::int64_t number() const { return number_; }
 
-  static const ComputedStreets* find(std::int64_t number) {
+  const ComputedStreets& computed() const { return computed_; }
+  bool knows(const Table& table) const { return forgotten_.count(&table) == 0; }
+  void forget(const Table& table) {
+    forgotten_.insert(&table);
+    table.forget(computed_);
+  }
+
+  static Kept* find(std::int64_t number) {
     const auto found = all().find(number);
     return found == all().end() ? nullptr : found->second;
   }
 
  private:
-  static std::unordered_map<std::int64_t, const ComputedStreets*>& all() {
-    static std::unordered_map<std::int64_t, const ComputedStreets*> kept;
+  static std::unordered_map<std::int64_t, Kept*>& all() {
+    static std::unordered_map<std::int64_t, Kept*> kept;
     return kept;
   }
   static std::int64_t next() {
@@ -49,16 +57,21 @@ class Kept {
 
   std::int64_t number_ = next();
   ComputedStreets computed_;
+  std::unordered_set<const Table*> forgotten_;
 };
 
 Datum give_table(FunctionCallInfo fcinfo, const Table& table) {
-  const ComputedStreets* computed = Kept::find(PG_GETARG_INT64(0));
-  if (computed == nullptr)
-    ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
-                    errmsg("no streets of number %lld are kept",
-                           static_cast<long long>(PG_GETARG_INT64(0))),
-                    errhint("They are kept until the statement ends that computed them.")));
-  return give(fcinfo, table, *computed);
+  Kept* kept = Kept::find(PG_GETARG_INT64(0));
+  if (kept == nullptr || !kept->knows(table))
+    ereport(
+        ERROR,
+        (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
+         errmsg("no streets of number %lld are kept", static_cast<long long>(PG_GETARG_INT64(0))),
+         errhint("They are kept until the statement ends that computed them, and most of "
+                 "their rows until they were given.")));
+  const Datum given = give(fcinfo, table, kept->computed());
+  if (table.forget != nullptr) report(compute([&] { kept->forget(table); }));
+  return given;
 }
 
 }  // namespace

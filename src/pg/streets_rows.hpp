@@ -41,6 +41,8 @@ struct Table {
   std::size_t (*count)(const ComputedStreets& computed);
   // False: nothing is written of this one.
   bool (*fill)(const ComputedStreets& computed, std::size_t index, Row& row);
+  // Frees what these rows alone tell: they are given once. Null: they may be given again.
+  void (*forget)(ComputedStreets& computed) = nullptr;
 };
 
 extern const Table node_table, edge_table, section_limit_table, section_table, corner_table,
