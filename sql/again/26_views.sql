@@ -27,32 +27,33 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE axis_id = a.axis_id) o) END)
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM %1$I.axis a CROSS JOIN (SELECT settings AS v, setting_hash FROM %1$I.setting_used) s
+FROM %1$I.axis a LEFT JOIN (SELECT settings AS v, setting_hash FROM %1$I.setting_used) s ON true
 -- Most models have none, and no axis of them is asked for its own.
 CROSS JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) OR EXISTS (SELECT FROM %1$I.section_limit_override)
     OR EXISTS (SELECT FROM %1$I.corner_override) OR EXISTS (SELECT FROM %1$I.lane_override) AS any_override) h
 LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
--- OFFSET 0: each step is computed once, not again in every expression that names it.
-CROSS JOIN LATERAL (
+-- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is asked for does.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+LEFT JOIN LATERAL (
     SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
            streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
-           coalesce(importance, class_importance) AS importance_known,
-           CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width OFFSET 0) known
-CROSS JOIN LATERAL (
+           coalesce(importance, class_importance) AS importance_known HAVING true) known ON true
+CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) stated
+LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed, least(200, streetgen.estimated_width(lanes_stated, class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)
                + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0)
-                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used
-    FROM (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) k OFFSET 0) w
-CROSS JOIN LATERAL (
-    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used OFFSET 0) p
-CROSS JOIN LATERAL (
+                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used HAVING true) w ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used HAVING true) p ON true
+LEFT JOIN LATERAL (
     SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8) END,
-               CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used OFFSET 0) n
-CROSS JOIN LATERAL (
+               CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used HAVING true) n ON true
+LEFT JOIN LATERAL (
     SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
                CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used) AS forward_used,
            streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
-               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used OFFSET 0) l
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2) WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used) AS backward_used HAVING true) l ON true
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$, model);
     EXECUTE format($sql$

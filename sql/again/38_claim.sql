@@ -28,14 +28,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     AS $$
 BEGIN
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._used(axes bigint[], OUT axis_id bigint[], OUT width float8[], OUT input_hash bigint[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
-    AS $body$
-BEGIN
-    SELECT coalesce(array_agg(u.axis_id), '{}'), coalesce(array_agg(greatest(u.width, u.width_end)), '{}'), coalesce(array_agg(u.input_hash), '{}') INTO axis_id, width, input_hash
-        FROM %1$I.axis_used u WHERE u.axis_id = ANY (axes);
-END $body$ $sql$, model);
-    EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
@@ -46,65 +38,79 @@ DECLARE
     tolerance float8;
     -- No roadway is wider.
     widest float8;
-    used record;
+    -- The asked axes that are there, and how wide they are.
+    present bigint[];
+    widths float8[];
 BEGIN
     -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
     SELECT max(value::float8) FILTER (WHERE name IN ('reach', 'max_arc_distance')), max(value::float8) FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'), (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a), (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
         INTO reach, size, tolerance, widest FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
-    used := %1$I._used(asked);
+    SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)) INTO present, widths FROM %1$I.axis_used u WHERE u.axis_id = ANY (asked);
     -- What the asked axes can change: along the network, and by their roadway.
-    SELECT coalesce(array_agg(axis_id), '{}') INTO written FROM (
+    written := ARRAY(
         WITH line AS MATERIALIZED (
-            SELECT geom, u.width FROM unnest(used.axis_id, used.width) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
+            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
             UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
+        near AS MATERIALIZED (
+            SELECT e.*, distance <= 3 * tolerance AS met
+            FROM line l, LATERAL (
+                SELECT edge_id, axis_id, from_node, to_node, e.geom, greatest(e.width, width_end) AS width, ST_Distance(e.geom, l.geom) AS distance
+                FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2, 3 * tolerance)) OFFSET 0) e
+            WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
         -- Where limits cross, the far end of an edge moves too, however far.
-        far_end AS MATERIALIZED (
-            SELECT DISTINCT v.node_id FROM line l JOIN %1$I.edge e ON ST_DWithin(e.geom, l.geom, 3 * tolerance), LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)),
-        meeting AS MATERIALIZED (
-            SELECT edge_id, axis_id, geom, greatest(width, width_end) AS width, 'start' AS which FROM far_end JOIN %1$I.edge ON from_node = node_id
-            UNION ALL SELECT edge_id, axis_id, geom, greatest(width, width_end), 'end' FROM far_end JOIN %1$I.edge ON to_node = node_id),
+        far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
         -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
         reaching AS MATERIALIZED (
-            SELECT geom, width FROM line UNION ALL SELECT geom, width FROM meeting m WHERE EXISTS (SELECT FROM line l WHERE ST_DWithin(l.geom, m.geom, 3 * tolerance)) AND m.width / 2 + (
-                SELECT CASE m.which WHEN 'start' THEN l.abscissa ELSE ST_Length(m.geom) - l.abscissa END FROM %1$I.section_limit l WHERE (l.edge_id, l.which) = (m.edge_id, m.which)) > reach)
-        SELECT axis_id FROM meeting
+            SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
+                SELECT FROM %1$I.section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start' THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach))
+        SELECT axis_id FROM near
+        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
+        UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
         UNION SELECT e.axis_id FROM reaching l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
-        UNION SELECT unnest(asked)) w;
-    used := %1$I._used(written);
-    stale := ARRAY(SELECT DISTINCT axis_id FROM unnest(used.axis_id, used.input_hash) u(axis_id, input_hash) JOIN %1$I.edge e USING (axis_id) WHERE e.input_hash <> u.input_hash AND axis_id <> ALL (asked));
-    -- What that depends on. Axes are looked up once for all lines that begin in one cell; OFFSET: their widths by axis, not by width.
-    WITH line AS MATERIALIZED (
-        SELECT floor(ST_XMin(geom) / size) AS x, floor(ST_YMin(geom) / size) AS y, geom, reach + u.width / 2 AS margin, ST_Expand(geom, reach + (u.width + widest) / 2) AS box
-        FROM unnest(used.axis_id, used.width) u(axis_id, width) JOIN %1$I.axis USING (axis_id)),
+        UNION SELECT unnest(asked));
+    stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written) AND axis_id <> ALL (asked)
+        AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash OFFSET 0));
+    IF stale <> '{}' THEN
+        RETURN;
+    END IF;
+    WITH own AS MATERIALIZED (
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width, box3d(geom) AS extent FROM %1$I.edge WHERE axis_id = ANY (written)),
+    line AS MATERIALIZED (
+        SELECT axis_id, geom, floor(ST_XMin(extent) / size) AS x, floor(ST_YMin(extent) / size) AS y, extent, reach + width / 2 AS margin, ST_Expand(geom, reach + (width + widest) / 2) AS box
+        FROM (SELECT axis_id, max(width) AS width FROM (SELECT axis_id, width FROM own UNION ALL SELECT * FROM unnest(present, widths)) w(axis_id, width) GROUP BY axis_id OFFSET 0) w
+            JOIN (SELECT axis_id, geom, box3d(geom) AS extent FROM %1$I.axis WHERE axis_id = ANY (written) OFFSET 0) a USING (axis_id)),
+    -- What that depends on. Axes are looked up once for all lines that begin in one cell.
+    around AS MATERIALIZED (
+        SELECT x, y, a.axis_id, a.geom FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(written))),
+    edge_around AS MATERIALIZED (
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width FROM %1$I.edge WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
     beside AS MATERIALIZED (
-        SELECT b.x, b.y, a.axis_id, a.geom, coalesce((SELECT max(width) FROM (SELECT greatest(e.width, e.width_end) AS width FROM %1$I.edge e WHERE e.axis_id = a.axis_id OFFSET 0) e), widest) / 2 AS half
-        FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(used.axis_id)))
-    SELECT used.axis_id || coalesce(array_agg(DISTINCT axis_id), '{}') INTO gathered FROM beside b
-        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + b.half));
-    -- With what meets it farther on: that bounds its edges. An axis too short for an edge has no node, but may place that of others.
-    SELECT gathered || coalesce(array_agg(axis_id), '{}') INTO gathered FROM (
-        WITH met AS MATERIALIZED (SELECT from_node AS node_id FROM %1$I.edge WHERE axis_id = ANY (gathered) UNION SELECT to_node FROM %1$I.edge WHERE axis_id = ANY (gathered))
-        SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.from_node = m.node_id UNION SELECT e.axis_id FROM met m JOIN %1$I.edge e ON e.to_node = m.node_id
-        UNION SELECT a.axis_id FROM met m JOIN %1$I.node n USING (node_id), LATERAL (
-                SELECT a.axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, n.geom, 3 * tolerance) AND a.axis_id <> ALL (gathered) OFFSET 0) a
-            WHERE EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id AND r.issue = 'collapsed_axis')
-        EXCEPT SELECT unnest(gathered)) e JOIN %1$I.axis USING (axis_id);
-    -- A run writes every axis near the asked ones whole, ends included.
-    SELECT array_agg(DISTINCT cell ORDER BY cell) INTO cells FROM (
-        -- Most lie in the same few cells: the middles of their outermost.
-        SELECT DISTINCT (floor((ST_XMin(geom) - margin) / size) + 0.5) * size AS west, (floor((ST_YMin(geom) - margin) / size) + 0.5) * size AS south,
-            (floor((ST_XMax(geom) + margin) / size) + 0.5) * size AS east, (floor((ST_YMax(geom) + margin) / size) + 0.5) * size AS north FROM (
-            SELECT geom, reach + widest AS margin FROM %1$I.axis WHERE axis_id = ANY (asked) UNION ALL SELECT geom, reach + widest FROM %1$I.edge WHERE axis_id = ANY (asked)
-            UNION ALL SELECT geom, 10 FROM %1$I.axis WHERE axis_id = ANY (written)
-            UNION ALL SELECT geom, 10 FROM %1$I.edge WHERE axis_id = ANY (written)) line) box, streetgen._cell(west, south, east, north, size) cell;
+        SELECT DISTINCT axis_id FROM around b LEFT JOIN (SELECT axis_id, max(width) AS width FROM edge_around GROUP BY axis_id) e USING (axis_id)
+        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
+    -- With what meets it farther on: that bounds its edges.
+    bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own UNION ALL SELECT from_node, to_node, geom FROM edge_around WHERE axis_id IN (SELECT axis_id FROM beside)),
+    met AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM bounded),
+    met_axis AS MATERIALIZED (
+        SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM met)::bigint[]) UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM met)::bigint[])
+        -- An axis too short for an edge has no node, but may place that of others.
+        UNION SELECT axis_a FROM %1$I.report r WHERE issue = 'collapsed_axis' AND ST_Expand(geom, measure) && (SELECT ST_Expand(ST_Extent(geom)::geometry, 3 * tolerance) FROM bounded)
+            AND EXISTS (SELECT FROM %1$I.axis a JOIN %1$I.node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance) WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
+        EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
+    -- A run writes every axis near the asked ones whole, ends included. Most lie in the same few cells: the middles of their outermost.
+    box AS MATERIALIZED (
+        SELECT DISTINCT (floor((ST_XMin(extent) - margin) / size) + 0.5) * size AS west, (floor((ST_YMin(extent) - margin) / size) + 0.5) * size AS south,
+            (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east, (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
+        FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l, LATERAL (SELECT CASE WHEN axis_id = ANY (asked) THEN reach + widest ELSE 10 END) m(margin))
+    SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
+           (SELECT array_agg(DISTINCT cell ORDER BY cell) FROM box, streetgen._cell(west, south, east, north, size) cell)
+        INTO gathered, cells;
 END $body$ $sql$, model);
-    PERFORM streetgen._own_function(model, '_used(bigint[])', 'Of axes those that are there, with their greatest width and the hash of what they are computed from'),
-        streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes, all that these are computed with, and the cells of all that it reads or writes, ascending');
+    PERFORM streetgen._own_function(model, '_reach(bigint[])', 'Of asked axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that these are computed with, and the cells of all that it reads or writes, ascending');
 END $$;
-COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the functions of a model that tell how far a run for some axes reaches.';
+COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the function of a model that tells how far a run for some axes reaches.';
 
 CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], missed integer[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -35,17 +35,14 @@ CREATE OR REPLACE FUNCTION streetgen._columns_of(name text, columns text) RETURN
 COMMENT ON FUNCTION streetgen._columns_of(text, text) IS 'A list of columns, each with the name of the row that has it.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, id text, columns text, rows text, same text DEFAULT NULL,
-    named boolean DEFAULT false, there text DEFAULT NULL, gone text DEFAULT NULL) RETURNS text
+    named boolean DEFAULT false, there text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT streetgen._filled(CASE WHEN bare AND NOT named THEN $part$
-set_{relation} AS (
+new_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
     SELECT {id_new}, {written} FROM ({rows}
-        ) n RETURNING {is_hard} AS hard),
-count_{relation} AS (
-    SELECT '{relation}', count(*), 0::bigint, 0::bigint, 0::bigint, count(*) FILTER (WHERE hard) FROM set_{relation})$part$
-    ELSE $part$
+        ) n RETURNING {returned}, true AS fresh, true AS changed)$part$ ELSE $part$
 new_{relation} AS MATERIALIZED (
     SELECT {stored} FROM (
         SELECT old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed, {id_there}n.*
@@ -53,7 +50,7 @@ new_{relation} AS MATERIALIZED (
             ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{as_one}) r),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
-    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$ END
     || CASE WHEN (places ->> 'first')::boolean THEN $part$,
 -- Those that can meet no row need not look for one.
 add_{relation} AS (
@@ -67,11 +64,7 @@ add_{relation} AS (
 gone_{relation} AS (
     -- Of a whole model every row is looked at only where one is too many.
     DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
-        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END || $part$,
-count_{relation} AS (
-    SELECT '{relation}', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), {gone},
-           count(*) FILTER (WHERE NOT changed), count(*) FILTER (WHERE {is_hard})
-    FROM new_{relation})$part$ END,
+        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
         places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
             'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
@@ -86,19 +79,16 @@ count_{relation} AS (
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, columns, streetgen._columns_of('excluded', columns)) END,
-            'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
-            'is_hard', CASE WHEN columns ~ '\mmethod\M' THEN 'method <> ''hypothesis''' ELSE 'false' END))
+            'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
     FROM (SELECT (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query (those of a whole model only where they changed), id, fresh (not there yet) and changed (fresh ones too); count_relation the counts; in a bare model rows that are not named go straight to their table, without new_relation.';
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    -- RECURSIVE: parts may name what comes below them.
+    -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be put there the planner looks through all of them.
     SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places),
-            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places))
-        || (SELECT string_agg(format(E'\nSELECT * FROM count_%s', relation), ' UNION ALL' ORDER BY n)
-            FROM unnest(streetgen._derived_tables()) WITH ORDINALITY t(relation, n)) $$;
+            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places)) || E'\n' || streetgen._upsert_counts() $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false)

@@ -19,11 +19,6 @@ former_edge AS MATERIALIZED (
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
         LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
     WHERE NOT {whole} AND e.axis_id = ANY ($1)),
-former_node AS (
-    SELECT n.geom, i.surface::bytea, i.contested_area > 0 AS contested
-    FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
-        LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
-        LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
 computed AS MATERIALIZED (
     SELECT streetgen._streets({srid},
         settings => (
@@ -56,5 +51,9 @@ computed AS MATERIALIZED (
         former_edges => (
             SELECT array_agg(ROW (axis_id, geom, wanted_start, start, border_start, wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
             FROM former_edge),
-        former_nodes => (SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface, contested)::streetgen.former_node) FROM former_node)) AS streets)$part$, places) $$;
+        former_nodes => (
+            SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea, i.contested_area > 0)::streetgen.former_node)
+            FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
+                LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
+                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i)) AS streets)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS 'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

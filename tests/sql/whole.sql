@@ -47,7 +47,8 @@ CREATE TABLE watched_before AS SELECT * FROM made_of('watched');
 SELECT 'both ways count alike', count(*) = 11 AND bool_and(c = g) FROM counted c JOIN streetgen.generate('watched') g USING (relation);
 SELECT 'beside a trigger of others nothing is taken off', NOT EXISTS (SELECT * FROM watched_before EXCEPT SELECT * FROM made_of('watched'));
 SELECT 'and the streets are the same, keys too', test.same('whole', 'watched')
-    AND NOT EXISTS (SELECT t::text FROM whole.lane t EXCEPT SELECT t::text FROM watched.lane t) AND NOT EXISTS (SELECT t::text FROM whole.corner t EXCEPT SELECT t::text FROM watched.corner t);
+    AND NOT EXISTS (SELECT t::text FROM whole.lane t EXCEPT SELECT t::text FROM watched.lane t) AND NOT EXISTS (SELECT t::text FROM whole.corner t EXCEPT SELECT t::text FROM watched.corner t)
+    AND NOT EXISTS (SELECT t::text FROM whole.interconnection t EXCEPT SELECT t::text FROM watched.interconnection t);
 CREATE TABLE small_before AS SELECT * FROM made_of('small');
 SELECT streetgen.generate('small') \g /dev/null
 SELECT 'of a small model nothing is taken off', NOT EXISTS (SELECT * FROM small_before EXCEPT SELECT * FROM made_of('small'));
