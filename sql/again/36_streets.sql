@@ -12,7 +12,7 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
     RETURNS TABLE(number integer, asked boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
-COMMENT ON FUNCTION streetgen._computed_node(bigint) IS 'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as in all these; asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on each, m. Streets that are not kept: 55000, as in all these.';
+COMMENT ON FUNCTION streetgen._computed_node(bigint) IS 'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as in all these; asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on each, m. Streets that are not kept: 55000, as in all these. Limits, surfaces, corners, lanes and what is painted are given once, so that what they took is free for their tables.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
     RETURNS TABLE(number integer, asked boolean, lanes_asked boolean, leading_on boolean, axis_id bigint, from_node integer, to_node integer, level integer,

@@ -38,14 +38,19 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, i
     named boolean DEFAULT false, there text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT streetgen._filled($part$
+    SELECT streetgen._filled(CASE WHEN bare AND NOT named THEN $part$
+new_{relation} AS (
+    INSERT INTO {model}.{relation} ({id}, {written})
+    SELECT {id_new}, {written} FROM ({rows}
+        ) n RETURNING {returned}, true AS fresh, true AS changed)$part$ ELSE $part$
 new_{relation} AS MATERIALIZED (
-    SELECT {id_there}n.*, old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed
-    FROM ({rows}
-        ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{order_named}),
+    SELECT {stored} FROM (
+        SELECT old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed, {id_there}n.*
+        FROM ({rows}
+            ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{as_one}) r),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
-    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$ END
     || CASE WHEN (places ->> 'first')::boolean THEN $part$,
 -- Those that can meet no row need not look for one.
 add_{relation} AS (
@@ -57,22 +62,26 @@ add_{relation} AS (
     FROM generate_series(1, (SELECT max(number) FROM new_{relation})) number LEFT JOIN new_{relation} USING (number))$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
-    DELETE FROM {model}.{relation} WHERE NOT {bare} AND {id} = ANY (ARRAY(
+    -- Of a whole model every row is looked at only where one is too many.
+    DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
         places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
             'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
             'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
-            'id_new', CASE WHEN same IS NULL THEN id ELSE format('coalesce(%s, %s)', id, next_id) END,
+            'id_new', CASE WHEN same IS NULL THEN id WHEN bare AND NOT named THEN next_id ELSE format('coalesce(%s, %s)', id, next_id) END,
             -- Of what hangs on a row that this statement made none is there.
             'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
+            -- Of a whole model what stays as it is need not be stored.
+            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, same, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
-            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
+            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
-                id, columns, streetgen._columns_of('excluded', columns)) END))
-    FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
+                id, columns, streetgen._columns_of('excluded', columns)) END,
+            'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
+    FROM (SELECT (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

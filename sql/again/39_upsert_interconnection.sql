@@ -26,7 +26,9 @@ drawn AS MATERIALIZED (
         SELECT number, node_id, lane_in, lane_out, turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
                CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
                coalesce(d.geom, p.geom) AS geom, CASE WHEN d.by_hand THEN 'by_hand' ELSE 'hypothesis' END AS method
-        FROM streetgen._computed_interconnection((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM lane_ids)) p LEFT JOIN drawn d USING (lane_in, lane_out)$part$,
+        FROM streetgen._computed_interconnection((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM lane_ids)) p
+            -- LIMIT: taken for few, so that these are hashed and the others keep their order.
+            LEFT JOIN (SELECT * FROM drawn LIMIT (SELECT count(*) FROM drawn)) d USING (lane_in, lane_out)$part$,
         there => 'SELECT interconnection_id FROM left_interconnection'),
     streetgen._filled($part$
 -- One of which a lane lies on an axis that is not asked belongs to the run for that axis.

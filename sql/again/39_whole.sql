@@ -1,4 +1,4 @@
--- A whole model at once. Where nothing was derived yet its rows come first, then keys to other tables, indexes and statistics.
+-- A whole model at once. Where nothing was derived yet its rows come first, then keys, indexes and statistics.
 
 CREATE OR REPLACE FUNCTION streetgen._derived_tables() RETURNS name[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -46,27 +46,40 @@ DECLARE
 BEGIN
     EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) d(relation));
     WITH derived AS (SELECT c.oid, relname, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
-    part AS (
-        -- Indexes that no constraint, no replication and nobody else builds on, and nothing but a comment says more of. Clusters find rows by B-trees.
-        SELECT 1 AS turn, d.relname, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off, regexp_replace(pg_get_indexdef(i.indexrelid), '^CREATE INDEX', 'CREATE INDEX IF NOT EXISTS') AS back,
-               format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')) AS said
-        FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
-        WHERE NOT i.indisunique AND NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid AND c.reltablespace = 0
-            AND (NOT by_cluster OR c.relam <> (SELECT oid FROM pg_am WHERE amname = 'btree'))
-            AND NOT EXISTS (SELECT FROM pg_depend WHERE refclassid = 'pg_class'::regclass AND refobjid = i.indexrelid)
-            AND NOT EXISTS (SELECT FROM pg_depend WHERE classid = 'pg_class'::regclass AND objid = i.indexrelid AND deptype NOT IN ('a', 'n'))
-            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = i.indexrelid AND attstattarget >= 0)
-        UNION ALL
-        SELECT 2, d.relname, k.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', d.name, conname),
-               -- A cluster replaces rows of others now and then, and what belonged to them is still there.
-               CASE WHEN by_cluster AND confdeltype = 'c' THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s)); ', d.name, confrelid::regclass,
-                   (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n) FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid AND attnum = key),
-                   (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n) FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid AND attnum = key)) ELSE '' END
-               || format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)),
-               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, d.name, obj_description(k.oid, 'pg_constraint'))
-        FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
+    -- Foreign keys between them.
+    reference AS (
+        SELECT k.*, d.relname, d.name AS relation FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
         WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
             AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
+    -- Indexes that no replication and nobody else builds on, and nothing but a comment says more of: of a constraint, or of none. Clusters find rows by B-trees.
+    free_index AS (
+        SELECT d.relname, d.name AS relation, i.indexrelid, i.indisunique, k.oid AS key, k.conname
+        FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
+            LEFT JOIN pg_constraint k ON k.conindid = i.indexrelid AND k.conrelid = i.indrelid AND k.contype IN ('p', 'u', 'x')
+        WHERE NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid AND c.reltablespace = 0
+            AND CASE WHEN k.oid IS NULL THEN NOT i.indisunique ELSE c.reloptions IS NULL END
+            AND (NOT by_cluster OR c.relam <> (SELECT oid FROM pg_am WHERE amname = 'btree'))
+            AND NOT EXISTS (SELECT FROM pg_depend WHERE (refclassid, refobjid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid))
+                AND (classid, objid) <> ('pg_class'::regclass, i.indexrelid) AND (classid <> 'pg_constraint'::regclass OR objid NOT IN (SELECT r.oid FROM reference r)))
+            AND NOT EXISTS (SELECT FROM pg_depend WHERE (classid, objid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid)) AND deptype NOT IN ('a', 'n', 'i'))
+            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = i.indexrelid AND attstattarget >= 0)),
+    part AS (
+        SELECT 1 AS turn, i.relname, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off, regexp_replace(pg_get_indexdef(i.indexrelid), '^CREATE INDEX', 'CREATE INDEX IF NOT EXISTS') AS back,
+               format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')) AS said
+        FROM free_index i WHERE i.key IS NULL
+        UNION ALL
+        SELECT 1, i.relname, i.indexrelid, format('ALTER TABLE %s DROP CONSTRAINT %I', i.relation, i.conname), format('ALTER TABLE %s ADD CONSTRAINT %I %s', i.relation, i.conname, pg_get_constraintdef(i.key)),
+               concat_ws('; ', format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')), format('COMMENT ON CONSTRAINT %I ON %s IS %L', i.conname, i.relation, obj_description(i.key, 'pg_constraint')))
+        FROM free_index i WHERE i.key IS NOT NULL
+        UNION ALL
+        SELECT 2, r.relname, r.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', r.relation, conname),
+               -- A cluster replaces rows of others now and then, and what belonged to them is still there.
+               CASE WHEN by_cluster AND confdeltype = 'c' THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s)); ', r.relation, confrelid::regclass,
+                   (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n) FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid AND attnum = key),
+                   (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n) FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid AND attnum = key)) ELSE '' END
+               || format('ALTER TABLE %s ADD CONSTRAINT %I %s', r.relation, conname, pg_get_constraintdef(r.oid)),
+               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, r.relation, obj_description(r.oid, 'pg_constraint'))
+        FROM reference r),
     make AS (
         SELECT 1 AS turn, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 1 AND p.relname = d.relname), format('SELECT streetgen._analyse(%L)', d.name)) AS back FROM derived d
         UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 2)
@@ -80,7 +93,7 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
     -- Somebody reads them.
     RETURN;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, and indexes that hold no constraint, off the tables of a model, which it locks against all others. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -113,4 +126,4 @@ BEGIN
         EXECUTE back[i];
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_whole(name) IS 'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and foreign keys are made after the rows, and statistics with them; they are the same as before.';
+COMMENT ON FUNCTION streetgen._upsert_whole(name) IS 'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and keys are made after the rows, and statistics with them; they are the same as before.';

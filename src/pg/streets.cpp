@@ -1,6 +1,7 @@
 // streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
 #include <initializer_list>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "progress.hpp"
 #include "streets_call.hpp"
@@ -28,7 +29,7 @@ ComputedStreets compute_streets(const StreetsCall& call) {
 class Kept {
  public:
   explicit Kept(ComputedStreets computed) : computed_(std::move(computed)) {
-    all()[number_] = &computed_;
+    all()[number_] = this;
   }
   ~Kept() { all().erase(number_); }
   Kept(const Kept&) = delete;
@@ -36,14 +37,21 @@ class Kept {
 
   std::int64_t number() const { return number_; }
 
-  static const ComputedStreets* find(std::int64_t number) {
+  const ComputedStreets& computed() const { return computed_; }
+  bool knows(const Table& table) const { return forgotten_.count(&table) == 0; }
+  void forget(const Table& table) {
+    forgotten_.insert(&table);
+    table.forget(computed_);
+  }
+
+  static Kept* find(std::int64_t number) {
     const auto found = all().find(number);
     return found == all().end() ? nullptr : found->second;
   }
 
  private:
-  static std::unordered_map<std::int64_t, const ComputedStreets*>& all() {
-    static std::unordered_map<std::int64_t, const ComputedStreets*> kept;
+  static std::unordered_map<std::int64_t, Kept*>& all() {
+    static std::unordered_map<std::int64_t, Kept*> kept;
     return kept;
   }
   static std::int64_t next() {
@@ -53,6 +61,7 @@ class Kept {
 
   std::int64_t number_ = next();
   ComputedStreets computed_;
+  std::unordered_set<const Table*> forgotten_;
 };
 
 Ids take_ids(FunctionCallInfo fcinfo, int argument) {
@@ -69,16 +78,19 @@ using IdsOf = Ids Named::*;
 
 Datum give_table(FunctionCallInfo fcinfo, const Table& table,
                  std::initializer_list<IdsOf> arguments) {
-  const ComputedStreets* computed = Kept::find(PG_GETARG_INT64(0));
-  if (computed == nullptr)
+  Kept* kept = Kept::find(PG_GETARG_INT64(0));
+  if (kept == nullptr || !kept->knows(table))
     ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
                     errmsg("no streets of number %lld are kept",
                            static_cast<long long>(PG_GETARG_INT64(0))),
-                    errhint("They are kept until the statement ends that computed them.")));
+                    errhint("They are kept until the statement ends that computed them, and most "
+                            "of their rows until they were given.")));
   Named named;
   int argument = 0;
   for (const IdsOf ids : arguments) named.*ids = take_ids(fcinfo, ++argument);
-  return give(fcinfo, table, *computed, named);
+  const Datum given = give(fcinfo, table, kept->computed(), named);
+  if (table.forget != nullptr) report(compute([&] { kept->forget(table); }));
+  return given;
 }
 
 }  // namespace

@@ -180,15 +180,22 @@ using Computed = const ComputedStreets&;
 const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};
 const Table edge_table{[](Computed c) { return c.streets.network.edges.size(); }, fill_edge};
 const Table section_limit_table{[](Computed c) { return c.streets.limits.size(); },
-                                fill_section_limit};
-const Table section_table{[](Computed c) { return c.streets.sections.size(); }, fill_section};
-const Table corner_table{[](Computed c) { return c.streets.corners.size(); }, fill_corner};
+                                fill_section_limit,
+                                [](ComputedStreets& c) { c.streets.limits = {}; }};
+const Table section_table{[](Computed c) { return c.streets.sections.size(); }, fill_section,
+                          [](ComputedStreets& c) { c.streets.sections = {}; }};
+const Table corner_table{[](Computed c) { return c.streets.corners.size(); }, fill_corner,
+                         [](ComputedStreets& c) { c.streets.corners = {}; }};
 const Table intersection_table{[](Computed c) { return c.streets.intersections.size(); },
-                               fill_intersection};
-const Table lane_table{[](Computed c) { return c.lanes.lanes.size(); }, fill_lane};
+                               fill_intersection,
+                               [](ComputedStreets& c) { c.streets.intersections = {}; }};
+const Table lane_table{[](Computed c) { return c.lanes.lanes.size(); }, fill_lane,
+                       [](ComputedStreets& c) { c.lanes.lanes = {}; }};
 const Table lane_separator_table{[](Computed c) { return c.lanes.separators.size(); },
-                                 fill_lane_separator};
-const Table marking_table{[](Computed c) { return c.lanes.markings.size(); }, fill_marking};
+                                 fill_lane_separator,
+                                 [](ComputedStreets& c) { c.lanes.separators = {}; }};
+const Table marking_table{[](Computed c) { return c.lanes.markings.size(); }, fill_marking,
+                          [](ComputedStreets& c) { c.lanes.markings = {}; }};
 const Table interconnection_table{[](Computed c) { return c.interconnections.size(); },
                                   fill_interconnection};
 const Table report_table{[](Computed c) { return c.streets.network.reports.size(); }, fill_report};

@@ -46,6 +46,8 @@ struct Table {
   std::size_t (*count)(const ComputedStreets& computed);
   // False: what it belongs to has no id, and nothing is written of this one.
   bool (*fill)(const ComputedStreets& computed, const Named& named, std::size_t index, Row& row);
+  // Frees what these rows alone tell: they are given once. Null: they may be given again.
+  void (*forget)(ComputedStreets& computed) = nullptr;
 };
 
 extern const Table node_table, edge_table, section_limit_table, section_table, corner_table,

@@ -89,7 +89,11 @@ Head read_head(Reader& reader) {
 
 class Writer {
  public:
-  Writer(Type type, Form form, bool outer = true) : has_z_(form.has_z) { head(type, form, outer); }
+  // Room is made once: for so many points, and heads with a count.
+  Writer(Type type, Form form, std::size_t points, std::size_t heads = 1) : has_z_(form.has_z) {
+    out_.reserve(points * bytes_of_point() + heads * 13);
+    head(type, form, true);
+  }
   void head(Type type, Form form, bool outer) {
     const bool with_srid = outer && form.srid != 0;
     put<std::uint8_t>(1);
@@ -100,11 +104,7 @@ class Writer {
   void put(T value) {
     out_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  void put(const Point& p) {
-    put(p.x);
-    put(p.y);
-    if (has_z_) put(p.z);
-  }
+  void put(const Point& p) { out_.append(reinterpret_cast<const char*>(&p), bytes_of_point()); }
   void put(const Line& line) {
     put<std::uint32_t>(line.size());
     for (const Point& p : line) put(p);
@@ -116,6 +116,8 @@ class Writer {
   std::string take() { return std::move(out_); }
 
  private:
+  std::size_t bytes_of_point() const { return has_z_ ? sizeof(Point) : 2 * sizeof(double); }
+
   bool has_z_;
   std::string out_;
 };
@@ -194,25 +196,30 @@ MultiPolygon read_surface(std::string_view wkb, const std::string& what) {
 }
 
 std::string write_point(const Point& point, Form form) {
-  Writer writer(point_type, form);
+  Writer writer(point_type, form, 1);
   writer.put(point);
   return writer.take();
 }
 
 std::string write_line(const Line& line, Form form) {
-  Writer writer(line_type, form);
+  Writer writer(line_type, form, line.size());
   writer.put(line);
   return writer.take();
 }
 
 std::string write_arc(const Arc& arc, Form form) {
-  Writer writer(circular_type, form);
+  Writer writer(circular_type, form, 3);
   writer.put(Line{arc.start, arc.middle, arc.end});
   return writer.take();
 }
 
 std::string write_surface(const MultiPolygon& surface, Form form) {
-  Writer writer(multi_polygon_type, form);
+  std::size_t points = 0, heads = 1;
+  for (const Polygon& polygon : surface) {
+    heads += 1 + polygon.size();
+    for (const Ring& ring : polygon) points += ring.size();
+  }
+  Writer writer(multi_polygon_type, form, points, heads);
   writer.put<std::uint32_t>(surface.size());
   for (const Polygon& polygon : surface) {
     writer.head(polygon_type, form, false);
@@ -223,13 +230,13 @@ std::string write_surface(const MultiPolygon& surface, Form form) {
 
 std::string write_polygon(const MultiPolygon& surface, Form form) {
   if (surface.size() > 1) return write_surface(surface, form);
-  Writer writer(polygon_type, form);
+  Writer writer(polygon_type, form, 0);
   writer.put(surface.empty() ? Polygon{} : surface.front());
   return writer.take();
 }
 
 std::string write_curved(const CurvedRing& ring, Form form) {
-  Writer writer(curve_polygon_type, form);
+  Writer writer(curve_polygon_type, form, 3 * ring.size(), 2 + ring.size());
   writer.put<std::uint32_t>(1);
   writer.head(compound_type, form, false);
   writer.put<std::uint32_t>(ring.size());

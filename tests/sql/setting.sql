@@ -75,6 +75,10 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"former_nodes.surface": ["MULTIPOLYGON(((0 3,0 -3,1e13 3,0 3)))"]}', '22023', 'a former surface has a coordinate beyond 1e12 m at vertex 3'), ('{"former_edges.geom": ["POINT(1 2)"]}', '22023', 'a former edge')) v(given, wanted, part),
     LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
 SELECT 'streets are kept until their statement ends, and then no more', (r).state = '55000' AND (r).hint <> '' FROM (SELECT test.refusal('SELECT FROM streetgen._computed_node(1)') AS r) t;
+SELECT format('rows of %s are given %s', computed, CASE state WHEN 'none' THEN 'again and again' ELSE 'once' END),
+        test.state(format('WITH s AS MATERIALIZED (%s) SELECT (SELECT count(*) FROM streetgen._computed_%s) + (SELECT count(*) FROM streetgen._computed_%2$s)', replace(test.streets('{}'), 'count(*) FROM ', ''), computed)) = state
+    FROM (VALUES ('node((TABLE s))', 'none'), ('edge((TABLE s))', 'none'), ('interconnection((TABLE s), ''{1}'', ''{1,2}'')', 'none'),
+        ('section_limit((TABLE s), ''{1}'')', '55000'), ('lane((TABLE s), ''{1}'')', '55000'), ('marking((TABLE s), ''{1}'', ''{1}'')', '55000')) v(computed, state);
 SELECT 'a row that is NULL is refused', (r).state = '22004' AND (r).said LIKE 'row 1 of the axes is NULL' FROM (SELECT test.refusal('SELECT streetgen._streets(0, ''{}'', ARRAY[NULL::streetgen.street_axis], NULL, NULL, NULL, NULL, NULL, NULL, NULL)') AS r) t;
 SELECT 'no axes have no streets', streetgen._streets(0, '{}', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL) IS NULL;
 SELECT 'a NULL model is 22004, with a hint', bool_and((r).state = '22004' AND (r).hint <> '') FROM (SELECT test.refusal(call) AS r FROM unnest(ARRAY['SELECT streetgen.generate(NULL)',

@@ -1,4 +1,4 @@
--- The first run of a whole model: rows, then indexes and foreign keys.  Each SELECT is one truth: (name, holds).
+-- The first run of a whole model: rows, then indexes and keys.  Each SELECT is one truth: (name, holds).
 SET client_min_messages = warning;
 CREATE VIEW public.source AS
     SELECT 1 + i AS axis_id, ST_SetSRID(ST_MakeLine(ST_Point(650000 + 70 * (i / 2 % 25), 6860000 + 60 * (i / 50)), ST_Point(650000 + 70 * (i / 2 % 25 + (i + 1) % 2), 6860000 + 60 * (i / 50 + i % 2))), 2154) AS geom,
@@ -22,17 +22,23 @@ CALL town('parts', 1050);
 CALL town('small', 90);
 CALL town('watched', 1050);
 COMMENT ON INDEX whole.lane_geom IS 'lanes by place';
+COMMENT ON INDEX whole.node_pkey IS 'nodes by id';
+COMMENT ON CONSTRAINT node_pkey ON whole.node IS 'a node each';
 COMMENT ON CONSTRAINT edge_from_node_fkey ON whole.edge IS 'where it begins';
 CREATE INDEX own ON whole.corner (method) WHERE radius > 0;
 ALTER TABLE whole.report REPLICA IDENTITY FULL;
 CREATE UNIQUE INDEX section_identity ON whole.section (edge_id);
 ALTER TABLE whole.section REPLICA IDENTITY USING INDEX section_identity;
 GRANT SELECT ON whole.lane TO PUBLIC;
+CREATE VIEW whole.lane_of_others AS SELECT lane_id, width FROM whole.lane GROUP BY lane_id;
+CREATE TABLE whole.sign (intersection bigint REFERENCES whole.intersection);
 CREATE TABLE before AS SELECT * FROM made_of('whole');
 CREATE TABLE counted AS SELECT * FROM streetgen.generate('whole');
 SELECT 'indexes are made after the rows', (SELECT key FROM before WHERE what LIKE '% lane_geom %') <> 'whole.lane_geom'::regclass;
 SELECT 'and are, with constraints, comments, rights and replica identities, as before', NOT EXISTS ((SELECT what FROM before EXCEPT ALL SELECT what FROM made_of('whole')) UNION ALL (SELECT what FROM made_of('whole') EXCEPT ALL SELECT what FROM before));
-SELECT 'keys of rows stay on', (SELECT key FROM before WHERE what LIKE '% lane_pkey %') = 'whole.lane_pkey'::regclass;
+SELECT 'and so are keys of rows', (SELECT key FROM before WHERE what LIKE '% node_pkey %') <> 'whole.node_pkey'::regclass AND (SELECT key FROM before WHERE what LIKE '% lane_edge_id_ordinality_key %') <> 'whole.lane_edge_id_ordinality_key'::regclass;
+SELECT 'but not where a view or a table of others builds on them', (SELECT key FROM before WHERE what LIKE '% lane_pkey %') = 'whole.lane_pkey'::regclass AND (SELECT key FROM before WHERE what LIKE '% intersection_pkey %') = 'whole.intersection_pkey'::regclass;
+SELECT 'keys of rows hold', test.state($$INSERT INTO whole.node SELECT * FROM whole.node LIMIT 1$$) = '23505';
 SELECT 'an index that tells rows for replication stays on', (SELECT key FROM before WHERE what LIKE '% section_identity %') = 'whole.section_identity'::regclass;
 SELECT 'tables have statistics', bool_and(reltuples > 0) FROM pg_class WHERE relnamespace = 'whole'::regnamespace AND relname IN ('node', 'edge', 'lane', 'interconnection');
 SELECT 'foreign keys hold', test.state($$INSERT INTO whole.section_limit SELECT 1000000, -1, which, wanted_abscissa, abscissa, geom, border_line, method FROM whole.section_limit LIMIT 1$$) = '23503';
@@ -41,7 +47,8 @@ CREATE TABLE watched_before AS SELECT * FROM made_of('watched');
 SELECT 'both ways count alike', count(*) = 11 AND bool_and(c = g) FROM counted c JOIN streetgen.generate('watched') g USING (relation);
 SELECT 'beside a trigger of others nothing is taken off', NOT EXISTS (SELECT * FROM watched_before EXCEPT SELECT * FROM made_of('watched'));
 SELECT 'and the streets are the same, keys too', test.same('whole', 'watched')
-    AND NOT EXISTS (SELECT t::text FROM whole.lane t EXCEPT SELECT t::text FROM watched.lane t) AND NOT EXISTS (SELECT t::text FROM whole.corner t EXCEPT SELECT t::text FROM watched.corner t);
+    AND NOT EXISTS (SELECT t::text FROM whole.lane t EXCEPT SELECT t::text FROM watched.lane t) AND NOT EXISTS (SELECT t::text FROM whole.corner t EXCEPT SELECT t::text FROM watched.corner t)
+    AND NOT EXISTS (SELECT t::text FROM whole.interconnection t EXCEPT SELECT t::text FROM watched.interconnection t);
 CREATE TABLE small_before AS SELECT * FROM made_of('small');
 SELECT streetgen.generate('small') \g /dev/null
 SELECT 'of a small model nothing is taken off', NOT EXISTS (SELECT * FROM small_before EXCEPT SELECT * FROM made_of('small'));
