@@ -195,7 +195,8 @@ double quarter_radius(const Line& path) {
       size = distance(path[segment], path[segment + 1]);
     }
     const double t = size > 0 ? std::clamp((i * quarter - before) / size, 0.0, 1.0) : 0;
-    points[i] = t == 1 ? path[segment + 1] : path[segment] + (path[segment + 1] - path[segment]) * t;
+    points[i] =
+        t == 1 ? path[segment + 1] : path[segment] + (path[segment + 1] - path[segment]) * t;
   }
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
