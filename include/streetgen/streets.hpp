@@ -162,6 +162,7 @@ struct FormerLimit {
 };
 struct FormerEdge {
   std::int64_t axis_id = 0;
+  double start_abscissa = 0, end_abscissa = 0;  // metres along the axis
   Line line;
   FormerLimit start, end;
   FormerSurface section;

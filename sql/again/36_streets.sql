@@ -20,48 +20,48 @@ CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS 'The edges of streets computed in this statement: asked: its section comes out; lanes_asked: its lanes do; leading_on: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint)
-    RETURNS TABLE(number integer, edge integer, axis_id bigint, which text, wanted_abscissa float8, abscissa float8, geom geometry, border_line geometry, method text)
+CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8, geom geometry, border_line geometry, method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section_limit';
-COMMENT ON FUNCTION streetgen._computed_section_limit(bigint) IS 'The section limits of streets computed in this statement; abscissas along the edge, m.';
+COMMENT ON FUNCTION streetgen._computed_section_limit(bigint, bigint[]) IS 'The section limits of streets computed in this statement; abscissas along the edge, m. edges: the ids of the edges by their numbers, 0 where one has none, as nodes and lanes below; what belongs to one without is left out. A list with a NULL: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint)
-    RETURNS TABLE(number integer, edge integer, level integer, surface geometry, method text, contested_area float8)
+CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, level integer, surface geometry, method text, contested_area float8)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
-COMMENT ON FUNCTION streetgen._computed_section(bigint) IS 'The sections of streets computed in this statement: those of asked edges.';
+COMMENT ON FUNCTION streetgen._computed_section(bigint, bigint[]) IS 'The sections of streets computed in this statement: those of asked edges.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint)
-    RETURNS TABLE(number integer, node integer, edge_a integer, end_a text, edge_b integer, end_b text,
+CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, node_id bigint, edge_a bigint, end_a text, edge_b bigint, end_b text,
         centre geometry, radius_wanted float8, radius float8, arc geometry, method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_corner';
-COMMENT ON FUNCTION streetgen._computed_corner(bigint) IS 'The corners of streets computed in this statement; centre and arc are NULL where there is no arc; radii in m.';
+COMMENT ON FUNCTION streetgen._computed_corner(bigint, bigint[], bigint[]) IS 'The corners of streets computed in this statement; centre and arc are NULL where there is no arc; radii in m.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_intersection(streets bigint)
-    RETURNS TABLE(number integer, node integer, level integer, surface geometry, method text, contested_area float8)
+CREATE OR REPLACE FUNCTION streetgen._computed_intersection(streets bigint, nodes bigint[])
+    RETURNS TABLE(number integer, node_id bigint, level integer, surface geometry, method text, contested_area float8)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_intersection';
-COMMENT ON FUNCTION streetgen._computed_intersection(bigint) IS 'The intersections of streets computed in this statement: those of asked nodes where edges meet.';
+COMMENT ON FUNCTION streetgen._computed_intersection(bigint, bigint[]) IS 'The intersections of streets computed in this statement: those of asked nodes where edges meet.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint)
-    RETURNS TABLE(number integer, edge integer, axis_id bigint, ordinality integer, lane_position integer, side text, along_axis boolean, kind text,
+CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text, along_axis boolean, kind text,
         width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
-COMMENT ON FUNCTION streetgen._computed_lane(bigint) IS 'The lanes of streets computed in this statement.';
+COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint)
-    RETURNS TABLE(number integer, edge integer, lane_position integer, kind text, dashed boolean, axis_offset float8, geom geometry, surface geometry)
+CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, kind text, dashed boolean, axis_offset float8, geom geometry, surface geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane_separator';
-COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint) IS 'The lines between the lanes of streets computed in this statement.';
+COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint, bigint[]) IS 'The lines between the lanes of streets computed in this statement.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint)
-    RETURNS TABLE(number integer, edge integer, lane_position integer, node integer, kind text, geom geometry, surface geometry)
+CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, node_id bigint, kind text, geom geometry, surface geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_marking';
-COMMENT ON FUNCTION streetgen._computed_marking(bigint) IS 'What is painted across and on the lanes of streets computed in this statement.';
+COMMENT ON FUNCTION streetgen._computed_marking(bigint, bigint[], bigint[]) IS 'What is painted across and on the lanes of streets computed in this statement.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint)
-    RETURNS TABLE(number integer, node integer, lane_in integer, lane_out integer, turn text, angle float8,
+CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, nodes bigint[], lanes bigint[])
+    RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, turn text, angle float8,
         plausible boolean, reason text, control geometry, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_interconnection';
-COMMENT ON FUNCTION streetgen._computed_interconnection(bigint) IS 'The pairs of lanes of streets computed in this statement, and the paths between them.';
+COMMENT ON FUNCTION streetgen._computed_interconnection(bigint, bigint[], bigint[]) IS 'The pairs of lanes of streets computed in this statement, and the paths between them.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
     RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)

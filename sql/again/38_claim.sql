@@ -52,7 +52,9 @@ BEGIN
     written := ARRAY(
         WITH line AS MATERIALIZED (
             SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)),
+            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)
+            -- Too short for an edge, it joined others.
+            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (asked) AND issue = 'collapsed_axis'),
         near AS MATERIALIZED (
             SELECT e.*, distance <= 3 * tolerance AS met
             FROM line l, LATERAL (
@@ -70,9 +72,11 @@ BEGIN
         UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
         UNION SELECT e.axis_id FROM reaching l JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
+        -- What joined its ends may part them.
+        UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance) WHERE issue = 'collapsed_axis'
         UNION SELECT unnest(asked));
     stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written) AND axis_id <> ALL (asked)
-        AND EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash OFFSET 0));
+        AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id), true));
     IF stale <> '{}' THEN
         RETURN;
     END IF;

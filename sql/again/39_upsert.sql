@@ -35,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._columns_of(name text, columns text) RETURN
 COMMENT ON FUNCTION streetgen._columns_of(text, text) IS 'A list of columns, each with the name of the row that has it.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, id text, columns text, rows text, same text DEFAULT NULL,
-    named boolean DEFAULT false, there text DEFAULT NULL, gone text DEFAULT NULL) RETURNS text
+    named boolean DEFAULT false, there text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT streetgen._filled($part$
@@ -58,11 +58,7 @@ add_{relation} AS (
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
     DELETE FROM {model}.{relation} WHERE NOT {bare} AND {id} = ANY (ARRAY(
-        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END || $part$,
-count_{relation} AS (
-    SELECT '{relation}', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), {gone},
-           count(*) FILTER (WHERE NOT changed), {hard}
-    FROM new_{relation})$part$,
+        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
         places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
             'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
@@ -74,20 +70,16 @@ count_{relation} AS (
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'order_named', CASE WHEN bare OR NOT named THEN '' ELSE ' ORDER BY number' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
-                id, columns, streetgen._columns_of('excluded', columns)) END,
-            'gone', coalesce(gone, format('(SELECT count(*) FROM gone_%s)', relation)),
-            'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END))
+                id, columns, streetgen._columns_of('excluded', columns)) END))
     FROM (SELECT (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them. gone: counts those, where they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too); count_relation the counts.';
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query, id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    -- RECURSIVE: parts may name what comes below them.
+    -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be put there the planner looks through all of them.
     SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places),
-            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places))
-        || (SELECT string_agg(format(E'\nSELECT * FROM count_%s', relation), ' UNION ALL' ORDER BY n)
-            FROM unnest(streetgen._derived_tables()) WITH ORDINALITY t(relation, n)) $$;
+            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places)) || E'\n' || streetgen._upsert_counts() $$;
 COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false, onwards boolean DEFAULT true)

@@ -11,7 +11,7 @@ used AS MATERIALIZED (
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 -- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
-    SELECT e.axis_id, e.from_node, e.to_node, ST_Force2D(e.geom)::bytea AS geom,
+    SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
            s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea, c.contested_area > 0 AS contested
     FROM {model}.edge e,
@@ -19,11 +19,6 @@ former_edge AS MATERIALIZED (
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
         LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
     WHERE NOT {whole} AND e.axis_id = ANY ($1)),
-former_node AS (
-    SELECT n.geom, i.surface::bytea, i.contested_area > 0 AS contested
-    FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
-        LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
-        LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
 computed AS MATERIALIZED (
     SELECT streetgen._streets({srid},
         settings => (
@@ -54,8 +49,12 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn)::streetgen.street_restriction ORDER BY turn_restriction_id)
             FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
         former_edges => (
-            SELECT array_agg(ROW (axis_id, geom, wanted_start, start, border_start, wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
+            SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start, wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
             FROM former_edge),
-        former_nodes => (SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface, contested)::streetgen.former_node) FROM former_node),
+        former_nodes => (
+            SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea, i.contested_area > 0)::streetgen.former_node)
+            FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
+                LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
+                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
         onwards => {whole} OR $4) AS streets)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS 'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

@@ -1,4 +1,4 @@
--- The one statement, what the network step noticed: rows without an id, equal or not.
+-- The one statement, what the network step noticed, rows without an id, equal or not; and what it answers.
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_report(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -16,8 +16,19 @@ gone_report AS (
     DELETE FROM {model}.report WHERE ctid = ANY (ARRAY(
         SELECT place FROM old_report o WHERE NOT EXISTS (
             SELECT FROM new_report n WHERE (n.issue, n.axis_a, n.axis_b, n.measure, n.geom) = (o.issue, o.axis_a, o.axis_b, o.measure, o.geom))))
-    RETURNING 1),
-count_report AS (
-    SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
-           (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint)$part$, places) $$;
+    RETURNING 1)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_report(jsonb) IS 'Part of the one statement: the reports of asked axes.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_counts() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT string_agg(format(
+        'SELECT %1$L, count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), (SELECT %2$s * count(*) FROM gone_%3$s), count(*) FILTER (WHERE NOT changed), %4$s FROM new_%1$s',
+        relation, each, gone_with, CASE WHEN has_method THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END), E' UNION ALL\n' ORDER BY array_position(streetgen._derived_tables(), relation::name))
+        || $part$ UNION ALL
+SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report), (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
+    -- Limits and sections go with their edge.
+    FROM (VALUES ('node', 1, 'node', false), ('edge', 1, 'edge', false), ('section_limit', 2, 'edge', true), ('section', 1, 'edge', true), ('corner', 1, 'corner', true),
+        ('intersection', 1, 'intersection', true), ('lane', 1, 'lane', true), ('lane_separator', 1, 'lane_separator', false), ('marking', 1, 'marking', false),
+        ('interconnection', 1, 'interconnection', true)) t(relation, each, gone_with, has_method) $$;
+COMMENT ON FUNCTION streetgen._upsert_counts() IS 'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those computed have a method other than hypothesis.';

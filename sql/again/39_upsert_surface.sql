@@ -5,24 +5,20 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surfaces(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'section_limit', id => 'section_limit_id', same => 'edge_id, which',
         columns => 'wanted_abscissa, abscissa, geom, border_line, method', rows => $part$
-        SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, which, wanted_abscissa, abscissa, {geom_with_height} AS geom, border_line, method
-        FROM streetgen._computed_section_limit((SELECT streets FROM computed)) c WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$,
-        gone => '(SELECT 2 * count(*) FROM gone_edge)'),
+        SELECT number, edge_id, which, wanted_abscissa, abscissa, {geom_with_height} AS geom, border_line, method
+        FROM streetgen._computed_section_limit((SELECT streets FROM computed), (SELECT ids FROM edge_ids)) c$part$),
     streetgen._upsert_rows(places, 'section', id => 'edge_id', columns => 'level, surface, method, contested_area', rows => $part$
-        SELECT number, (SELECT ids FROM edge_ids)[edge] AS edge_id, level, surface, method, contested_area
-        FROM streetgen._computed_section((SELECT streets FROM computed)) WHERE (SELECT ids FROM edge_ids)[edge] > 0$part$,
-        gone => '(SELECT count(*) FROM gone_edge)'),
+        SELECT number, edge_id, level, surface, method, contested_area
+        FROM streetgen._computed_section((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$),
     streetgen._upsert_rows(places, 'corner', id => 'corner_id', same => 'node_id, edge_a, end_a, edge_b, end_b',
         columns => 'centre, radius_wanted, radius, arc, method', rows => $part$
-        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, (SELECT ids FROM edge_ids)[edge_a] AS edge_a, end_a,
-               (SELECT ids FROM edge_ids)[edge_b] AS edge_b, end_b, centre, radius_wanted, radius, arc, method
-        FROM streetgen._computed_corner((SELECT streets FROM computed))
-        WHERE (SELECT ids FROM node_ids)[node] > 0 AND (SELECT ids FROM edge_ids)[edge_a] > 0 AND (SELECT ids FROM edge_ids)[edge_b] > 0$part$,
+        SELECT number, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method
+        FROM streetgen._computed_corner((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT c.corner_id FROM new_node n, LATERAL (SELECT * FROM {model}.corner c WHERE c.node_id = n.node_id {by_key}) c
         WHERE c.edge_a IN (SELECT edge_id FROM new_edge) AND c.edge_b IN (SELECT edge_id FROM new_edge)$part$),
     streetgen._upsert_rows(places, 'intersection', id => 'node_id', columns => 'level, surface, method, contested_area', rows => $part$
-        SELECT number, (SELECT ids FROM node_ids)[node] AS node_id, level, surface, method, contested_area
-        FROM streetgen._computed_intersection((SELECT streets FROM computed)) WHERE (SELECT ids FROM node_ids)[node] > 0$part$,
+        SELECT number, node_id, level, surface, method, contested_area
+        FROM streetgen._computed_intersection((SELECT streets FROM computed), (SELECT ids FROM node_ids))$part$,
         there => 'SELECT node_id FROM new_node WHERE asked')) $$;
 COMMENT ON FUNCTION streetgen._upsert_surfaces(jsonb) IS 'Part of the one statement: section limits, sections, corners and intersections at new_edge and new_node.';

@@ -65,10 +65,12 @@ COMMENT ON COLUMN streetgen.street_restriction.kind IS 'no or only';
 COMMENT ON COLUMN streetgen.street_restriction.turn IS 'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
 
 CREATE TYPE streetgen.former_edge AS (
-    axis_id bigint, geom bytea, wanted_start float8, start float8, border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
+    axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8, border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.former_edge.start_abscissa IS 'where it began, m along its axis';
+COMMENT ON COLUMN streetgen.former_edge.end_abscissa IS 'where it ended, m along its axis';
 COMMENT ON COLUMN streetgen.former_edge.geom IS 'LINESTRING, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.wanted_start IS 'limit wanted at its start, m along the edge';
 COMMENT ON COLUMN streetgen.former_edge.start IS 'limit at its start, m along the edge';

@@ -71,7 +71,7 @@ class Change {
       const auto before = former.find(axis.axis_id);
       if (!axis.changed) {
         unchanged.insert(axis.axis_id);
-        if (before != former.end()) kept[e] = take(before->second, edges_[e].line);
+        if (before != former.end()) kept[e] = take(before->second, edges_[e]);
       }
       if (kept[e] != nullptr) continue;
       moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
@@ -83,16 +83,19 @@ class Change {
       if (kept[e] != nullptr) compare(e, *kept[e]);
   }
 
-  static const FormerEdge* take(std::vector<const FormerEdge*>& some, const Line& line) {
-    const auto found = std::find_if(some.begin(), some.end(),
-                                    [&](const FormerEdge* edge) { return same(edge->line, line); });
+  // The same stretch of an axis may get another line, and the same line may be another stretch.
+  static const FormerEdge* take(std::vector<const FormerEdge*>& some, const Edge& edge) {
+    const auto found = std::find_if(some.begin(), some.end(), [&](const FormerEdge* before) {
+      return before->start_abscissa == edge.start_abscissa &&
+             before->end_abscissa == edge.end_abscissa && same(before->line, edge.line);
+    });
     if (found == some.end()) return nullptr;
-    const FormerEdge* edge = *found;
+    const FormerEdge* before = *found;
     some.erase(found);
-    return edge;
+    return before;
   }
 
-  // An edge that did not change gets another line.
+  // An edge of an axis that did not change becomes another.
   void turn(int e) {
     for (const int node : {edges_[e].from_node, edges_[e].to_node}) {
       turned_[node] = e;

@@ -138,7 +138,9 @@ bool before(const Claim& a, const Claim& b) {
 Rivalry::Rivalry(const Party& a, const Party& b) {
   Box within = a.ground->box().shared_with(b.ground->box());
   const bool first_wins = before(*a.claim, *b.claim);
-  crossed_ = skeletons_cross(*a.claim, *b.claim, within);
+  const Party &winner = first_wins ? a : b, &loser = first_wins ? b : a;
+  const bool takes_node = loser.claim->node && winner.ground->holds(*loser.claim->node);
+  crossed_ = !takes_node && skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;
   // Border there is on the ground of both.
@@ -146,8 +148,8 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
-  sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);
-  sample(first_wins ? *b.claim : *a.claim, within, !first_wins, sites);
+  sample(*winner.claim, within, first_wins, sites);
+  sample(*loser.claim, within, !first_wins, sites);
   if (sites.empty()) return;
   nearest_.emplace(sites, within);
   for (const auto& [from, to] : nearest_->border())

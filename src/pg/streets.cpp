@@ -1,4 +1,5 @@
 // streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
+#include <initializer_list>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -8,6 +9,10 @@
 #include "streets_give.hpp"
 #include "streets_input.hpp"
 #include "streets_rows.hpp"
+
+extern "C" {
+#include <utils/array.h>
+}
 
 namespace streetgen::pg {
 namespace {
@@ -34,8 +39,7 @@ ComputedStreets compute_streets(const StreetsCall& call) {
   Lanes traffic = lanes(result, input.lanes, input.lane_overrides, input.lane_settings);
   std::vector<Interconnection> pairs = interconnections(
       result, input.axes, traffic.lanes, input.restrictions, input.interconnection_settings);
-  return computed_streets(std::move(result), std::move(traffic), std::move(pairs), input.srid,
-                          input.has_z);
+  return {std::move(result), std::move(traffic), std::move(pairs), input.srid, input.has_z};
 }
 
 // Computations of statements under way, by number: each is there until its statement has ended.
@@ -69,14 +73,30 @@ class Kept {
   ComputedStreets computed_;
 };
 
-Datum give_table(FunctionCallInfo fcinfo, const Table& table) {
+Ids take_ids(FunctionCallInfo fcinfo, int argument) {
+  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
+  if (ARR_NDIM(array) > 1 || ARR_HASNULL(array))
+    ereport(ERROR,
+            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("ids are no list of numbers")));
+  return {reinterpret_cast<const std::int64_t*>(ARR_DATA_PTR(array)),
+          static_cast<std::size_t>(ArrayGetNItems(ARR_NDIM(array), ARR_DIMS(array)))};
+}
+
+// Whose ids stand in the arguments after the first, in their order.
+using IdsOf = Ids Named::*;
+
+Datum give_table(FunctionCallInfo fcinfo, const Table& table,
+                 std::initializer_list<IdsOf> arguments) {
   const ComputedStreets* computed = Kept::find(PG_GETARG_INT64(0));
   if (computed == nullptr)
     ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
                     errmsg("no streets of number %lld are kept",
                            static_cast<long long>(PG_GETARG_INT64(0))),
                     errhint("They are kept until the statement ends that computed them.")));
-  return give(fcinfo, table, *computed);
+  Named named;
+  int argument = 0;
+  for (const IdsOf ids : arguments) named.*ids = take_ids(fcinfo, ++argument);
+  return give(fcinfo, table, *computed, named);
 }
 
 }  // namespace
@@ -95,19 +115,20 @@ STREETGEN_FUNCTION(streetgen_streets) {
   PG_RETURN_INT64(slot->value->number());
 }
 
-#define STREETGEN_TABLE(table)                                              \
-  STREETGEN_FUNCTION(streetgen_computed_##table) {                          \
-    return streetgen::pg::give_table(fcinfo, streetgen::pg::table##_table); \
+#define STREETGEN_TABLE(table, ...)                                                        \
+  STREETGEN_FUNCTION(streetgen_computed_##table) {                                         \
+    using streetgen::pg::Named;                                                            \
+    return streetgen::pg::give_table(fcinfo, streetgen::pg::table##_table, {__VA_ARGS__}); \
   }
 
 STREETGEN_TABLE(node)
 STREETGEN_TABLE(edge)
-STREETGEN_TABLE(section_limit)
-STREETGEN_TABLE(section)
-STREETGEN_TABLE(corner)
-STREETGEN_TABLE(intersection)
-STREETGEN_TABLE(lane)
-STREETGEN_TABLE(lane_separator)
-STREETGEN_TABLE(marking)
-STREETGEN_TABLE(interconnection)
+STREETGEN_TABLE(section_limit, &Named::edges)
+STREETGEN_TABLE(section, &Named::edges)
+STREETGEN_TABLE(corner, &Named::nodes, &Named::edges)
+STREETGEN_TABLE(intersection, &Named::nodes)
+STREETGEN_TABLE(lane, &Named::edges)
+STREETGEN_TABLE(lane_separator, &Named::edges)
+STREETGEN_TABLE(marking, &Named::nodes, &Named::edges)
+STREETGEN_TABLE(interconnection, &Named::nodes, &Named::lanes)
 STREETGEN_TABLE(report)

@@ -169,6 +169,8 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   const Rows edges = rows(fcinfo, 8, "former edges");
   call->former_edges = {edges.count,
                         column(edges, "axis_id", INT8OID),
+                        column(edges, "start_abscissa", FLOAT8OID),
+                        column(edges, "end_abscissa", FLOAT8OID),
                         column(edges, "geom", BYTEAOID),
                         column(edges, "wanted_start", FLOAT8OID),
                         column(edges, "start", FLOAT8OID),

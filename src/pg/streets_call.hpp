@@ -46,8 +46,8 @@ struct StreetsCall {
   } restrictions;
   struct {
     int count;
-    Column axis_id, geom, wanted_start, start, border_start, wanted_end, end, border_end;
-    Column surface, contested;
+    Column axis_id, start_abscissa, end_abscissa, geom;
+    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested;
   } former_edges;
   struct {
     int count;

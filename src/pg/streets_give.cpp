@@ -95,7 +95,8 @@ Datum datum_of(const Value& value, GivenColumn* column) {
 
 }  // namespace
 
-Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed) {
+Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed,
+           const Named& named) {
   InitMaterializedSRF(fcinfo, 0);
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
   const int width = result->setDesc->natts;
@@ -112,7 +113,7 @@ Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& c
     bool is_row = false;
     const Outcome outcome = compute([&] {
       if (slot->value == nullptr) slot->value = new Row;
-      is_row = table.fill(computed, at, *slot->value);
+      is_row = table.fill(computed, named, at, *slot->value);
     });
     report(outcome);
     if (!is_row) continue;

@@ -7,6 +7,7 @@
 namespace streetgen::pg {
 
 // EWKB becomes what the column is by its cast from bytea: a geometry.
-Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed);
+Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed,
+           const Named& named);
 
 }  // namespace streetgen::pg

@@ -271,6 +271,8 @@ Former former_of(const StreetsCall& call) {
                          read_line(bytes_of(border.values[i]), "a former border line").line};
     };
     former.edges.push_back({DatumGetInt64(edges.axis_id.values[i]),
+                            DatumGetFloat8(edges.start_abscissa.values[i]),
+                            DatumGetFloat8(edges.end_abscissa.values[i]),
                             read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),

@@ -1,6 +1,5 @@
 #include "streets_rows.hpp"
 
-#include <unordered_set>
 #include <utility>
 
 #include "lane_text.hpp"
@@ -13,7 +12,7 @@ namespace {
 Form flat(const ComputedStreets& computed) { return {computed.srid, false}; }
 Form with_z(const ComputedStreets& computed) { return {computed.srid, computed.has_z}; }
 
-// Nodes, edges and lanes refer to each other by numbers from 1 on.
+// Before they have ids, nodes and edges refer to each other by numbers from 1 on.
 std::int32_t number(std::size_t index) { return static_cast<std::int32_t>(index) + 1; }
 Value end_name(bool at_start) { return std::string(at_start ? "start" : "end"); }
 Value name(const char* text) { return std::string(text); }
@@ -65,7 +64,7 @@ bool lanes_asked(const Streets& streets, const Edge& edge) {
   return streets.asked_nodes[edge.from_node] || streets.asked_nodes[edge.to_node];
 }
 
-bool fill_node(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const auto& node = computed.streets.network.nodes[i];
   std::vector<std::int64_t> axes;
   std::vector<double> abscissas;
@@ -77,7 +76,7 @@ bool fill_node(const ComputedStreets& computed, std::size_t i, Row& row) {
              std::move(axes), std::move(abscissas));
 }
 
-bool fill_edge(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const Edge& edge = computed.streets.network.edges[i];
   return put(row, bool(computed.streets.asked_edges[i]), lanes_asked(computed.streets, edge),
              bool(computed.streets.leading_on[i]), edge.axis_id, number(edge.from_node),
@@ -85,100 +84,97 @@ bool fill_edge(const ComputedStreets& computed, std::size_t i, Row& row) {
              Ewkb{write_line(edge.line, with_z(computed))});
 }
 
-bool fill_section_limit(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_section_limit(const ComputedStreets& computed, const Named& named, std::size_t i,
+                        Row& row) {
   const SectionLimit& limit = computed.streets.limits[i];
-  if (!computed.written_edges[limit.edge]) return false;
-  return put(row, number(limit.edge), computed.streets.network.edges[limit.edge].axis_id,
+  const std::int64_t edge = named.edges[limit.edge];
+  return edge > 0 &&
+         put(row, edge, computed.streets.network.edges[limit.edge].axis_id,
              end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
              Ewkb{write_point(limit.point, with_z(computed))},
              Ewkb{write_line(limit.border_line, flat(computed))}, name(method_name(limit.method)));
 }
 
-bool fill_section(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_section(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
-  return put(row, number(section.edge), computed.streets.network.edges[section.edge].level,
-             Ewkb{write_surface(section.surface, flat(computed))},
-             name(method_name(section.method)), section.contested_area);
+  const std::int64_t edge = named.edges[section.edge];
+  return edge > 0 && put(row, edge, computed.streets.network.edges[section.edge].level,
+                         Ewkb{write_surface(section.surface, flat(computed))},
+                         name(method_name(section.method)), section.contested_area);
 }
 
-bool fill_corner(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Corner& corner = computed.streets.corners[i];
-  if (!computed.written_edges[corner.edge_a] || !computed.written_edges[corner.edge_b])
-    return false;
+  const std::int64_t node = named.nodes[corner.node];
+  const std::int64_t edge_a = named.edges[corner.edge_a], edge_b = named.edges[corner.edge_b];
+  if (node == 0 || edge_a == 0 || edge_b == 0) return false;
   Value centre, arc;
   if (corner.centre) centre = Ewkb{write_point(*corner.centre, flat(computed))};
   if (corner.arc) arc = Ewkb{write_arc(*corner.arc, flat(computed))};
-  return put(row, number(corner.node), number(corner.edge_a), end_name(corner.at_start_a),
-             number(corner.edge_b), end_name(corner.at_start_b), std::move(centre),
-             corner.radius_wanted, corner.radius, std::move(arc), name(method_name(corner.method)));
+  return put(row, node, edge_a, end_name(corner.at_start_a), edge_b, end_name(corner.at_start_b),
+             std::move(centre), corner.radius_wanted, corner.radius, std::move(arc),
+             name(method_name(corner.method)));
 }
 
-bool fill_intersection(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_intersection(const ComputedStreets& computed, const Named& named, std::size_t i,
+                       Row& row) {
   const Intersection& intersection = computed.streets.intersections[i];
-  return put(row, number(intersection.node), intersection.level,
-             Ewkb{write_surface(intersection.surface, flat(computed))},
-             name(method_name(intersection.method)), intersection.contested_area);
+  const std::int64_t node = named.nodes[intersection.node];
+  return node > 0 && put(row, node, intersection.level,
+                         Ewkb{write_surface(intersection.surface, flat(computed))},
+                         name(method_name(intersection.method)), intersection.contested_area);
 }
 
-bool fill_lane(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_lane(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Lane& lane = computed.lanes.lanes[i];
+  const std::int64_t edge = named.edges[lane.edge];
+  if (edge == 0) return false;
   Value turn;
   if (lane.turns != 0) turn = turn_text(lane.turns);
-  return put(row, number(lane.edge), computed.streets.network.edges[lane.edge].axis_id,
-             lane.ordinality, lane.position, name(lane_side_name(lane.side)), lane.along_axis,
+  return put(row, edge, computed.streets.network.edges[lane.edge].axis_id, lane.ordinality,
+             lane.position, name(lane_side_name(lane.side)), lane.along_axis,
              name(lane_kind_name(lane.kind)), lane.width, lane.axis_offset, std::move(turn),
              Ewkb{write_line(lane.line, flat(computed))},
              Ewkb{write_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
 }
 
-bool fill_lane_separator(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_lane_separator(const ComputedStreets& computed, const Named& named, std::size_t i,
+                         Row& row) {
   const LaneSeparator& separator = computed.lanes.separators[i];
-  return put(row, number(separator.edge), separator.position,
-             name(separator_kind_name(separator.kind)), separator.dashed, separator.axis_offset,
-             Ewkb{write_line(separator.line, flat(computed))},
-             Ewkb{write_surface(separator.surface, flat(computed))});
+  const std::int64_t edge = named.edges[separator.edge];
+  return edge > 0 && put(row, edge, separator.position, name(separator_kind_name(separator.kind)),
+                         separator.dashed, separator.axis_offset,
+                         Ewkb{write_line(separator.line, flat(computed))},
+                         Ewkb{write_surface(paint_of(separator), flat(computed))});
 }
 
-bool fill_marking(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_marking(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Marking& marking = computed.lanes.markings[i];
-  return put(row, number(marking.edge), marking.position, number(marking.node),
+  const std::int64_t edge = named.edges[marking.edge];
+  return edge > 0 &&
+         put(row, edge, marking.position, named.nodes[marking.node],
              name(marking_kind_name(marking.kind)), Ewkb{write_line(marking.line, flat(computed))},
              Ewkb{write_surface(marking.surface, flat(computed))});
 }
 
-bool fill_interconnection(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_interconnection(const ComputedStreets& computed, const Named& named, std::size_t i,
+                          Row& row) {
   const Interconnection& pair = computed.interconnections[i];
-  return put(row, number(pair.node), number(pair.lane_in), number(pair.lane_out),
-             name(turn_name(pair.turn)), pair.angle, pair.plausible, name(reason_name(pair.reason)),
-             Ewkb{write_point(pair.control, flat(computed))},
+  const std::int64_t node = named.nodes[pair.node];
+  const std::int64_t lane_in = named.lanes[pair.lane_in], lane_out = named.lanes[pair.lane_out];
+  if (node == 0 || lane_in == 0 || lane_out == 0) return false;
+  return put(row, node, lane_in, lane_out, name(turn_name(pair.turn)), pair.angle, pair.plausible,
+             name(reason_name(pair.reason)), Ewkb{write_point(pair.control, flat(computed))},
              Ewkb{write_line(pair.line, flat(computed))});
 }
 
-bool fill_report(const ComputedStreets& computed, std::size_t i, Row& row) {
+bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const NetworkReport& report = computed.streets.network.reports[i];
   return put(row, name(issue_name(report.issue)), report.axis_a, report.axis_b, report.measure,
              Ewkb{write_point(report.point, flat(computed))});
 }
 
-std::vector<bool> written_edges(const Streets& streets) {
-  const auto& edges = streets.network.edges;
-  std::unordered_set<std::int64_t> asked;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (streets.asked_edges[e] || lanes_asked(streets, edges[e])) asked.insert(edges[e].axis_id);
-  std::vector<bool> written;
-  for (const Edge& edge : edges) written.push_back(asked.count(edge.axis_id) > 0);
-  return written;
-}
-
 }  // namespace
-
-ComputedStreets computed_streets(Streets streets, Lanes lanes,
-                                 std::vector<Interconnection> interconnections, int srid,
-                                 bool has_z) {
-  std::vector<bool> written = written_edges(streets);
-  return {std::move(streets), std::move(lanes), std::move(interconnections), srid, has_z,
-          std::move(written)};
-}
 
 using Computed = const ComputedStreets&;
 const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};

@@ -18,14 +18,19 @@ struct ComputedStreets {
   std::vector<Interconnection> interconnections;
   int srid = 0;
   bool has_z = false;  // nodes, edges and section limits carry Z
-
-  // The edges of axes that have an asked edge, or one at an asked node: rows of others are not
-  // written.
-  std::vector<bool> written_edges;
 };
-ComputedStreets computed_streets(Streets streets, Lanes lanes,
-                                 std::vector<Interconnection> interconnections, int srid,
-                                 bool has_z);
+
+// The ids of computed things in their order, as the caller of a table keeps them; 0 where a thing
+// has none and, as all beyond the last, is not written.
+struct Ids {
+  const std::int64_t* ids = nullptr;
+  std::size_t count = 0;
+
+  std::int64_t operator[](std::size_t index) const { return index < count ? ids[index] : 0; }
+};
+struct Named {
+  Ids nodes, edges, lanes;
+};
 
 struct Ewkb {
   std::string bytes;
@@ -39,8 +44,8 @@ using Row = std::vector<Value>;
 // number by which others refer to it.
 struct Table {
   std::size_t (*count)(const ComputedStreets& computed);
-  // False: nothing is written of this one.
-  bool (*fill)(const ComputedStreets& computed, std::size_t index, Row& row);
+  // False: what it belongs to has no id, and nothing is written of this one.
+  bool (*fill)(const ComputedStreets& computed, const Named& named, std::size_t index, Row& row);
 };
 
 extern const Table node_table, edge_table, section_limit_table, section_table, corner_table,

@@ -5,8 +5,9 @@ BEGIN
     CREATE SCHEMA surfaces;
     CREATE TABLE surfaces.surface (relation text, surface geometry);
     EXECUTE 'INSERT INTO surfaces.surface WITH ' || streetgen._upsert_input(streetgen._upsert_places('timed', whole => true, bare => true)) || $sql$
-        SELECT 'section', surface FROM streetgen._computed_section((SELECT streets FROM computed))
-        UNION ALL SELECT 'intersection', surface FROM streetgen._computed_intersection((SELECT streets FROM computed)) $sql$
+        , every AS (SELECT array_agg(number) AS ids FROM (SELECT generate_series(1, 10 * count(*)) AS number FROM used) n)
+        SELECT 'section', surface FROM streetgen._computed_section((SELECT streets FROM computed), (SELECT ids FROM every))
+        UNION ALL SELECT 'intersection', surface FROM streetgen._computed_intersection((SELECT streets FROM computed), (SELECT ids FROM every)) $sql$
         USING NULL::bigint[], NULL::bigint[], NULL::bigint[];
     GET DIAGNOSTICS rows = ROW_COUNT;
 END $$;

@@ -397,6 +397,8 @@ Former former_of(const Streets& before) {
   Former former;
   for (const Section& section : before.sections)
     former.edges.push_back({before.network.edges[section.edge].axis_id,
+                            before.network.edges[section.edge].start_abscissa,
+                            before.network.edges[section.edge].end_abscissa,
                             before.network.edges[section.edge].line,
                             former_of(before.limits[2 * section.edge]),
                             former_of(before.limits[2 * section.edge + 1]),
@@ -481,25 +483,39 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   EXPECT_GT(left, asked);
 }
 
-// The wide street lay on all the ground about a node of two others, and goes.
-TEST(Streets, AnIntersectionThatLostAllItsGroundGetsItBack) {
+// The wide street lay on the ground about a node of two others, and goes.
+TEST(Streets, AnIntersectionThatLostGroundGetsItBack) {
   std::vector<StreetAxis> axes = {
       {8, {{122, 100, 0}, {190, 102, 0}}, 0, 5.5, 5.5, 4, 5},
       {14, {{190, 102, 0}, {191, 150, 0}}, 0, 5, 5, 4, 6},
       {15, {{147.71, 110.08, 0}, {196.63, 101.82, 0}}, 0, 15.68, 15.68, 4, 3}};
+  const auto at_bend = [](const Streets& town) -> const Intersection& {
+    return *std::find_if(
+        town.intersections.begin(), town.intersections.end(),
+        [&](const Intersection& i) { return town.network.nodes[i.node].point.x == 190; });
+  };
   const Streets before = streets(axes, {});
-  const auto emptied = std::find_if(before.intersections.begin(), before.intersections.end(),
-                                    [](const Intersection& i) { return i.surface.empty(); });
-  ASSERT_NE(emptied, before.intersections.end());
-  const Point place = before.network.nodes[emptied->node].point;
+  EXPECT_GT(at_bend(before).contested_area, 5);
   axes[2].line = {{147.71, 110.08, 0}, {248.08, 151.78, 0}};
   axes[0].changed = axes[1].changed = false;
-  const Streets after = streets(axes, {}, {}, former_of(before));
-  const auto again = std::find_if(
-      after.intersections.begin(), after.intersections.end(),
-      [&](const auto& i) { return distance(after.network.nodes[i.node].point, place) == 0; });
-  ASSERT_NE(again, after.intersections.end());
-  EXPECT_GT(area(again->surface), 50);
+  EXPECT_NEAR(area(at_bend(streets(axes, {}, {}, former_of(before))).surface),
+              area(at_bend(before).surface) + at_bend(before).contested_area, 1e-6);
+}
+
+// The T between two narrow streets, which a wide and more important one crosses beside it, lies
+// all on that one's roadway.
+TEST(Streets, AnIntersectionKeepsItsNode) {
+  const Streets town = streets({{1, {{-30, 9.75, 0}, {35, -9.75, 0}}, 0, 20, 20, 4, 1},
+                                {2, {{-30, 0, 0}, {0, 0, 0}}, 0, 4, 4, 1, 5},
+                                {3, {{0, 0, 0}, {30, 0, 0}}, 0, 4, 4, 1, 5},
+                                {4, {{0, 0, 0}, {0, -30, 0}}, 0, 4, 4, 1, 5}},
+                               {});
+  const auto tee = std::find_if(
+      town.intersections.begin(), town.intersections.end(),
+      [&](const Intersection& i) { return distance(town.network.nodes[i.node].point, {}) == 0; });
+  ASSERT_NE(tee, town.intersections.end());
+  EXPECT_GT(tee->contested_area, 0);
+  EXPECT_TRUE(holds(tee->surface, {1e-3, 1e-3, 0}));
 }
 
 // Two streets leave a hole between them, which goes to one of them until a street of another level

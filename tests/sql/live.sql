@@ -393,6 +393,31 @@ INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(6
 SELECT 'it has none once its ends are one node', array_agg(axis_id) = '{2}' FROM short.edge;
 SELECT 'and is reported', count(*) = 1 FROM short.report WHERE axis_a = 1 AND issue = 'collapsed_axis';
 SELECT 'as from scratch', test.followed('short', 'once');
+DELETE FROM short.axis WHERE axis_id = 2;
+SELECT 'it has one again when the other is gone', array_agg(axis_id) = '{1}' FROM short.edge;
+SELECT 'as from scratch', test.followed('short', 'once');
+SELECT streetgen.drop_model('short') \g /dev/null
+
+-- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
+SELECT streetgen.create_model('gone', 2154) \g /dev/null
+INSERT INTO gone.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
+  (1, 'LINESTRING(0 0, -50 0)'), (5, 'LINESTRING(0 0, -50 0, -80 0)'), (2, 'LINESTRING(0 0, 0 50)'), (3, 'LINESTRING(50 10, 200 10)'), (4, 'LINESTRING(200 10, 200 100)')) a(axis_id, line);
+INSERT INTO gone.corner_override (geom, axis_a, axis_b, radius) VALUES ('SRID=2154;POINT(650000 6860000)', 1, 2, 1.5);
+DELETE FROM gone.axis WHERE axis_id IN (1, 3);
+SELECT 'the street that met one of two that are deleted has a dead end', bool_and(abscissa IN (0, 90)) FROM gone.section_limit JOIN gone.edge USING (edge_id) WHERE axis_id = 4;
+SELECT 'as from scratch', test.followed('gone', 'once');
+SELECT streetgen.drop_model('gone') \g /dev/null
+
+-- An axis too short for an edge joins the start of another to a place on it: the same line, but of a shorter stretch.
+SELECT streetgen.create_model('short', 2154) \g /dev/null
+INSERT INTO short.axis (axis_id, geom, width, width_end) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650400 6860000)', 7, 9);
+CREATE TEMPORARY TABLE before_short AS SELECT geom FROM short.edge;
+INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650300.3 6860000, 650300.7 6860000)', 7);
+SELECT 'an edge keeps its line and begins farther on along its axis', count(*) = 1 FROM short.edge JOIN before_short USING (geom) WHERE abs(start_abscissa - 0.7) < 1e-6;
+SELECT 'as from scratch', test.followed('short', 'once');
+UPDATE short.axis SET geom = ST_Translate(geom, 0, 90) WHERE axis_id = 2;
+SELECT 'and at its start again when that is elsewhere', count(*) = 1 FROM short.edge WHERE axis_id = 1 AND start_abscissa = 0;
+SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
 -- The same where a corner beyond a short street follows the one that turns: neither street of it comes near the edit.

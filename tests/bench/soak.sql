@@ -1,4 +1,4 @@
--- What tests/soak runs: a town of streets 80 m long, and one random edit of it.
+-- What tests/bench/soak runs: a town of streets 80 m long, and one random edit of it.
 SELECT streetgen.create_model('town', 2154), streetgen.create_model('anew', 2154) \g /dev/null
 CREATE SCHEMA soak;
 
