@@ -92,8 +92,12 @@ struct LaneSeparator {
   bool dashed = false;
   double axis_offset = 0;  // metres to the left of the axis, at the start limit
   Line line;               // in the point order of the axis
-  MultiPolygon surface;    // its paint, dash by dash; empty where the limits crossed
+  bool painted = false;    // not where the limits crossed
 };
+
+// Its paint, dash by dash; solid on more than 100 km; empty where it is not painted.  A city has
+// millions of dashes: they are made one separator at a time.
+MultiPolygon paint_of(const LaneSeparator& separator);
 
 enum class MarkingKind { stop, yield, arrow };
 

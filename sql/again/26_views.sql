@@ -15,39 +15,46 @@ CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN width_end END, width_used) AS width_end,
        forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
-       speed_used AS speed, coalesce(importance_known, (v ->> 'importance_default')::integer) AS importance,
-       streetgen.wanted_radius(radius, importance_known, speed_used, width_used, v ->> 'radius_by_importance', v ->> 'turning_mode') AS radius,
+       speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
+       streetgen._wanted_radius(radius, importance_known, speed_used, width_used, radius_by_importance, turning_mode) AS radius,
        array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN any_override THEN (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
-               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE axis_id = a.axis_id
-               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE axis_id = a.axis_id
-               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE axis_a = a.axis_id OR axis_b = a.axis_id
-               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE axis_id = a.axis_id) o) END)
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane THEN (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END)
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM %1$I.axis a LEFT JOIN (SELECT settings AS v, setting_hash FROM %1$I.setting_used) s ON true
--- Most models have none, and no axis of them is asked for its own.
-CROSS JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) OR EXISTS (SELECT FROM %1$I.section_limit_override)
-    OR EXISTS (SELECT FROM %1$I.corner_override) OR EXISTS (SELECT FROM %1$I.lane_override) AS any_override) h
-LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN %1$I.setting_used ON true
+LEFT JOIN (
+    SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width, (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
+           (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default, (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
+           (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width, (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
+           (max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb AS speed_by_importance, (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
+           nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb AS radius_by_importance, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
+    FROM %1$I.setting) s ON true
+-- Most models have none or one kind, and no axis of them is asked for its own of the others.
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is asked for does.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
-           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE (v ->> 'max_width_per_lane')::float8 END) AS believed,
+           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE max_width_per_lane END) AS believed,
            coalesce(importance, class_importance) AS importance_known HAVING true) known ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward) AS lanes_stated) stated
 LEFT JOIN LATERAL (
-    SELECT coalesce(kerb_width, believed, least(200, streetgen.estimated_width(lanes_stated, class_width, (v ->> 'lane_width')::float8, (v ->> 'width_default')::float8)
-               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0)
-                                                            + coalesce(streetgen.kerbside_width(kind_backward, (v ->> 'cycle_lane_width')::float8, (v ->> 'parking_lane_width')::float8), 0) END)) AS width_used HAVING true) w ON true
+    SELECT coalesce(kerb_width, believed, least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
+               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0) END)) AS width_used HAVING true) w ON true
 LEFT JOIN LATERAL (
-    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, (v ->> 'speed_by_importance')::jsonb, (v ->> 'speed_per_width')::float8)) AS speed_used HAVING true) p ON true
+    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, speed_by_importance, speed_per_width)) AS speed_used HAVING true) p ON true
 LEFT JOIN LATERAL (
-    SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, (v ->> 'lane_width')::float8) END,
+    SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END,
                CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used HAVING true) n ON true
 LEFT JOIN LATERAL (
     SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,

@@ -25,6 +25,16 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, and its tables the caller''s and without triggers of others?';
 
+CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- Of the default sample of 30,000 rows a table, most of ANALYZE is sorting boxes.
+    SET default_statistics_target = 25
+    AS $$
+BEGIN
+    EXECUTE format('ANALYZE %s', relation);
+END $$;
+COMMENT ON FUNCTION streetgen._analyse(regclass) IS 'First statistics of a table just filled, from 7,500 rows; autovacuum renews them as rows change.';
+
 CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false) RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
@@ -58,7 +68,7 @@ BEGIN
         WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
             AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
     make AS (
-        SELECT 1 AS turn, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 1 AND p.relname = d.relname), 'ANALYZE ' || d.name) AS back FROM derived d
+        SELECT 1 AS turn, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 1 AND p.relname = d.relname), format('SELECT streetgen._analyse(%L)', d.name)) AS back FROM derived d
         UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 2)
     SELECT (SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FROM part p), array_agg(m.turn), array_agg(m.relname), array_agg(m.back)
         INTO off, turns, relations, statements FROM make m WHERE m.back IS NOT NULL;
@@ -72,6 +82,19 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
 END $$;
 COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, and indexes that hold no constraint, off the tables of a model, which it locks against all others. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
+CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass FROM unnest(streetgen._derived_tables()) d(relation));
+BEGIN
+    -- TRUNCATE refuses a table that one of others refers to.
+    IF current_setting('wal_level') = 'minimal' AND NOT EXISTS (SELECT FROM pg_constraint WHERE contype = 'f' AND confrelid = ANY (derived)) THEN
+        EXECUTE 'TRUNCATE ' || array_to_string(derived, ', ');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._begin_files(name) IS 'Begins the files of the derived tables of a bare model anew, after its keys were taken off: where wal_level is minimal, what a transaction writes into files that it began is synced at its end and not logged.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
@@ -81,6 +104,9 @@ DECLARE
 BEGIN
     IF streetgen._is_bare(model) THEN
         back := ARRAY(SELECT t.statement FROM streetgen._take_off(model) t ORDER BY t.turn);
+        IF back <> '{}' THEN
+            PERFORM streetgen._begin_files(model);
+        END IF;
     END IF;
     RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back <> '{}');
     FOR i IN 1 .. cardinality(back) LOOP

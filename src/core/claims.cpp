@@ -58,6 +58,7 @@ Claim claim_of_intersection(const Layout& layout, int node) {
   claim.level = layout.level_of(node);
   claim.axis_id = anchor.axis_id;
   claim.place = place_of(anchor.abscissa);
+  claim.node = layout.streets.network.nodes[node].point;
   for (const EdgeEnd& end : layout.junctions[node].ends) {
     const Line& along = layout.arms[2 * end.edge].line;
     const double limit = layout.arm(end).limit, total = length(along);

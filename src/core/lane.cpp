@@ -52,10 +52,14 @@ bool convex(const Ring& ring) {
 // Between the lines along its two sides.
 MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const Line& middle,
                           double width) {
-  Ring ring = right;
+  Ring ring;
+  ring.reserve(left.size() + right.size() + 1);
+  ring = right;
   ring.insert(ring.end(), left.rbegin(), left.rend());
   ring.push_back(ring.front());
-  if (convex(ring) || geos.valid(MultiPolygon{{ring}})) return {{ring}};
+  MultiPolygon surface(1);
+  surface.front().push_back(std::move(ring));
+  if (convex(surface.front().front()) || geos.valid(surface)) return surface;
   const std::vector<double> half(middle.size(), width / 2);
   return variable_buffer(middle, half);
 }
@@ -110,7 +114,7 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
                        (separator.kind == SeparatorKind::centre && driving <= 2);
     separator.axis_offset = offset_of(shares[p]);
     separator.line = std::move(borders[p]);
-    if (with_surface) separator.surface = stripe_surface(geos, separator);
+    separator.painted = with_surface;
     out.separators.push_back(std::move(separator));
   }
   return out;

@@ -19,36 +19,49 @@ constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a sec
 constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
 constexpr double arrow_lane = 2.5;  // the lane width that an arrow of full size asks for
 constexpr double arrow_before_end = 3;
+constexpr double shortest_band = 1e-9;
 constexpr double least_paint = 0.5;  // lanes narrower than this bear none
 
 bool painted(const Lane& lane) {
   return lane.kind != LaneKind::parking && lane.width >= least_paint;
 }
 
-// Pieces of a line between abscissas that grow, in one walk.
-std::vector<Line> cut(const Line& line, const std::vector<std::pair<double, double>>& spans) {
-  std::vector<Line> pieces(spans.size());
+// Gives the pieces of a line between abscissas that grow, in one walk.
+template <class Use>
+void cut(const Line& line, const std::vector<std::pair<double, double>>& spans, Use use) {
   std::size_t segment = 1;
   double before = 0, size = distance(line[0], line[1]);
-  const auto advance_to = [&](double abscissa, Line* collect) {
+  Line piece;
+  const auto advance_to = [&](double abscissa) {
     while (segment + 1 < line.size() && before + size < abscissa) {
-      if (collect != nullptr) collect->push_back(line[segment]);
+      if (!piece.empty()) piece.push_back(line[segment]);
       before += size;
       ++segment;
       size = distance(line[segment - 1], line[segment]);
     }
     const double t = size > 0 ? std::clamp((abscissa - before) / size, 0.0, 1.0) : 0;
-    return line[segment - 1] + (line[segment] - line[segment - 1]) * t;
+    piece.push_back(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
   };
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    pieces[i].push_back(advance_to(spans[i].first, nullptr));
-    const Point end = advance_to(spans[i].second, &pieces[i]);
-    pieces[i].push_back(end);
+  for (const auto& [from, to] : spans) {
+    piece.clear();
+    advance_to(from);
+    advance_to(to);
+    use(piece);
   }
-  return pieces;
 }
 
-void append_band(Geos& geos, const Line& line, double half, MultiPolygon& out) {
+Ring quad(const Point& from, const Point& to, const Point& across) {
+  return {from - across, to - across, to + across, from + across, from - across};
+}
+
+void append_band(const Line& line, double half, MultiPolygon& out) {
+  // Most dashes are straight.
+  if (line.size() == 2) {
+    const Point along = line[1] - line[0];
+    if (norm(along) > shortest_band)
+      out.emplace_back().push_back(quad(line[0], line[1], left_normal(unit(along)) * half));
+    return;
+  }
   const Line middle = distinct(line);
   if (middle.size() < 2) return;
   const double total = length(middle);
@@ -58,8 +71,8 @@ void append_band(Geos& geos, const Line& line, double half, MultiPolygon& out) {
   ring.insert(ring.end(), left.line.begin(), left.line.end());
   ring = closed(std::move(ring));
   if (ring.empty()) return;
-  if (middle.size() == 2 || (right.whole && left.whole && geos.valid(MultiPolygon{{ring}}))) {
-    out.push_back({std::move(ring)});
+  if (middle.size() == 2 || (right.whole && left.whole && Geos().valid(MultiPolygon{{ring}}))) {
+    out.emplace_back().push_back(std::move(ring));
     return;
   }
   const MultiPolygon built = variable_buffer(middle, std::vector<double>(middle.size(), half));
@@ -87,13 +100,10 @@ std::vector<std::pair<double, double>> dashes(double total, double on, double of
   const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
   const double start = std::max(0.0, (total - count * (on + off) + off) / 2);
   std::vector<std::pair<double, double>> spans;
+  spans.reserve(count);
   for (int i = 0; i < count; ++i)
     spans.emplace_back(start + i * (on + off), std::min(total, start + i * (on + off) + on));
   return spans;
-}
-
-Ring quad(const Point& from, const Point& to, const Point& across) {
-  return {from - across, to - across, to + across, from + across, from - across};
 }
 
 // Arrows are drawn towards x, from the origin, at full size.
@@ -145,7 +155,7 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
     for (Polygon& polygon : part)
       for (Ring& ring : polygon)
         for (Point& p : ring) p = foot + direction * p.x + side * p.y;
-  return parts.size() == 1 ? parts.front() : geos.polygons(geos.unite(parts).get());
+  return parts.size() == 1 ? std::move(parts.front()) : geos.polygons(geos.unite(parts).get());
 }
 
 }  // namespace
@@ -160,18 +170,21 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
   return ranks;
 }
 
-MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator) {
+MultiPolygon paint_of(const LaneSeparator& separator) {
+  if (!separator.painted) return {};
   MultiPolygon surface;
   const double total = length(separator.line);
-  if (!separator.dashed || total > longest_dashed)
-    append_band(geos, separator.line, stripe / 2, surface);
-  else
-    for (const Line& piece : cut(separator.line, dashes(total, dash, gap)))
-      append_band(geos, piece, stripe / 2, surface);
+  if (!separator.dashed || total > longest_dashed) {
+    append_band(separator.line, stripe / 2, surface);
+  } else {
+    const auto spans = dashes(total, dash, gap);
+    surface.reserve(spans.size());
+    cut(separator.line, spans, [&](const Line& piece) { append_band(piece, stripe / 2, surface); });
+  }
+  if (goes_on(separator.line)) return surface;
   // Dashes of a line that comes back may lie on each other.
-  if (!goes_on(separator.line) && !geos.valid(surface))
-    return geos.polygons(geos.unite({surface}).get());
-  return surface;
+  Geos geos;
+  return geos.valid(surface) ? surface : geos.polygons(geos.unite({surface}).get());
 }
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,

@@ -17,9 +17,6 @@ struct NodeRank {
 };
 std::vector<NodeRank> ranks_of(const Streets& streets);
 
-// The stripe along a separator, dash by dash; solid on more than 100 km.
-MultiPolygon stripe_surface(Geos& geos, const LaneSeparator& separator);
-
 // Across each lane that comes to a node of three and more edges where another is more important:
 // a yield line, or a stop line where it is so by two.  None on parking and very narrow lanes.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,

@@ -10,6 +10,7 @@ namespace streetgen {
 namespace {
 constexpr int join_quarter = 8;
 constexpr double straight = 1e-12;  // sine of a bend that needs no join
+constexpr double on_axis = 1e-9;    // metres: an offset that is none
 }  // namespace
 
 std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side) {
@@ -59,7 +60,9 @@ Kerb kerb_line(const Line& axis, double u, double v, double half_start, double h
     const Point before = left_normal(direction) * (side * half);
     const Point after = left_normal(next) * (side * half);
     double trim = 0;
-    if (turn < -straight) {
+    if (std::abs(half) < on_axis) {
+      kerb.line.push_back(part[i]);
+    } else if (turn < -straight) {
       kerb.line.push_back(part[i] + before);
       append_arc(kerb.line, part[i], part[i] + before, part[i] + after, beside < 0, join_quarter);
       kerb.line.push_back(part[i] + after);

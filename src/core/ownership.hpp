@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Claim {
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t place = 0;         // distinct within one axis_id, to break ties
   std::vector<int> edges;         // that the surface covers or ends on
+  std::optional<Point> node;      // that it is the intersection of
   bool joins_levels = false;      // its edges lie on several
   bool wanted = true;             // its ground is to be settled, not only that of others against it
   double contested_area = 0;      // out: square metres left to others
@@ -44,8 +46,9 @@ std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
                                         const std::vector<std::pair<int, int>>& disputes);
 
 // Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
-// axes cross, to the more important (then the wider, then the smaller axis_id). Pairs are judged on
-// the surfaces as they come in, so that the order does not matter. Claims that are not wanted may
+// axes cross, to the more important (then the wider, then the smaller axis_id), if that does not
+// take an intersection its node. Pairs are judged on the surfaces as they come in, so that the
+// order does not matter. Claims that are not wanted may
 // come out unsettled.
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,
                       const std::vector<std::pair<int, int>>& disputes);

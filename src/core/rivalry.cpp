@@ -104,12 +104,21 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
 // a little on. Segments that go on from each other keep their common end.
 void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
                    std::vector<Line>& parts) {
-  std::vector<double> cuts{0, 1};
-  a.cut(from, to, cuts);
-  b.cut(from, to, cuts);
-  std::sort(cuts.begin(), cuts.end());
   const Point along = to - from, past = along * (beyond / norm(along));
   const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
+  std::vector<double> cuts;
+  const auto cut = [&](const Point& start, const Point& end) {
+    a.cut(start, end, cuts);
+    b.cut(start, end, cuts);
+  };
+  cut(from - past, to + past);
+  if (cuts.empty()) {
+    if (shared(from + along * 0.5)) parts.push_back({from, to});
+    return;
+  }
+  cuts = {0, 1};
+  cut(from, to);
+  std::sort(cuts.begin(), cuts.end());
   const auto on_both = [&](std::size_t i) {
     return i < cuts.size() && shared(from + along * ((cuts[i - 1] + cuts[i]) / 2));
   };
@@ -138,7 +147,9 @@ bool before(const Claim& a, const Claim& b) {
 Rivalry::Rivalry(const Party& a, const Party& b) {
   Box within = a.ground->box().shared_with(b.ground->box());
   const bool first_wins = before(*a.claim, *b.claim);
-  crossed_ = skeletons_cross(*a.claim, *b.claim, within);
+  const Party &winner = first_wins ? a : b, &loser = first_wins ? b : a;
+  const bool takes_node = loser.claim->node && winner.ground->holds(*loser.claim->node);
+  crossed_ = !takes_node && skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;
   // Border there is on the ground of both.
@@ -146,8 +157,8 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
-  sample(first_wins ? *a.claim : *b.claim, within, first_wins, sites);
-  sample(first_wins ? *b.claim : *a.claim, within, !first_wins, sites);
+  sample(*winner.claim, within, first_wins, sites);
+  sample(*loser.claim, within, !first_wins, sites);
   if (sites.empty()) return;
   nearest_.emplace(sites, within);
   for (const auto& [from, to] : nearest_->border())

@@ -16,8 +16,8 @@ struct Party {
   const Ground* ground;
 };
 
-// Where the axes of the two cross, all shared ground is the more important one's; else each place
-// is that of the nearer axis.
+// Where the axes of the two cross, all shared ground is the more important one's, unless it holds
+// the other's node; else each place is that of the nearer axis.
 class Rivalry {
  public:
   Rivalry(const Party& a, const Party& b);

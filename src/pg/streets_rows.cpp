@@ -145,7 +145,7 @@ bool fill_lane_separator(const ComputedStreets& computed, const Named& named, st
   return edge > 0 && put(row, edge, separator.position, name(separator_kind_name(separator.kind)),
                          separator.dashed, separator.axis_offset,
                          Ewkb{write_line(separator.line, flat(computed))},
-                         Ewkb{write_surface(separator.surface, flat(computed))});
+                         Ewkb{write_surface(paint_of(separator), flat(computed))});
 }
 
 bool fill_marking(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {

@@ -21,11 +21,16 @@ CREATE FUNCTION bench.derived(model name) RETURNS SETOF text LANGUAGE sql AS $$
     SELECT relation FROM streetgen.generate(model, '{}') WITH ORDINALITY ORDER BY ordinality
 $$;
 
-CREATE PROCEDURE bench.analyse(model name) LANGUAGE plpgsql AS $$
+-- Statistics as generate makes them, or by ANALYZE as PostgreSQL comes.
+CREATE PROCEDURE bench.analyse(model name, by_default boolean DEFAULT false) LANGUAGE plpgsql AS $$
 DECLARE
     relation text;
 BEGIN
     FOR relation IN SELECT bench.derived('timed') LOOP
-        EXECUTE format('ANALYZE %I.%I', model, relation);
+        IF by_default THEN
+            EXECUTE format('ANALYZE %I.%I', model, relation);
+        ELSE
+            PERFORM streetgen._analyse(format('%I.%I', model, relation));
+        END IF;
     END LOOP;
 END $$;

@@ -38,7 +38,7 @@ bar(place, words, seconds, colour) AS (
     UNION ALL SELECT 9, 'ours, nothing changed', server, '#2166ac' FROM cost WHERE (part, phase) = ('build', 'unchanged')
     UNION ALL SELECT 10, 'ours, 1 % changed', server, '#4d9221' FROM cost WHERE (part, phase) = ('build', 'one percent')
     UNION ALL SELECT 11, 'write floor, keys in place', server, '#666' FROM cost WHERE (part, phase) = ('floor', 'keys in place')
-    UNION ALL SELECT 12, 'write floor, keys afterwards', sum(server), '#666' FROM cost WHERE part = 'floor' AND phase <> 'keys in place')
+    UNION ALL SELECT 12, 'write floor, keys afterwards', sum(server), '#666' FROM cost WHERE part = 'floor' AND phase NOT IN ('keys in place', 'statistics by default'))
 SELECT format('<rect x="880" y="%s" width="%s" height="20" fill="%s"/>', 20 + 33 * place, greatest(1, round((pg_temp.bar(seconds) - 880)::numeric, 1)), colour)
     || pg_temp.words(872, 35 + 33 * place, words, 'end') || pg_temp.words(pg_temp.bar(seconds) + 5, 35 + 33 * place, pg_temp.told(seconds))
 FROM (SELECT words, seconds, colour, row_number() OVER (ORDER BY place) AS place FROM bar WHERE seconds IS NOT NULL) b ORDER BY place;

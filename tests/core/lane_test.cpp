@@ -270,6 +270,15 @@ TEST(Lanes, DoNotDependOnTheOrderOfWishes) {
     EXPECT_EQ(first.lanes[i].width, second.lanes[i].width);
 }
 
+TEST(Lane, AlongABentAxisHasNoPointTwice) {
+  const Line bent{{0, 0, 0}, {100, 0, 0}, {140, 30, 0}, {180, 0, 0}, {180, 90, 0}};
+  const std::vector<Lane> made = axis_lanes(bent, 4, 4, general(1, 0), {});
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].line.size(), bent.size());
+  for (std::size_t i = 1; i < made[0].line.size(); ++i)
+    EXPECT_GT(distance(made[0].line[i - 1], made[0].line[i]), 1);
+}
+
 TEST(Lanes, MarkingsAreValidSurfaces) {
   Geos geos;
   const Town& made = town(2);
@@ -280,7 +289,7 @@ TEST(Lanes, MarkingsAreValidSurfaces) {
         << "kind " << static_cast<int>(marking.kind) << " of edge " << marking.edge;
   }
   for (const LaneSeparator& separator : made.lanes.separators)
-    EXPECT_TRUE(geos.valid(geos.surface(separator.surface).get()));
+    EXPECT_TRUE(geos.valid(geos.surface(paint_of(separator)).get()));
 }
 
 // East, west and south of the origin; the street south is the less important one.
@@ -333,7 +342,7 @@ TEST(Lanes, OfAnEndlessStreetAreStillLanes) {
                            {{1, general(1, 1)}}, {}, {});
   ASSERT_EQ(made.lanes.size(), 2u);
   ASSERT_EQ(made.separators.size(), 1u);
-  EXPECT_EQ(made.separators[0].surface.size(), 1u);
+  EXPECT_EQ(paint_of(made.separators[0]).size(), 1u);
 }
 
 TEST(Lanes, ObeyOverridesOfTheirPlace) {

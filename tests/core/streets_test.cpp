@@ -171,6 +171,30 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
   EXPECT_FALSE(holds(town.intersections[0].surface, {6.6, 6.6, 0}));
 }
 
+// A link of 3 m between kerbs at 5 m, and the street that goes on from it with a bend.
+TEST(Streets, AnAxisIsFollowedWithinABendOfSixtyDegrees) {
+  constexpr double degree = M_PI / 180;
+  const auto bent = [](double angle) {
+    const Point far{3 + 100 * std::cos(angle), 100 * std::sin(angle), 0};
+    return streets({{1, {{0, 0, 0}, {3, 0, 0}}, 0, 10, 10, 5, 3},
+                    {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, 5, 3},
+                    {3, {{3, 0, 0}, far}, 0, 10, 10, 5, 3},
+                    {4, {{3, 0, 0}, {3, -80, 0}}, 0, 10, 10, 5, 3}},
+                   {});
+  };
+  const auto followed_to = [](const Streets& town, const Point& centre) {
+    const Corner* corner = corner_of(town, 1, 2, 0);
+    EXPECT_EQ(corner->method, Method::followed);
+    EXPECT_EQ(corner->radius, 5);
+    ASSERT_TRUE(corner->centre.has_value());
+    EXPECT_NEAR(distance(*corner->centre, centre), 0, 1e-6);
+  };
+  EXPECT_EQ(corner_of(bent(-61 * degree), 1, 2, 0)->method, Method::no_arc);
+  // Ten metres from both axes: left of the next one, and off the bend, whose outer kerb is round.
+  followed_to(bent(35 * degree), {10, (7 * std::sin(35 * degree) + 10) / std::cos(35 * degree), 0});
+  followed_to(bent(-50 * degree), {10, std::sqrt(51), 0});
+}
+
 TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   // The largest radius on 8 m, with both half widths 5 m and a right angle, is 3 m.
   StreetSettings settings;
@@ -499,25 +523,39 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   EXPECT_GT(left, asked);
 }
 
-// The wide street lay on all the ground about a node of two others, and goes.
-TEST(Streets, AnIntersectionThatLostAllItsGroundGetsItBack) {
+// The wide street lay on the ground about a node of two others, and goes.
+TEST(Streets, AnIntersectionThatLostGroundGetsItBack) {
   std::vector<StreetAxis> axes = {
       {8, {{122, 100, 0}, {190, 102, 0}}, 0, 5.5, 5.5, 4, 5},
       {14, {{190, 102, 0}, {191, 150, 0}}, 0, 5, 5, 4, 6},
       {15, {{147.71, 110.08, 0}, {196.63, 101.82, 0}}, 0, 15.68, 15.68, 4, 3}};
+  const auto at_bend = [](const Streets& town) -> const Intersection& {
+    return *std::find_if(
+        town.intersections.begin(), town.intersections.end(),
+        [&](const Intersection& i) { return town.network.nodes[i.node].point.x == 190; });
+  };
   const Streets before = streets(axes, {});
-  const auto emptied = std::find_if(before.intersections.begin(), before.intersections.end(),
-                                    [](const Intersection& i) { return i.surface.empty(); });
-  ASSERT_NE(emptied, before.intersections.end());
-  const Point place = before.network.nodes[emptied->node].point;
+  EXPECT_GT(at_bend(before).contested_area, 5);
   axes[2].line = {{147.71, 110.08, 0}, {248.08, 151.78, 0}};
   axes[0].changed = axes[1].changed = false;
-  const Streets after = streets(axes, {}, {}, former_of(before));
-  const auto again = std::find_if(
-      after.intersections.begin(), after.intersections.end(),
-      [&](const auto& i) { return distance(after.network.nodes[i.node].point, place) == 0; });
-  ASSERT_NE(again, after.intersections.end());
-  EXPECT_GT(area(again->surface), 50);
+  EXPECT_NEAR(area(at_bend(streets(axes, {}, {}, former_of(before))).surface),
+              area(at_bend(before).surface) + at_bend(before).contested_area, 1e-6);
+}
+
+// The T between two narrow streets, which a wide and more important one crosses beside it, lies
+// all on that one's roadway.
+TEST(Streets, AnIntersectionKeepsItsNode) {
+  const Streets town = streets({{1, {{-30, 9.75, 0}, {35, -9.75, 0}}, 0, 20, 20, 4, 1},
+                                {2, {{-30, 0, 0}, {0, 0, 0}}, 0, 4, 4, 1, 5},
+                                {3, {{0, 0, 0}, {30, 0, 0}}, 0, 4, 4, 1, 5},
+                                {4, {{0, 0, 0}, {0, -30, 0}}, 0, 4, 4, 1, 5}},
+                               {});
+  const auto tee = std::find_if(
+      town.intersections.begin(), town.intersections.end(),
+      [&](const Intersection& i) { return distance(town.network.nodes[i.node].point, {}) == 0; });
+  ASSERT_NE(tee, town.intersections.end());
+  EXPECT_GT(tee->contested_area, 0);
+  EXPECT_TRUE(holds(tee->surface, {1e-3, 1e-3, 0}));
 }
 
 // Two streets leave a hole between them, which goes to one of them until a street of another level
@@ -614,6 +652,27 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
     }
   }
   EXPECT_GT(met, out);
+}
+
+// The end of a street moves, and with it the next one, which ends where one meets it that is not
+// written.
+TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
+  std::vector<StreetAxis> axes = {{7, {{0, 0, 0}, {100, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {8, {{100, 0, 0}, {200, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {9, {{200, 0, 0}, {300, 50, 0}}, 0, 6, 6, 4, 5}};
+  Former former = former_of(streets(axes, {}));
+  former.edges.pop_back();
+  axes[0].line.back().y = 0.3;
+  axes[1].changed = axes[2].changed = false;
+  axes[2].outer = true;
+  EXPECT_EQ(streets(axes, {}, {}, former).leading_on, (std::vector<bool>{false, true, false}));
+  former.onwards = false;
+  try {
+    streets(axes, {}, {}, former);
+    FAIL();
+  } catch (const LeadsOn& leads_on) {
+    EXPECT_EQ(leads_on.axes(), std::vector<std::int64_t>{8});
+  }
 }
 
 }  // namespace

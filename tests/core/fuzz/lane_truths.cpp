@@ -61,7 +61,7 @@ void find_unsound(const Lanes& lanes, Faults& faults) {
     if (!(lane.width > 0)) faults.push_back("a lane has no width" + of_edge(lane.edge));
   }
   for (const LaneSeparator& separator : lanes.separators)
-    if (!finite(separator.line) || !sound(separator.surface))
+    if (!finite(separator.line) || !sound(paint_of(separator)))
       faults.push_back("a separator is not sound" + of_edge(separator.edge));
   for (const Marking& marking : lanes.markings)
     if (!finite(marking.line) || marking.surface.empty() || !sound(marking.surface))
