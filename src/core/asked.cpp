@@ -167,8 +167,29 @@ class Change {
     // Lanes of crossed limits end at the other one's.
     const bool crossed =
         before.start.abscissa >= before.end.abscissa || limits_crossed(layout_.streets, e);
-    if (crossed || !same_start) move_end(e, edge.from_node);
-    if (crossed || !same_end) move_end(e, edge.to_node);
+    const bool bent = crossed || bends_where_limits_moved(e, before);
+    if (bent || !same_start) move_end(e, edge.from_node);
+    if (bent || !same_end) move_end(e, edge.to_node);
+  }
+
+  // Lanes may have another last segment at their far end then.
+  bool bends_where_limits_moved(int e, const FormerEdge& before) const {
+    const Line& line = edges_[e].line;
+    const SectionLimit &start = layout_.streets.limits[2 * e],
+                       &end = layout_.streets.limits[2 * e + 1];
+    const auto [first, start_end] = std::minmax(before.start.abscissa, start.abscissa);
+    const auto [end_start, last] = std::minmax(before.end.abscissa, end.abscissa);
+    const double margin = std::max(layout_.arms[2 * e].half_start, layout_.arms[2 * e].half_end);
+    bool moved = false, stays = false;
+    double abscissa = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      abscissa += distance(line[i - 1], line[i]);
+      if (abscissa <= first - margin || abscissa >= last + margin) continue;
+      const bool by_moved = (first < start_end && abscissa <= start_end + margin) ||
+                            (end_start < last && abscissa >= end_start - margin);
+      (by_moved ? moved : stays) = true;
+    }
+    return moved && !stays;
   }
 
   void move_end(int e, int node) {

@@ -412,6 +412,15 @@ SELECT 'and what it had when it is turned back', count(*) = 1 FROM before_turn b
 SELECT 'nothing is stale', streetgen.live('turned', true) = 0;
 SELECT streetgen.drop_model('turned') \g /dev/null
 
+-- Where a limit moves from behind a bend to before it, lanes have another last segment at the other end too: paths there bend anew.
+SELECT streetgen.create_model('bent', 2154) \g /dev/null
+INSERT INTO bent.axis (axis_id, geom, width, width_end, direction, importance, level) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), width, width_end, direction, importance, level FROM (VALUES
+  (25, 'LINESTRING(108.4364 129.7476, 156.3632 166.8706, 203.71 189.2936)', 14.25, NULL, 'reverse', 1, -1), (36, 'LINESTRING(178.0112 121.5992, 216.1488 142.328, 249.4664 172.9968)', 13.04, NULL, 'direct', 4, 0),
+  (38, 'LINESTRING(203.71 189.2936, 234.3382 181.3252, 249.4664 172.9968)', 15.09, 17.81, 'reverse', 1, -1), (39, 'LINESTRING(203.75 189.1136, 262.0024 265.7632)', 18.37, NULL, 'reverse', 1, 0)) a(axis_id, line, width, width_end, direction, importance, level);
+UPDATE bent.axis SET width_end = 19.89 WHERE axis_id = 36;
+SELECT 'a wider street at one end of a bent one: the other end follows, as from scratch', test.followed('bent', 'once');
+SELECT streetgen.drop_model('bent') \g /dev/null
+
 -- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
 SELECT streetgen.create_model('gone', 2154) \g /dev/null
 INSERT INTO gone.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
