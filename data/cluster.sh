@@ -103,6 +103,9 @@ shared_buffers = 256MB
 work_mem = 64MB
 maintenance_work_mem = 256MB
 max_wal_size = 2GB
+session_preload_libraries = 'postgis-3'
+wal_level = minimal
+max_wal_senders = 0
 logging_collector = off
 EOF
   fi

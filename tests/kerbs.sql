@@ -115,7 +115,7 @@ WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = 
 INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);
 
 -- Each limit's border line lies on the boundary of both neighbours, where nothing was given away; a loop whose limits cross is all
--- one intersection.
+-- one intersection. Where a street ends on roadway of its own, be it a turning loop's, there is one neighbour and no boundary.
 CREATE TEMPORARY TABLE giving AS
 SELECT edge_id FROM :"model".section WHERE contested_area > 0
 UNION SELECT edge_id FROM :"model".edge JOIN :"model".intersection ON node_id = from_node WHERE contested_area > 0
@@ -128,21 +128,22 @@ CROSS JOIN LATERAL (VALUES ('section', edge_id), ('intersection', near), ('inter
 JOIN surface s ON s.kind = n.kind AND s.id = n.id
 WHERE NOT EXISTS (SELECT FROM giving g WHERE g.edge_id = e.edge_id) AND NOT (near = far AND l.method = 'crossed_limits') GROUP BY l.section_limit_id;
 INSERT INTO finding
-SELECT 'border line off a boundary', 'section_limit', section_limit_id, max(off), border_line FROM (
-    SELECT b.*, ST_Distance(ST_Boundary(n), ST_LineInterpolatePoint(border_line, t / 4.0)) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t) p
-GROUP BY section_limit_id, border_line HAVING max(off) > 1e-3;
+SELECT CASE WHEN alone AND bool_or(inside) THEN 'street ends on its own roadway' ELSE 'border line off a boundary' END, 'section_limit', section_limit_id, max(off), border_line FROM (
+    SELECT b.*, cardinality(neighbours) = 1 AS alone, ST_Covers(n, p) AS inside, ST_Distance(ST_Boundary(n), p) AS off FROM border b, unnest(neighbours) n, generate_series(0, 4) t, ST_LineInterpolatePoint(border_line, t / 4.0) p) p
+GROUP BY section_limit_id, border_line, alone HAVING max(off) > 1e-3;
 
--- Holes of a level's union that no surface of another level fills by right (one that tiles with a surface of this level at a
--- node); 1e-6 m2, or a width of 1e-7 m, is the noise of coordinates.
+-- Holes of a level's union that no surface fills by right: of the level (GEOS loses some of many in a union), or of another that tiles
+-- with one of the level, since an edge of both is its own or ends there; 1e-6 m2, or a width of 1e-7 m, is the noise of coordinates.
 INSERT INTO finding
 SELECT 'hole', 'level', level, ST_Area(open), open FROM (
     SELECT level, ST_Difference(hole, coalesce((
-        SELECT ST_Union(b.surface) FROM surface b JOIN surface a ON a.kind <> b.kind AND a.level = r.level AND b.level <> r.level
-            AND CASE a.kind WHEN 'section' THEN b.id IN (a.node_a, a.node_b) ELSE a.id IN (b.node_a, b.node_b) END
-        WHERE b.surface && hole), ST_SetSRID('POLYGON EMPTY'::geometry, ST_SRID(hole)))) AS open
+        SELECT ST_Union(b.surface) FROM surface b
+        WHERE b.surface && hole AND (b.level = r.level OR EXISTS (SELECT FROM surface a WHERE a.level = r.level AND CASE
+            WHEN a.kind = 'section' THEN b.kind = 'intersection' AND b.id IN (a.node_a, a.node_b) WHEN b.kind = 'section' THEN a.id IN (b.node_a, b.node_b)
+            ELSE EXISTS (SELECT FROM :"model".edge WHERE (from_node, to_node) IN ((a.id, b.id), (b.id, a.id))) END))), ST_SetSRID('POLYGON EMPTY'::geometry, ST_SRID(hole)))) AS open
     FROM (SELECT level, ST_MakePolygon(ST_ExteriorRing((ST_DumpRings(part)).geom)) AS hole, (ST_DumpRings(part)).path[1] AS ring
           FROM (SELECT level, (ST_Dump(ST_Union(surface))).geom AS part FROM surface GROUP BY level) u) r
-    WHERE ring > 0 AND ST_Area(hole) < 0.5) o
+    WHERE ring > 0 AND ST_Area(hole) BETWEEN 1e-6 AND 0.5) o
 WHERE ST_Area(open) > greatest(1e-6, 1e-7 * ST_Perimeter(open) / 2);
 
 -- T junctions on a street that is straight on both sides: how far the kerb opposite to the side street leaves its line. Noded at a micrometre: without a

@@ -1,5 +1,5 @@
 // Everything the core refuses.  The border turns each kind into one SQLSTATE:
-// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014.
+// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014, leads_on SG001.
 // Messages are in PostgreSQL style: lower case, no full stop, the wrong value in them.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace streetgen {
 
-enum class ErrorKind { invalid_input, degenerate, unsupported, cancelled };
+enum class ErrorKind { invalid_input, degenerate, unsupported, cancelled, leads_on };
 
 class Error : public std::runtime_error {
  public:

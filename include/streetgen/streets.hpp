@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -172,6 +174,20 @@ struct FormerNode {
 struct Former {
   std::vector<FormerEdge> edges;
   std::vector<FormerNode> nodes;  // with an intersection
+  // Whether what is computed counts where the change leads on beyond what is written; else it is
+  // LeadsOn, before any surface is computed.
+  bool onwards = true;
+};
+
+// A run for these axes is due at the same time.
+class LeadsOn : public std::exception {
+ public:
+  explicit LeadsOn(std::vector<std::int64_t> axes) : axes_(std::move(axes)) {}
+  const char* what() const noexcept override { return "the change leads on along other axes"; }
+  const std::vector<std::int64_t>& axes() const noexcept { return axes_; }
+
+ private:
+  std::vector<std::int64_t> axes_;
 };
 
 struct Streets {
@@ -194,7 +210,7 @@ struct Streets {
 // Whether the two limits of the edge meet: it has no section.
 bool limits_crossed(const Streets& streets, int edge);
 
-// Deterministic and independent of the order of `axes`.
+// Deterministic and independent of the order of `axes`.  Throws Error and LeadsOn.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
                 const StreetOverrides& overrides = {}, const Former& former = {});
 

@@ -20,14 +20,15 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN any_override THEN (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
-               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE axis_id = a.axis_id
-               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE axis_id = a.axis_id
-               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE axis_a = a.axis_id OR axis_b = a.axis_id
-               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE axis_id = a.axis_id) o) END)
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane THEN (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END)
            || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
        setting_hash
-FROM %1$I.axis a LEFT JOIN (SELECT setting_hash FROM %1$I.setting_used) h ON true
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN %1$I.setting_used ON true
 LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width, (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default, (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
@@ -35,10 +36,9 @@ LEFT JOIN (
            (max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb AS speed_by_importance, (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
            nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb AS radius_by_importance, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
     FROM %1$I.setting) s ON true
--- Most models have none, and no axis of them is asked for its own.
-CROSS JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) OR EXISTS (SELECT FROM %1$I.section_limit_override)
-    OR EXISTS (SELECT FROM %1$I.corner_override) OR EXISTS (SELECT FROM %1$I.lane_override) AS any_override) o
-LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+-- Most models have none or one kind, and no axis of them is asked for its own of the others.
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is asked for does.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true

@@ -89,9 +89,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS tex
     -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be put there the planner looks through all of them.
     SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places),
             streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places)) || E'\n' || streetgen._upsert_counts() $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false)
+CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false, onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
@@ -104,21 +104,21 @@ DECLARE
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare, first => first))
-        USING written, gathered, changed;
+        USING written, gathered, changed, onwards;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean, boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else; first: not of the changed axes, and what lies around them is right.';
+COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean, boolean, boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else; first: not of the changed axes, and what lies around them is right; onwards as for streetgen._upsert_part.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: no page is far.
+    -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: no page is far; its joins stand in their order.
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[])
+CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET random_page_cost = 0.01 SET plan_cache_mode = force_generic_plan
+    SET enable_seqscan = off SET random_page_cost = 0.01 SET join_collapse_limit = 1 SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
@@ -132,7 +132,7 @@ BEGIN
     RETURN ARRAY(SELECT axis_id FROM %1$I.edge WHERE axis_id = ANY (axes) AND input_hash = 0);
 END $body$ $sql$, model);
     PERFORM streetgen._own_function(model, '_leading_on(bigint[])', 'Of axes that a run wrote those along which the change goes on beyond them: it left them marked as stale');
-    PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[])', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; streetgen.generate and the triggers call it');
+    PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[], boolean)', 'Computes and upserts what changed axes can change of the axes written, with those gathered around them; onwards: also where the change goes on beyond these, else that is SG001; streetgen.generate and the triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the functions of a model that upsert a part of it, and tell where that was not enough.';
 
@@ -148,9 +148,9 @@ DECLARE
 BEGIN
     LOOP
         IF cardinality(changed) > most_planned THEN
-            RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed);
+            RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed, onwards => onwards);
         ELSE
-            RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3)', model) USING written, gathered, changed;
+            RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3, $4)', model) USING written, gathered, changed, onwards;
         END IF;
         EXIT WHEN NOT onwards;
         EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING written;
@@ -161,4 +161,4 @@ BEGIN
         SELECT claimed.written, claimed.gathered, claimed.changed INTO written, gathered, changed;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; gives a row per table. onwards: where the change goes on beyond the axes written it claims the places there as far as they are free, and begins again with the axes that lead there, which gives further rows.';
+COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS 'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; gives a row per table. onwards: where the change goes on beyond the axes written it claims the places there as far as they are free, and begins again with the axes that lead there, which gives further rows; else that is SG001, with some of these axes as its hint.';

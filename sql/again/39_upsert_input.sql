@@ -55,5 +55,6 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea, i.contested_area > 0)::streetgen.former_node)
             FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
                 LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
-                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i)) AS streets)$part$, places) $$;
+                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
+        onwards => {whole} OR $4) AS streets)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS 'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

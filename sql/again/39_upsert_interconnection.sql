@@ -8,10 +8,9 @@ rule AS MATERIALIZED (
            3 * (v ->> 'tolerance')::float8 AS near FROM setting),
 decided AS MATERIALIZED (
     SELECT DISTINCT ON (i.lane_id, o.lane_id) i.lane_id AS lane_in, o.lane_id AS lane_out, d.connecting, d.control
-    FROM {model}.interconnection_override d
-    JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out)
-    JOIN new_edge e ON e.edge_id = i.edge_id JOIN new_node n ON n.node_id = CASE WHEN i.along_axis THEN e.to_node ELSE e.from_node END
-    WHERE ST_DWithin(d.geom, n.geom, (SELECT near FROM rule)) ORDER BY i.lane_id, o.lane_id, d.interconnection_override_id DESC),
+    FROM new_node n JOIN {model}.interconnection_override d ON ST_DWithin(d.geom, n.geom, (SELECT near FROM rule))
+    JOIN new_lane i ON (i.axis_id, i.ordinality) = (d.axis_in, d.lane_in) JOIN new_edge e ON e.edge_id = i.edge_id AND n.node_id = CASE WHEN i.along_axis THEN e.to_node ELSE e.from_node END
+    JOIN new_lane o ON (o.axis_id, o.ordinality) = (d.axis_out, d.lane_out) ORDER BY i.lane_id, o.lane_id, d.interconnection_override_id DESC),
 -- Pairs that are not all as computed: those decided by hand, or every one where a function of the user draws.
 drawn AS MATERIALIZED (
     SELECT p.lane_in, p.lane_out, d.connecting, d.control, d.lane_in IS NOT NULL AS by_hand,

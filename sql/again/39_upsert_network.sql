@@ -12,9 +12,10 @@ written_edge AS MATERIALIZED (SELECT * FROM computed_edge WHERE {whole} OR axis_
 written_node AS MATERIALIZED (
     SELECT * FROM streetgen._computed_node((SELECT streets FROM computed))
     WHERE number IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
+-- Of the asked axes, and of those that meet what is written: they know its nodes.
 old_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id FROM asked_axis) AS asked
-    FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY ($1 || $2)))$part$, places),
+    FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM asked_axis UNION SELECT unnest(anchor_axis) FROM written_node))))$part$, places),
     streetgen._upsert_rows(places, 'node', id => 'node_id', named => true, columns => 'geom', rows => $part$
         SELECT coalesce(node_id, nextval('{quoted_model}.node_node_id_seq')) AS node_id, number, asked, {geom_with_height} AS geom
         FROM (SELECT n.number, n.asked, n.geom, anchor_axis[1] AS axis_id, k.node_id

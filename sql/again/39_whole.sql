@@ -95,6 +95,19 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
 END $$;
 COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
+CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass FROM unnest(streetgen._derived_tables()) d(relation));
+BEGIN
+    -- TRUNCATE refuses a table that one of others refers to.
+    IF current_setting('wal_level') = 'minimal' AND NOT EXISTS (SELECT FROM pg_constraint WHERE contype = 'f' AND confrelid = ANY (derived)) THEN
+        EXECUTE 'TRUNCATE ' || array_to_string(derived, ', ');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._begin_files(name) IS 'Begins the files of the derived tables of a bare model anew, after its keys were taken off: where wal_level is minimal, what a transaction writes into files that it began is synced at its end and not logged.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
@@ -104,6 +117,9 @@ DECLARE
 BEGIN
     IF streetgen._is_bare(model) THEN
         back := ARRAY(SELECT t.statement FROM streetgen._take_off(model) t ORDER BY t.turn);
+        IF back <> '{}' THEN
+            PERFORM streetgen._begin_files(model);
+        END IF;
     END IF;
     RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back <> '{}');
     FOR i IN 1 .. cardinality(back) LOOP

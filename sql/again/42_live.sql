@@ -32,12 +32,10 @@ BEGIN
         BEGIN
             claimed := streetgen._claim(model, changed, wait => true);
             PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed, onwards => false);
-            EXECUTE format('SELECT %I._leading_on($1)', model) INTO leading_on USING claimed.written;
-            EXIT WHEN leading_on <@ changed;
-            changed := changed || leading_on;
-            RAISE SQLSTATE 'SG001';
+            EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
-            NULL;
+            GET STACKED DIAGNOSTICS leading_on = PG_EXCEPTION_HINT;
+            changed := changed || leading_on;
         END;
     END LOOP;
     PERFORM pg_notify('qgis', model);
@@ -125,7 +123,12 @@ DECLARE
     changed bigint[];
     elsewhere bigint[];
     live boolean := streetgen._live(%2$L);
+    -- Axes whose overrides moved with these.
+    remapped constant bigint[] := coalesce(nullif(current_setting('streetgen.remapped', true), ''), '{}');
 BEGIN
+    IF current_setting('streetgen.remapped', true) <> '' THEN
+        PERFORM set_config('streetgen.remapped', '', true);
+    END IF;
     IF TG_OP = 'TRUNCATE' THEN
         IF live THEN
             TRUNCATE %1$I.node, %1$I.edge, %1$I.section_limit, %1$I.section, %1$I.corner, %1$I.intersection, %1$I.lane, %1$I.lane_separator, %1$I.marking, %1$I.interconnection, %1$I.report;
@@ -151,7 +154,7 @@ BEGIN
         IF elsewhere <> '{}' THEN
             PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L, elsewhere));
         END IF;
-        PERFORM streetgen._follow(%2$L, changed);
+        PERFORM streetgen._follow(%2$L, changed || remapped);
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, model);
@@ -179,7 +182,9 @@ BEGIN
     END IF;
     named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) role
         JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint);
-    IF live THEN
+    IF live AND current_setting('streetgen.remapped', true) <> '' THEN
+        PERFORM set_config('streetgen.remapped', (current_setting('streetgen.remapped')::bigint[] || named)::text, true);
+    ELSIF live THEN
         PERFORM streetgen._follow(%2$L, named);
     ELSE
         PERFORM streetgen._mark_stale(%2$L, named);

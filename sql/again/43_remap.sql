@@ -234,13 +234,15 @@ DECLARE
     extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line);
     concerned bigint[];
 BEGIN
-    -- Each statement below is followed on its own: their rows first, and by one claim all their places, so that none waits for more while it holds some.
+    -- Their rows first, and by one claim all their places, so that none waits for more while it holds some.
     %2$s
     IF streetgen._live(%3$L) THEN
         concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
                            UNION SELECT a.axis_id FROM %1$I.override_place o JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach) WHERE o.geom && ST_Expand(extent, 110));
         IF concerned <> '{}' THEN
             PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
+            -- What the statements below change is followed with the axes, and not on its own.
+            PERFORM set_config('streetgen.remapped', '{}', true);
         END IF;
     END IF;
     %4$s

@@ -148,8 +148,6 @@ std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm&
   solved.gap.angle = angle_between(a, b);
   const CornerArc& corner = solved.gap.corner;
   if (corner.radius <= 0) return std::nullopt;
-  if (corner.abscissa_a <= length(a.line) && corner.abscissa_b <= length(b.line))
-    return std::nullopt;
   const auto crossing =
       corner_arc(longer_a.line, longer_b.line, 2 * a.half_start, 2 * b.half_start, 0);
   if (!crossing) return std::nullopt;

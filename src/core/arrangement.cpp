@@ -19,9 +19,22 @@ __extension__ using Wide = __int128;
 using Cell = GridCell;
 
 struct Segment {
-  Cell from, to;  // from < to, or one cell
-  std::int64_t low() const { return std::min(from.y, to.y); }
-  std::int64_t high() const { return std::max(from.y, to.y); }
+  Segment(const std::vector<Cell>& places, int from_place, int to_place)
+      : from(places[from_place]),
+        to(places[to_place]),
+        low(std::min(from.y, to.y)),
+        high(std::max(from.y, to.y)),
+        first(from_place),
+        last(to_place) {}
+  Cell from, to;           // from < to, or one cell
+  std::int64_t low, high;  // of their y
+  int first, last;         // the places that these are
+  // In steps either way.
+  std::int64_t size() const { return (to.x - from.x) + (high - low); }
+  bool in_box(const Cell& cell) const {
+    return cell.x >= from.x && cell.x <= to.x && cell.y >= low && cell.y <= high;
+  }
+  bool ends_at(int place) const { return place == first || place == last; }
 };
 
 // Twice the area of a, b, c: positive where c lies left.
@@ -48,9 +61,13 @@ int side(const Cell& a, const Cell& b, const Cell& c) {
   return sign(turn(a, b, c));
 }
 
-// The cell where two segments cross inside of both; at their ends there is a cell already.
+void sort_distinct(std::vector<std::pair<int, int>>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+// The cell where two segments without a common end cross inside of both.
 bool crossing(const Segment& s, const Segment& t, Cell& cell) {
-  if (s.from == t.from || s.to == t.to || s.from == t.to || s.to == t.from) return false;
   if (side(s.from, s.to, t.from) * side(s.from, s.to, t.to) >= 0) return false;
   if (side(t.from, t.to, s.from) * side(t.from, t.to, s.to) >= 0) return false;
   const Wide o3 = turn(t.from, t.to, s.from), o4 = turn(t.from, t.to, s.to);
@@ -60,45 +77,43 @@ bool crossing(const Segment& s, const Segment& t, Cell& cell) {
   return true;
 }
 
-// Whether the segment comes into the cell: no farther than half a step either way.
+// Whether the segment comes into a cell of its box: no farther than half a step either way.
 bool passes(const Segment& s, const Cell& cell) {
-  if (cell.x < s.from.x || cell.x > s.to.x || cell.y < s.low() || cell.y > s.high()) return false;
-  const std::int64_t reach = (s.to.x - s.from.x) + (s.high() - s.low());
   const About about = about_turn(s.from, s.to, cell);
-  if (2 * (std::abs(about.value) - about.error) > static_cast<double>(reach)) return false;
+  if (2 * (std::abs(about.value) - about.error) > static_cast<double>(s.size())) return false;
   const Wide off = 2 * turn(s.from, s.to, cell);
-  return off <= reach && -off <= reach;
+  return off <= s.size() && -off <= s.size();
 }
 
-void sort_distinct(std::vector<Segment>& segments) {
-  std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
-    return s.from == t.from ? s.to < t.to : s.from < t.from;
-  });
-  segments.erase(std::unique(segments.begin(), segments.end(),
-                             [](const Segment& s, const Segment& t) {
-                               return s.from == t.from && s.to == t.to;
-                             }),
-                 segments.end());
+// Whether t lies so far on one side of the line of s that they come into no cell of each other.
+bool lies_off(const Segment& s, const Segment& t) {
+  const double size = static_cast<double>(s.size());
+  const About from = about_turn(s.from, s.to, t.from), to = about_turn(s.from, s.to, t.to);
+  return 2 * std::min(from.value - from.error, to.value - to.error) > size ||
+         2 * std::max(from.value + from.error, to.value + to.error) < -size;
 }
 
-// Cells where segments end or cross, and which of them others come into.
+// Places where segments end or cross, and which of them others come into.
 class Meetings {
  public:
   struct Meeting {
-    int segment;
-    Cell cell;
+    int segment, place;
   };
 
-  explicit Meetings(const std::vector<Segment>& segments) : segments_(segments) {
+  // The ends' cells by place, and the segments by these.
+  Meetings(std::vector<Cell>& places, const std::vector<Segment>& segments)
+      : places_(places), segments_(segments) {
     struct Active {
       std::int64_t to_x, low, high;
       int segment;
     };
     std::vector<Active> active;
+    near_.reserve(4 * segments.size());
+    meetings_.reserve(segments.size());
     for (int i = 0; i < static_cast<int>(segments.size()); ++i) {
       poll_cancel();
       const Segment& s = segments[i];
-      const Active own{s.to.x, s.low(), s.high(), i};
+      const Active own{s.to.x, s.low, s.high, i};
       for (std::size_t k = 0; k < active.size();) {
         const Active& other = active[k];
         if (other.to_x < s.from.x) {
@@ -116,49 +131,57 @@ class Meetings {
               [](const Meeting& a, const Meeting& b) { return a.segment < b.segment; });
   }
 
-  // Cells of their own.
-  const std::vector<Cell>& crossings() const { return crossings_; }
-  // By segment, without the segment's own ends; a cell may come twice.
+  // By segment, without the segment's own ends; a place may come twice.
   const std::vector<Meeting>& all() const { return meetings_; }
 
  private:
-  void come(int segment, const Cell& cell) {
+  void come(int segment, int place) {
     const Segment& s = segments_[segment];
-    if (passes(s, cell) && !(cell == s.from) && !(cell == s.to))
-      meetings_.push_back({segment, cell});
+    const Cell& cell = places_[place];
+    if (s.in_box(cell) && !s.ends_at(place) && passes(s, cell))
+      meetings_.push_back({segment, place});
   }
 
   void meet(int i, int j) {
     const Segment &s = segments_[i], &t = segments_[j];
-    come(i, t.from);
-    come(i, t.to);
-    come(j, s.from);
-    come(j, s.to);
     near_.emplace_back(i, j);
+    const bool joined = t.ends_at(s.first) || t.ends_at(s.last);
+    if (!joined && (lies_off(s, t) || lies_off(t, s))) return;
+    come(i, t.first);
+    come(i, t.last);
+    come(j, s.first);
+    come(j, s.last);
     Cell cell;
-    if (!crossing(s, t, cell)) return;
-    crossings_.push_back(cell);
-    crossed_.push_back({i, cell});
-    crossed_.push_back({j, cell});
+    if (joined || !crossing(s, t, cell)) return;
+    const int place = static_cast<int>(places_.size());
+    places_.push_back(cell);
+    crossed_.push_back({i, place});
+    crossed_.push_back({j, place});
   }
 
   // A cell where two cross lies in the boxes of both, so in that of each that comes into it.
   void meet_crossings() {
     if (crossed_.empty()) return;
-    std::vector<std::vector<Cell>> of(segments_.size());
-    for (const auto& [segment, cell] : crossed_) {
-      of[segment].push_back(cell);
-      come(segment, cell);
+    std::sort(crossed_.begin(), crossed_.end(),
+              [](const Meeting& a, const Meeting& b) { return a.segment < b.segment; });
+    std::vector<int> first(segments_.size() + 1);  // of each segment's in these
+    for (const Meeting& own : crossed_) {
+      ++first[own.segment + 1];
+      come(own.segment, own.place);
     }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    const auto come_of = [&](int other, int segment) {
+      for (int k = first[other]; k < first[other + 1]; ++k) come(segment, crossed_[k].place);
+    };
     for (const auto& [i, j] : near_) {
-      for (const Cell& cell : of[i]) come(j, cell);
-      for (const Cell& cell : of[j]) come(i, cell);
+      come_of(i, j);
+      come_of(j, i);
     }
   }
 
+  std::vector<Cell>& places_;
   const std::vector<Segment>& segments_;
   std::vector<std::pair<int, int>> near_;  // their boxes meet
-  std::vector<Cell> crossings_;
   std::vector<Meeting> crossed_, meetings_;
 };
 
@@ -222,76 +245,104 @@ void Arrangement::node(const std::vector<Line>& lines) {
   // A power of two that doubles of this size hold, so that cells are places of their own.
   step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
   origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
-  const auto cell_at = [&](const Point& p) {
-    return Cell{std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)};
-  };
-  struct Place {
-    Cell cell;
-    const Point* own;  // none where segments cross
-  };
-  std::vector<Place> places;
-  std::vector<Segment> segments;
   std::size_t count = 0;
   for (const Line& line : lines) count += line.size();
-  places.reserve(count);
-  segments.reserve(count);
-  for (const Line& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      places.push_back({cell_at(line[i]), &line[i]});
-      if (i == 0) continue;
-      const Cell &a = places[places.size() - 2].cell, &b = places.back().cell;
-      segments.push_back(a < b ? Segment{a, b} : Segment{b, a});
+  struct Vertex {
+    Cell cell;
+    int number;  // line by line
+    const Point* point;
+    bool operator<(const Vertex& o) const {
+      return cell == o.cell ? number < o.number : cell < o.cell;
     }
-  sort_distinct(segments);
-  const Meetings meetings(segments);
-  for (const Cell& cell : meetings.crossings()) places.push_back({cell, nullptr});
-  // Of several in one cell the first holds.
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.cell < b.cell; });
-  nodes_.reserve(places.size());
-  for (const Place& place : places)
-    if (nodes_.empty() || !(nodes_.back().cell == place.cell))
-      nodes_.push_back({place.cell, place.own ? planar(*place.own) : on_grid(place.cell)});
-  const auto node_at = [&](int first, const Cell& cell) {
-    return static_cast<int>(
-        std::lower_bound(nodes_.begin() + first, nodes_.end(), cell,
-                         [](const Node& node, const Cell& wanted) { return node.cell < wanted; }) -
-        nodes_.begin());
   };
+  std::vector<Vertex> vertices;
+  vertices.reserve(count);
+  for (const Line& line : lines)
+    for (const Point& p : line)
+      vertices.push_back(
+          {{std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)},
+           static_cast<int>(vertices.size()),
+           &p});
+  std::sort(vertices.begin(), vertices.end());
+  std::vector<int> place_of(count);  // of each vertex; of several in one cell the first holds
+  std::vector<Cell> places;
+  std::vector<const Point*> points;
+  places.reserve(count);
+  points.reserve(count);
+  for (const Vertex& vertex : vertices) {
+    if (places.empty() || !(places.back() == vertex.cell)) {
+      places.push_back(vertex.cell);
+      points.push_back(vertex.point);
+    }
+    place_of[vertex.number] = static_cast<int>(places.size()) - 1;
+  }
+  std::vector<std::pair<int, int>> ends;
+  ends.reserve(count);
+  auto place = place_of.begin();
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i, ++place)
+      if (i > 0) ends.push_back(std::minmax(place[-1], place[0]));
+  sort_distinct(ends);
+  std::vector<Segment> segments;
+  segments.reserve(ends.size());
+  for (const auto& [first, last] : ends) segments.emplace_back(places, first, last);
+  const Meetings meetings(places, segments);
+  const std::vector<int> node_of = number(places, points);
   std::vector<std::pair<int, int>> edges;
   std::vector<std::pair<Wide, int>> along;
   edges.reserve(segments.size() + meetings.all().size());
   auto meeting = meetings.all().begin();
-  int first = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
-    const Wide dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
-    while (!(nodes_[first].cell == s.from)) ++first;
-    int last = first;
+    int last = node_of[s.first];
+    if (meeting == meetings.all().end() || meeting->segment != static_cast<int>(i)) {
+      if (s.first != s.last) edges.emplace_back(last, node_of[s.last]);
+      continue;
+    }
     const auto go_on = [&](int node) {
       if (node != last) edges.push_back(std::minmax(last, node));
       last = node;
     };
-    if (meeting == meetings.all().end() || meeting->segment != static_cast<int>(i)) {
-      go_on(node_at(first, s.to));
-      continue;
-    }
     along.clear();
     for (; meeting != meetings.all().end() && meeting->segment == static_cast<int>(i); ++meeting) {
-      const Cell& cell = meeting->cell;
-      along.emplace_back(dx * (cell.x - s.from.x) + dy * (cell.y - s.from.y), node_at(0, cell));
+      const Cell& cell = places[meeting->place];
+      along.emplace_back(Wide(s.to.x - s.from.x) * (cell.x - s.from.x) +
+                             Wide(s.to.y - s.from.y) * (cell.y - s.from.y),
+                         node_of[meeting->place]);
     }
-    along.emplace_back(dx * dx + dy * dy, node_at(first, s.to));
     std::sort(along.begin(), along.end());
     for (const auto& [where, node] : along) go_on(node);
+    go_on(node_of[s.last]);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_distinct(edges);
   halves_.reserve(2 * edges.size());
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});
     halves_.push_back({b, a});
   }
+}
+
+// The nodes in the order of their cells, and which one each place is. The first places are in that
+// order and have points; the others lie where segments cross.
+std::vector<int> Arrangement::number(const std::vector<Cell>& places,
+                                     const std::vector<const Point*>& points) {
+  std::vector<int> crossings(places.size() - points.size());
+  std::iota(crossings.begin(), crossings.end(), static_cast<int>(points.size()));
+  std::sort(crossings.begin(), crossings.end(),
+            [&](int i, int j) { return places[i] < places[j]; });
+  std::vector<int> node_of(places.size());
+  nodes_.reserve(places.size());
+  auto crossing = crossings.begin();
+  for (std::size_t own = 0; own < points.size() || crossing != crossings.end();) {
+    const bool next =
+        crossing == crossings.end() || (own < points.size() && !(places[*crossing] < places[own]));
+    const int place = next ? static_cast<int>(own++) : *crossing++;
+    const Cell& cell = places[place];
+    if (nodes_.empty() || !(nodes_.back().cell == cell))
+      nodes_.push_back({cell, next ? planar(*points[place]) : on_grid(cell)});
+    node_of[place] = static_cast<int>(nodes_.size()) - 1;
+  }
+  return node_of;
 }
 
 void Arrangement::connect() {
@@ -343,8 +394,14 @@ void Arrangement::place_walks() {
   constexpr std::size_t most_tries = 64;
   const int count = static_cast<int>(walks_.size());
   Groups connected(count);
-  for (std::size_t h = 0; h < halves_.size(); h += 2)
-    connected.join(halves_[h].walk, halves_[h ^ 1].walk);
+  std::pair<int, int> joined;
+  for (const int h : walked_)
+    if (const std::pair<int, int> pair(halves_[h].walk, halves_[h ^ 1].walk); pair != joined) {
+      joined = pair;
+      connected.join(pair.first, pair.second);
+    }
+  bool islands = false;
+  for (int w = 1; w < count; ++w) islands = islands || connected.of(w) > 0;
   std::vector<Point> positions;  // of nodes, from the origin
   for (const Node& node : nodes_)
     positions.push_back({node.cell.x * step_, node.cell.y * step_, 0});
@@ -379,8 +436,9 @@ void Arrangement::place_walks() {
         const double off = dot(a, across) * (1 - t) + dot(b, across) * t;
         if (off > 0) reach = std::min(reach, off);
       };
-      for (int other = 0, start = 0; other < count; start = walks_[other++])
-        if (other == w || connected.of(other) != connected.of(w))
+      std::for_each(walked_.begin() + first, walked_.begin() + walks_[w], meet);
+      for (int other = 0, start = 0; islands && other < count; start = walks_[other++])
+        if (connected.of(other) != connected.of(w))
           std::for_each(walked_.begin() + start, walked_.begin() + walks_[other], meet);
       if (reach <= widest) continue;
       widest = reach;

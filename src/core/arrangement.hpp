@@ -43,6 +43,8 @@ class Arrangement {
   };
 
   void node(const std::vector<Line>& lines);
+  std::vector<int> number(const std::vector<GridCell>& places,
+                          const std::vector<const Point*>& points);
   void connect();
   void walk();
   void place_walks();

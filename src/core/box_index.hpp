@@ -5,7 +5,7 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <iterator>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <utility>
 #include <vector>
 
@@ -27,12 +27,18 @@ class BoxIndex {
 
   // Indices of the boxes that meet `box` grown by `margin`, ascending.
   std::vector<int> near(const Box& box, double margin) const {
-    std::vector<Entry> found;
-    tree_.query(boost::geometry::index::intersects(grown(box, margin)), std::back_inserter(found));
     std::vector<int> indices;
-    for (const Entry& entry : found) indices.push_back(entry.second);
+    each_near(box, margin, [&](int index) { indices.push_back(index); });
     std::sort(indices.begin(), indices.end());
     return indices;
+  }
+
+  // The same, one by one, in no order.
+  template <class Use>
+  void each_near(const Box& box, double margin, Use use) const {
+    tree_.query(
+        boost::geometry::index::intersects(grown(box, margin)),
+        boost::make_function_output_iterator([&](const Entry& entry) { use(entry.second); }));
   }
 
   // Whether `holds` is true of any of them; asked in no order, and only until it is.

@@ -27,9 +27,8 @@ double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) 
 }
 
 // The arm with the axes that go on in its direction, up to the reach from the node: at each
-// further node the one that turns least, of the same level and width.
+// further node the one that turns least, within the widest bend, of the same level and width.
 Arm longer(const Layout& layout, const EdgeEnd& end, std::vector<int>& followed) {
-  constexpr double least_cosine = 0.866;  // 30 degrees
   const auto& edges = layout.streets.network.edges;
   Arm arm = layout.arm(end);
   if (arm.half_start != arm.half_end) return arm;
@@ -37,7 +36,7 @@ Arm longer(const Layout& layout, const EdgeEnd& end, std::vector<int>& followed)
   while (length(arm.line) < layout.settings.reach) {
     const Edge& edge = edges[last.edge];
     const Point direction = unit(arm.line.back() - arm.line[arm.line.size() - 2]);
-    double best = least_cosine;
+    double best = std::cos(widest_bend);
     const EdgeEnd* next = nullptr;
     followed.push_back(last.at_start ? edge.to_node : edge.from_node);
     for (const EdgeEnd& other : layout.junctions[followed.back()].ends) {

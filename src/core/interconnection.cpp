@@ -197,18 +197,19 @@ class Builder {
 
   void join(int node) {
     const std::vector<NodeLeg>& legs = legs_[node];
-    std::vector<Leg> ends;
-    for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
-    const Kerbs kerbs = kerbs_of(node);
     std::vector<Movement> movements;
-    std::vector<std::vector<Interconnection>> pairs;
     for (std::size_t a = 0; a < legs.size(); ++a)
       for (std::size_t b = 0; b < legs.size(); ++b) {
         if (legs[a].in.empty() || legs[b].out.empty()) continue;
         if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
         movements.push_back({static_cast<int>(a), static_cast<int>(b), false, 0, {}, {}});
-        pairs.push_back(draw(node, ends, kerbs, movements.back()));
       }
+    if (movements.empty()) return;
+    std::vector<Leg> ends;
+    for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
+    const Kerbs kerbs = kerbs_of(node);
+    std::vector<std::vector<Interconnection>> pairs;
+    for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
     mark_restricted(node, legs, ends, movements);
     choose_lanes(ends, movements);
     const std::size_t first = out_.size();

@@ -24,7 +24,6 @@ constexpr double largest_disc = 1000;  // metres, of its radius
 struct Side {
   Point from, to;
   int surface, ring;
-  std::vector<double> met{};  // shares of it where it meets other rings' sides
 
   Point at(double share) const { return from + (to - from) * share; }
 };
@@ -43,22 +42,6 @@ struct Run {
 double share_of(const Side& side, const Point& p) {
   const Point along = side.to - side.from;
   return std::clamp(dot(p - side.from, along) / dot(along, along), 0.0, 1.0);
-}
-
-void meet(Side& s, Side& t) {
-  const auto end_on = [](Side& side, const Point& end, Side& other, double share) {
-    if (distance_to_segment(end, side.from, side.to) > touching) return;
-    side.met.push_back(share_of(side, end));
-    other.met.push_back(share);
-  };
-  end_on(s, t.from, t, 0);
-  end_on(s, t.to, t, 1);
-  end_on(t, s.from, s, 0);
-  end_on(t, s.to, s, 1);
-  if (const auto at = crossing(s.from, s.to, t.from, t.to)) {
-    s.met.push_back(share_of(s, *at));
-    t.met.push_back(share_of(t, *at));
-  }
 }
 
 class Borders {
@@ -100,18 +83,19 @@ class Borders {
       for (const int j : active) {
         if (boxes[j].max_x < boxes[i].min_x - touching) continue;
         active[kept++] = j;
-        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching))
-          meet(sides_[i], sides_[j]);
+        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching)) meet(i, j);
       }
       active.resize(kept);
       active.push_back(i);
     }
+    std::sort(met_.begin(), met_.end());
     index_ = BoxRuns(std::move(boxes));
   }
 
-  std::vector<Run> runs() {
+  std::vector<Run> runs() const {
     std::vector<Run> all;
-    for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], all);
+    auto met = met_.begin();
+    for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], met, all);
     return all;
   }
 
@@ -129,13 +113,43 @@ class Borders {
   }
 
  private:
-  void add_runs(int first, int last, std::vector<Run>& all) {
+  struct Meeting {
+    int side;
+    double share;  // of the side
+    bool operator<(const Meeting& o) const {
+      return side == o.side ? share < o.share : side < o.side;
+    }
+  };
+
+  void meet(int i, int j) {
+    const Side &s = sides_[i], &t = sides_[j];
+    const auto end_on = [&](int on, const Point& end, int other, double share) {
+      const Side& side = sides_[on];
+      if (distance_to_segment(end, side.from, side.to) > touching) return;
+      met_.push_back({on, share_of(side, end)});
+      met_.push_back({other, share});
+    };
+    end_on(i, t.from, j, 0);
+    end_on(i, t.to, j, 1);
+    end_on(j, s.from, i, 0);
+    end_on(j, s.to, i, 1);
+    if (const auto at = crossing(s.from, s.to, t.from, t.to)) {
+      met_.push_back({i, share_of(s, *at)});
+      met_.push_back({j, share_of(t, *at)});
+    }
+  }
+
+  // `met` is the first meeting of the ring, and then of the next.
+  void add_runs(int first, int last, std::vector<Meeting>::const_iterator& met,
+                std::vector<Run>& all) const {
+    const auto first_met = met;
+    while (met != met_.end() && met->side < last) ++met;
+    if (met == first_met) return;
     std::vector<Run> of_ring;
     Run begun{sides_[first].surface, {}};  // before the first meeting; its end is the last run
-    bool met = false;
+    auto next = first_met;
     for (int i = first; i < last; ++i) {
-      Side& side = sides_[i];
-      std::sort(side.met.begin(), side.met.end());
+      const Side& side = sides_[i];
       const double size = distance(side.from, side.to);
       double at = 0;
       const auto go_on = [&](double share) {
@@ -143,20 +157,18 @@ class Borders {
         begun.pieces.push_back({side.at(at), side.at(share)});
         at = share;
       };
-      for (const double share : side.met) {
-        go_on(share);
-        met = true;
+      for (; next != met && next->side == i; ++next) {
+        go_on(next->share);
         if (begun.pieces.empty()) continue;
         of_ring.push_back({begun.surface, std::move(begun.pieces)});
         begun.pieces.clear();
       }
       go_on(1);
     }
-    if (!met) return;
     if (!begun.pieces.empty()) {
       if (of_ring.empty()) {
         of_ring.push_back(std::move(begun));
-      } else if (sides_[first].met.empty() || sides_[first].met.front() > 0) {
+      } else if (first_met->side > first || first_met->share > 0) {
         auto& pieces = of_ring.front().pieces;
         pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
       } else {
@@ -192,8 +204,9 @@ class Borders {
   const std::vector<const MultiPolygon*>& surfaces_;
   std::vector<Box> boxes_;  // of surfaces
   std::vector<Side> sides_;
-  std::vector<int> rings_;  // their first sides, and the end
-  BoxRuns index_;           // of sides
+  std::vector<int> rings_;    // their first sides, and the end
+  std::vector<Meeting> met_;  // where sides of different rings meet, by side
+  BoxRuns index_;             // of sides
 };
 
 // Of each run the places where it starts and ends, told apart by number.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -21,18 +20,19 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Box everywhere{-infinite, -infinite, infinite, infinite};
 
 std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& origin) {
-  std::vector<int> order(sites.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return sites[i].point.x < sites[j].point.x; });
+  std::vector<std::pair<double, int>> order;  // by x
+  order.reserve(sites.size());
+  for (const Site& site : sites) order.emplace_back(site.point.x, static_cast<int>(order.size()));
+  std::sort(order.begin(), order.end());
   std::vector<bool> repeated(sites.size());
   for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t l = k; l-- > 0;) {
-      const Point &p = sites[order[k]].point, &q = sites[order[l]].point;
-      if (p.x - q.x > same_site) break;
-      if (std::abs(p.y - q.y) <= same_site) repeated[std::max(order[k], order[l])] = true;
+    for (std::size_t l = k; l-- > 0 && order[k].first - order[l].first <= same_site;) {
+      const int i = order[k].second, j = order[l].second;
+      if (std::abs(sites[i].point.y - sites[j].point.y) <= same_site)
+        repeated[std::max(i, j)] = true;
     }
   std::vector<Site> out;
+  out.reserve(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
     if (!repeated[i]) out.push_back({planar(sites[i].point - origin), sites[i].first});
   return out;
@@ -148,6 +148,7 @@ NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
       sites_(distinct_sites(sites, origin_)) {
   drop_far(sites_, within_);
   std::vector<Box> boxes;
+  boxes.reserve(2 * sites_.size());
   for (const Site& site : sites_) boxes.push_back(box_of(site.point, site.point));
   index_ = BoxRuns(std::move(boxes));
 }
@@ -240,9 +241,10 @@ std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
 // From edge to edge, by the sites at their ends.
 std::vector<std::pair<Point, Point>> NearestOwner::border() const {
   std::vector<std::pair<Point, Point>> edges;
-  const auto started = some_pairs();
-  std::set<std::pair<int, int>> seen(started.begin(), started.end());
-  std::vector<std::pair<int, int>> open(seen.begin(), seen.end());
+  std::vector<std::pair<int, int>> seen = some_pairs();
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  std::vector<std::pair<int, int>> open = seen;
   std::vector<int> neighbours;
   const Box shown = within_.grown(beyond);
   while (!open.empty()) {
@@ -254,7 +256,10 @@ std::vector<std::pair<Point, Point>> NearestOwner::border() const {
     for (const int site : neighbours) {
       const std::pair<int, int> pair =
           sites_[site].first ? std::pair(site, second) : std::pair(first, site);
-      if (seen.insert(pair).second) open.push_back(pair);
+      const auto at = std::lower_bound(seen.begin(), seen.end(), pair);
+      if (at != seen.end() && *at == pair) continue;
+      seen.insert(at, pair);
+      open.push_back(pair);
     }
     edge.clip(shown);
     if (edge.size() > noise) edges.push_back(edge.ends());

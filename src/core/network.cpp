@@ -122,11 +122,11 @@ class Builder {
       poll_cancel();
       Box box;
       box.add(vertices_[i].point);
-      for (const int j : index.near(box, reach)) {
-        if (j <= i) continue;
+      index.each_near(box, reach, [&](int j) {
+        if (j <= i) return;
         const double apart = distance(vertices_[i].point, vertices_[j].point);
         if (apart <= reach && may_join(vertices_[i], vertices_[j], apart)) use(i, j);
-      }
+      });
     }
   }
 
@@ -147,10 +147,12 @@ class Builder {
   void join_bounded(Pairs pairs) {
     Groups joined = groups_;
     pairs(tolerance_, [&](int i, int j) { joined.join(i, j); });
-    std::map<int, Box> extent;
+    std::vector<Box> extent(groups_.size());
     for (int i = 0; i < groups_.size(); ++i) extent[joined.of(i)].add(place_of(i).point);
     std::set<int> wide;
-    for (const auto& [group, box] : extent) {
+    for (int group = 0; group < groups_.size(); ++group) {
+      if (joined.of(group) != group) continue;
+      const Box& box = extent[group];
       const double width = std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
       if (width <= 3 * tolerance_) continue;
       wide.insert(group);
@@ -167,14 +169,11 @@ class Builder {
   }
 
   void cut_at_joined_vertices() {
-    std::map<int, std::vector<int>> members;
+    std::vector<int> members(vertices_.size(), 0);
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) ++members[groups_.of(i)];
     for (int i = 0; i < static_cast<int>(vertices_.size()); ++i)
-      members[groups_.of(i)].push_back(i);
-    for (const auto& [group, all] : members) {
-      const bool node = all.size() > 1 || vertices_[all.front()].end;
-      if (!node) continue;
-      for (const int i : all) cuts_[vertices_[i].axis].add({vertices_[i].abscissa, group});
-    }
+      if (const int group = groups_.of(i); members[group] > 1 || vertices_[i].end)
+        cuts_[vertices_[i].axis].add({vertices_[i].abscissa, group});
   }
 
   struct Segment {
@@ -193,6 +192,7 @@ class Builder {
         box.add(line(a)[i + 1]);
         boxes.push_back(box);
       }
+    segment_index_ = BoxIndex(boxes);
     segment_boxes_ = std::move(boxes);
   }
 
@@ -210,7 +210,6 @@ class Builder {
 
   void cut_at_ends_on_segments() {
     index_segments();
-    const BoxIndex index(segment_boxes_);
     std::vector<std::pair<int, Cut>> found;
     for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
       const Vertex& vertex = vertices_[v];
@@ -220,7 +219,7 @@ class Builder {
       box.add(vertex.point);
       std::map<int, std::pair<double, double>> best;  // axis -> distance, abscissa
       std::set<int> left;                             // axes with a vertex of the same wide cluster
-      for (const int s : index.near(box, tolerance_)) {
+      for (const int s : segment_index_.near(box, tolerance_)) {
         const Segment& segment = segments_[s];
         const Point &a = line(segment.axis)[segment.index],
                     &b = line(segment.axis)[segment.index + 1];
@@ -250,7 +249,6 @@ class Builder {
   }
 
   void cut_at_crossings() {
-    const BoxIndex index(segment_boxes_);
     struct Found {
       int a, b;
       double at_a, at_b;
@@ -261,7 +259,7 @@ class Builder {
       poll_cancel();
       const Segment& one = segments_[s];
       const Point &p = line(one.axis)[one.index], &q = line(one.axis)[one.index + 1];
-      for (const int t : index.near(segment_boxes_[s], 0)) {
+      for (const int t : segment_index_.near(segment_boxes_[s], 0)) {
         if (t <= s) continue;
         const Segment& other = segments_[t];
         if (axes_[one.axis]->level != axes_[other.axis]->level) continue;
@@ -319,12 +317,15 @@ class Builder {
   }
 
   void make_nodes() {
+    node_of_.assign(groups_.size(), -1);
     for (int a = 0; a < static_cast<int>(axes_.size()); ++a)
       for (const Cut& cut : cuts_[a]) {
         const int group = groups_.of(cut.group);
-        const auto [slot, fresh] = node_of_.try_emplace(group, out_.nodes.size());
-        if (fresh) out_.nodes.push_back({place_of(group).point, {}});
-        out_.nodes[slot->second].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
+        if (node_of_[group] < 0) {
+          node_of_[group] = static_cast<int>(out_.nodes.size());
+          out_.nodes.push_back({place_of(group).point, {}});
+        }
+        out_.nodes[node_of_[group]].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
       }
   }
 
@@ -340,8 +341,8 @@ class Builder {
         if (to.abscissa - from.abscissa <= (back ? 4 * tolerance_ : 0)) continue;
         Edge edge;
         edge.axis_id = axes_[a]->axis_id;
-        edge.from_node = node_of_.at(from_group);
-        edge.to_node = node_of_.at(to_group);
+        edge.from_node = node_of_[from_group];
+        edge.to_node = node_of_[to_group];
         edge.level = axes_[a]->level;
         edge.start_abscissa = from.abscissa;
         edge.end_abscissa = to.abscissa;
@@ -403,8 +404,9 @@ class Builder {
   std::vector<Cuts> cuts_;
   std::vector<Segment> segments_;
   std::vector<Box> segment_boxes_;
+  BoxIndex segment_index_;
   std::map<int, Place> crossings_;
-  std::map<int, int> node_of_;
+  std::vector<int> node_of_;  // by group, -1: none
   Network out_;
 };
 

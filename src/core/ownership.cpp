@@ -1,8 +1,7 @@
 #include "ownership.hpp"
 
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -48,6 +47,10 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
+void append_rings(const MultiPolygon& surface, std::vector<Line>& lines) {
+  for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
+}
+
 // The stretches of the surface's rings that come near the ground.
 void append_near(const MultiPolygon& surface, const Ground& ground, std::vector<Line>& lines) {
   for (const Polygon& polygon : surface)
@@ -74,11 +77,16 @@ class Settlement {
  public:
   Settlement(Geos& geos, const std::vector<Claim>& claims,
              const std::vector<std::pair<int, int>>& disputes)
-      : geos_(geos), claims_(claims), opponents_(streetgen::opponents(claims, disputes)) {
-    for (const auto& [i, j] : disputes) {
-      rivalries_[{i, j}];
-      for (const int k : {i, j}) grounds_.try_emplace(k, *claims[k].surface);
-    }
+      : geos_(geos),
+        claims_(claims),
+        disputes_(disputes),
+        rivalries_(disputes.size()),
+        first_(claims.size() + 1),
+        opponents_(streetgen::opponents(claims, disputes)) {
+    grounds_.reserve(claims.size());
+    for (const Claim& claim : claims) grounds_.emplace_back(*claim.surface);
+    for (const auto& [i, j] : disputes) ++first_[i + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
   bool disputed(int claim) const { return !opponents_[claim].empty(); }
@@ -88,12 +96,12 @@ class Settlement {
   MultiPolygon ground_of(int claim) {
     poll_cancel();
     const MultiPolygon& surface = *claims_[claim].surface;
-    const Ground& ground = grounds_.at(claim);
+    const Ground& ground = grounds_[claim];
     std::vector<Line> lines;
-    append_near(surface, ground, lines);
+    append_rings(surface, lines);
     for (const int other : opponents_[claim]) append_near(*claims_[other].surface, ground, lines);
-    const auto append_border = [&](int i, int j) {
-      for (const Line& line : rivalry(i, j).border())
+    const auto append_border = [&](std::size_t dispute) {
+      for (const Line& line : rivalry(dispute).border())
         if (ground.comes_near(line.front(), line.back())) lines.push_back(line);
     };
     const bool levels_meet =
@@ -101,22 +109,22 @@ class Settlement {
                     [&](int other) { return claims_[other].level != claims_[claim].level; });
     std::vector<int> all = opponents_[claim];
     all.insert(std::lower_bound(all.begin(), all.end(), claim), claim);
-    each_pair(all, [&](int i, int j) {
-      if (levels_meet || i == claim || j == claim) append_border(i, j);
+    each_dispute(all, [&](std::size_t dispute) {
+      if (levels_meet || is_party(claim, dispute)) append_border(dispute);
     });
     std::optional<Arrangement> faces(lines);
     std::vector<Contest> contests = contests_in(claim, *faces);
     // Where lost ground may come back, it depends on the borders between opponents too.
-    std::set<std::pair<int, int>> further;
+    std::set<std::size_t> further;
     for (const Contest& contest : contests) {
       if (levels_meet) break;
-      if (!contest.beaten(claim) || !contest.won(claim)) continue;
-      each_pair(contest.parties, [&](int i, int j) {
-        if (i != claim && j != claim) further.emplace(i, j);
+      if (!contest.beaten(claim) || !(contest.won(claim) || contest.undecided())) continue;
+      each_dispute(contest.parties, [&](std::size_t dispute) {
+        if (!is_party(claim, dispute)) further.insert(dispute);
       });
     }
     const std::size_t before = lines.size();
-    for (const auto& [i, j] : further) append_border(i, j);
+    for (const std::size_t dispute : further) append_border(dispute);
     if (lines.size() > before) {
       faces.emplace(lines);
       contests = contests_in(claim, *faces);
@@ -136,18 +144,22 @@ class Settlement {
   }
 
  private:
-  template <class Use>
-  void each_pair(const std::vector<int>& parties, Use use) {
-    for (std::size_t a = 0; a < parties.size(); ++a)
-      for (std::size_t b = a + 1; b < parties.size(); ++b)
-        if (rivalries_.count({parties[a], parties[b]}) > 0) use(parties[a], parties[b]);
+  bool is_party(int claim, std::size_t dispute) const {
+    return disputes_[dispute].first == claim || disputes_[dispute].second == claim;
   }
 
-  const Rivalry& rivalry(int i, int j) {
-    auto& slot = rivalries_.at({i, j});
-    if (!slot)
-      slot = std::make_unique<Rivalry>(Party{&claims_[i], &grounds_.at(i)},
-                                       Party{&claims_[j], &grounds_.at(j)});
+  // The disputes between these, ascending as they are.
+  template <class Use>
+  void each_dispute(const std::vector<int>& parties, Use use) {
+    for (auto i = parties.begin(); i != parties.end(); ++i)
+      for (std::size_t d = first_[*i]; d < first_[*i + 1]; ++d)
+        if (std::binary_search(i, parties.end(), disputes_[d].second)) use(d);
+  }
+
+  const Rivalry& rivalry(std::size_t dispute) {
+    auto& slot = rivalries_[dispute];
+    const auto [i, j] = disputes_[dispute];
+    if (!slot) slot.emplace(Party{&claims_[i], &grounds_[i]}, Party{&claims_[j], &grounds_[j]});
     return *slot;
   }
 
@@ -169,6 +181,27 @@ class Settlement {
       return std::any_of(duels.begin(), duels.end(),
                          [&](const Duel& d) { return d.crossed && d.winner == claim; });
     }
+    bool undecided() const {
+      return std::all_of(parties.begin(), parties.end(), [&](int party) { return beaten(party); });
+    }
+    // Of those that each lose to another: the ones that nobody beats but whom they beat in turn, by
+    // way of others.
+    std::vector<int> circle() const {
+      std::set<std::pair<int, int>> beats;
+      for (const Duel& d : duels) beats.emplace(d.winner, d.loser);
+      for (const int by_way_of : parties)
+        for (const int i : parties)
+          for (const int j : parties)
+            if (beats.count({i, by_way_of}) > 0 && beats.count({by_way_of, j}) > 0)
+              beats.emplace(i, j);
+      std::vector<int> first;
+      std::copy_if(parties.begin(), parties.end(), std::back_inserter(first), [&](int party) {
+        return std::all_of(parties.begin(), parties.end(), [&](int other) {
+          return beats.count({other, party}) == 0 || beats.count({party, other}) > 0;
+        });
+      });
+      return first;
+    }
     void leave(int claim) {
       parties.erase(std::find(parties.begin(), parties.end(), claim));
       duels.erase(
@@ -180,8 +213,9 @@ class Settlement {
 
   // By face; of those off its ground an empty one.
   std::vector<Contest> contests_in(int claim, const Arrangement& faces) {
-    const Ground& ground = grounds_.at(claim);
+    const Ground& ground = grounds_[claim];
     std::vector<Contest> contests;
+    contests.reserve(faces.places().size());
     for (const Point& place : faces.places())
       contests.push_back(ground.holds(place) ? contest_at(claim, place) : Contest{});
     return contests;
@@ -191,10 +225,11 @@ class Settlement {
     Contest contest;
     contest.parties.push_back(claim);
     for (const int other : opponents_[claim])
-      if (grounds_.at(other).holds(place)) contest.parties.push_back(other);
+      if (grounds_[other].holds(place)) contest.parties.push_back(other);
     std::sort(contest.parties.begin(), contest.parties.end());
-    each_pair(contest.parties, [&](int i, int j) {
-      const Rivalry& between = rivalry(i, j);
+    each_dispute(contest.parties, [&](std::size_t dispute) {
+      const Rivalry& between = rivalry(dispute);
+      const auto [i, j] = disputes_[dispute];
       const bool first = between.first_owns(place);
       contest.duels.push_back({first ? i : j, first ? j : i, between.crossed()});
     });
@@ -202,19 +237,14 @@ class Settlement {
   }
 
   // Who loses to nobody owns the place, and those that it beats leave. A crossing goes by rank, all
-  // else by distance: where each loses to another, the first winner of a crossing, or the first.
+  // else by distance, where axes drawn one on the other are as near but for noise: of a circle of
+  // losers the first winner of a crossing owns it, or the first.
   bool owns(int claim, Contest contest) const {
-    for (;;) {
+    while (contest.beaten(claim)) {
       const auto& parties = contest.parties;
       const auto unbeaten = std::find_if(parties.begin(), parties.end(),
                                          [&](int party) { return !contest.beaten(party); });
-      const int owner = unbeaten != parties.end()
-                            ? *unbeaten
-                            : *std::min_element(parties.begin(), parties.end(), [&](int i, int j) {
-                                return contest.won(i) != contest.won(j)
-                                           ? contest.won(i)
-                                           : before(claims_[i], claims_[j]);
-                              });
+      const int owner = unbeaten != parties.end() ? *unbeaten : first_of(contest);
       if (owner == claim) return true;
       for (const Duel& d : std::vector<Duel>(contest.duels)) {
         if (d.winner != owner && d.loser != owner) continue;
@@ -224,13 +254,23 @@ class Settlement {
       }
       contest.leave(owner);
     }
+    return true;
+  }
+
+  int first_of(const Contest& contest) const {
+    const std::vector<int> circle = contest.circle();
+    return *std::min_element(circle.begin(), circle.end(), [&](int i, int j) {
+      return contest.won(i) != contest.won(j) ? contest.won(i) : before(claims_[i], claims_[j]);
+    });
   }
 
   Geos& geos_;
   const std::vector<Claim>& claims_;
-  std::vector<std::vector<int>> opponents_;
-  std::map<int, Ground> grounds_;
-  std::map<std::pair<int, int>, std::unique_ptr<Rivalry>> rivalries_;
+  const std::vector<std::pair<int, int>>& disputes_;
+  std::vector<std::optional<Rivalry>> rivalries_;  // by dispute
+  std::vector<std::size_t> first_;                 // dispute of each claim as the first of a pair
+  std::vector<std::vector<int>> opponents_;        // by claim
+  std::vector<Ground> grounds_;
 };
 
 }  // namespace

@@ -104,12 +104,21 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
 // a little on. Segments that go on from each other keep their common end.
 void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
                    std::vector<Line>& parts) {
-  std::vector<double> cuts{0, 1};
-  a.cut(from, to, cuts);
-  b.cut(from, to, cuts);
-  std::sort(cuts.begin(), cuts.end());
   const Point along = to - from, past = along * (beyond / norm(along));
   const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
+  std::vector<double> cuts;
+  const auto cut = [&](const Point& start, const Point& end) {
+    a.cut(start, end, cuts);
+    b.cut(start, end, cuts);
+  };
+  cut(from - past, to + past);
+  if (cuts.empty()) {
+    if (shared(from + along * 0.5)) parts.push_back({from, to});
+    return;
+  }
+  cuts = {0, 1};
+  cut(from, to);
+  std::sort(cuts.begin(), cuts.end());
   const auto on_both = [&](std::size_t i) {
     return i < cuts.size() && shared(from + along * ((cuts[i - 1] + cuts[i]) / 2));
   };

@@ -1,6 +1,7 @@
 #include "simple.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "overlap.hpp"
@@ -55,19 +56,28 @@ std::optional<bool> simple(const MultiPolygon& surface) {
                          box_of(ring[i - 1], ring[i]), sides.size(),
                          i + 1 < ring.size() ? sides.size() + 1 : first});
     }
-  std::vector<const Side*> order, active;
+  std::vector<std::pair<double, const Side*>> order;  // by their least x
   order.reserve(count);
-  for (const Side& side : sides) order.push_back(&side);
-  std::sort(order.begin(), order.end(),
-            [](const Side* s, const Side* t) { return s->box.min_x < t->box.min_x; });
+  for (const Side& side : sides) order.emplace_back(side.box.min_x, &side);
+  std::sort(order.begin(), order.end());
+  struct Active {
+    double max_x, min_y, max_y;
+    const Side* side;
+  };
+  std::vector<Active> active;
   bool clear = true;
-  for (const Side* s : order) {
+  for (const auto& [min_x, s] : order) {
     poll_cancel();
-    std::size_t kept = 0;
-    for (const Side* t : active) {
-      if (t->box.max_x < s->box.min_x - apart) continue;
-      active[kept++] = t;
-      if (!s->box.meets(t->box, apart)) continue;
+    const double low = s->box.min_y - apart, high = s->box.max_y + apart;
+    for (std::size_t k = 0; k < active.size();) {
+      if (active[k].max_x < min_x - apart) {
+        active[k] = active.back();
+        active.pop_back();
+        continue;
+      }
+      const Active& other = active[k++];
+      if (other.min_y > high || other.max_y < low) continue;
+      const Side* t = other.side;
       if (s->follower == t->place || t->follower == s->place) {
         clear = clear && (s->follower == t->place ? turn(*s, *t) : turn(*t, *s));
         continue;
@@ -76,8 +86,7 @@ std::optional<bool> simple(const MultiPolygon& surface) {
       if (!kept_apart.value_or(true)) return false;
       clear = clear && kept_apart;
     }
-    active.resize(kept);
-    active.push_back(s);
+    active.push_back({s->box.max_x, s->box.min_y, s->box.max_y, s});
   }
   return clear ? std::optional(true) : std::nullopt;
 }

@@ -11,12 +11,25 @@
 
 namespace streetgen {
 
+namespace {
+
+void stay_within(const Streets& streets) {
+  std::vector<std::int64_t> axes;
+  for (std::size_t e = 0; e < streets.leading_on.size(); ++e)
+    if (streets.leading_on[e]) axes.push_back(streets.network.edges[e].axis_id);
+  if (!axes.empty()) throw LeadsOn(std::move(axes));
+}
+
+}  // namespace
+
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
                 const StreetOverrides& overrides, const Former& former) {
   Layout layout(axes, settings);
   solve_corners(layout, radii_by_hand(layout, overrides.corners));
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
-  settle_owners(layout, ask_around_changes(layout, former));
+  const Moved moved = ask_around_changes(layout, former);
+  if (!former.onwards) stay_within(layout.streets);
+  settle_owners(layout, moved);
   return std::move(layout.streets);
 }
 

@@ -44,9 +44,18 @@ struct Passage {
   }
 };
 
+// Of a walk along a line, where it comes to another place than that of `at`.
+template <class Walk>
+Walk next_place(Walk at) {
+  Walk next = at + 1;
+  while (!(distance(*next, *at) > 0)) ++next;
+  return next;
+}
+
 Passage passage(const Line& lane_in, const Line& lane_out) {
-  const Line in = distinct(planar(lane_in)), out = distinct(planar(lane_out));
-  return {in.back(), unit(in.back() - in[in.size() - 2]), out.front(), unit(out[1] - out[0])};
+  const Point start = planar(lane_in.back()), end = planar(lane_out.front());
+  return {start, unit(start - *next_place(lane_in.rbegin())), end,
+          unit(*next_place(lane_out.begin()) - end)};
 }
 
 Point middle(const Point& a, const Point& b) { return (a + b) * 0.5; }
@@ -62,7 +71,9 @@ Point paper_control(const Passage& way, const Point& centre) {
 // A chord of 1 / n of the curve leaves it by |start - 2 control + end| / 4 n^2.
 Line bezier(const Point& start, const Point& control, const Point& end, double tolerance) {
   const int n = chords(std::sqrt(norm(start - control * 2 + end) / (4 * tolerance)));
-  Line line{start};
+  Line line;
+  line.reserve(n + 1);
+  line.push_back(start);
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n;
     line.push_back(start * ((1 - t) * (1 - t)) + control * (2 * t * (1 - t)) + end * (t * t));
@@ -175,7 +186,17 @@ double quarter_radius(const Line& path) {
   const double quarter = length(path) / 4;
   if (!(quarter > 0)) return std::numeric_limits<double>::infinity();
   Point points[5];
-  for (int i = 0; i < 5; ++i) points[i] = place_at(path, i * quarter).point;
+  std::size_t segment = 0;
+  double before = 0, size = distance(path[0], path[1]);
+  for (int i = 0; i < 5; ++i) {
+    while (segment + 2 < path.size() && i * quarter >= before + size) {
+      before += size;
+      ++segment;
+      size = distance(path[segment], path[segment + 1]);
+    }
+    const double t = size > 0 ? std::clamp((i * quarter - before) / size, 0.0, 1.0) : 0;
+    points[i] = t == 1 ? path[segment + 1] : path[segment] + (path[segment + 1] - path[segment]) * t;
+  }
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
     least = std::min(least, circumradius(points[i], points[i + 1], points[i + 2]));

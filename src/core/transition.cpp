@@ -9,8 +9,7 @@
 namespace streetgen {
 
 namespace {
-constexpr double widest_bend = M_PI / 3;  // beyond it two axes meet in a corner
-constexpr double step_length = 0.5;       // metres on which the other kerb steps
+constexpr double step_length = 0.5;  // metres on which the other kerb steps
 }  // namespace
 
 bool changes_width(const Arm& a, const Arm& b) {

@@ -1,12 +1,16 @@
 // Where two axes of different width meet, and where one ends.  Paper, 2.5 (variable buffer).
 #pragma once
 
+#include <cmath>
+
 #include "ring.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
 
-// Two axes of different width that go on from one another, within a bend of 60 degrees.
+constexpr double widest_bend = M_PI / 3;  // beyond it no axis goes on from another
+
+// Two axes of different width that go on from one another.
 bool changes_width(const Arm& a, const Arm& b);
 
 // From a's limit through the node to b's.  symmetric: both kerbs change linearly;

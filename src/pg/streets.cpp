@@ -1,7 +1,9 @@
 // streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
 #include <initializer_list>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "progress.hpp"
 #include "streets_call.hpp"
@@ -16,9 +18,25 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
+// As the hint of an error holds them; others turn up in the run with these.
+std::string array_of(const std::vector<std::int64_t>& axes) {
+  std::string text = "{" + std::to_string(axes.front());
+  for (std::size_t i = 1; i < axes.size() && text.size() < 1000; ++i)
+    text += "," + std::to_string(axes[i]);
+  return text + "}";
+}
+
+Streets streets_of(const StreetsInput& input) {
+  try {
+    return streets(input.axes, input.settings, input.overrides, input.former);
+  } catch (const LeadsOn& leads_on) {
+    throw Error(ErrorKind::leads_on, leads_on.what(), array_of(leads_on.axes()));
+  }
+}
+
 ComputedStreets compute_streets(const StreetsCall& call) {
   const StreetsInput input = read_input(call);
-  Streets result = streets(input.axes, input.settings, input.overrides, input.former);
+  Streets result = streets_of(input);
   Lanes traffic = lanes(result, input.lanes, input.lane_overrides, input.lane_settings);
   std::vector<Interconnection> pairs = interconnections(
       result, input.axes, traffic.lanes, input.restrictions, input.interconnection_settings);

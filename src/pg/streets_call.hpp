@@ -53,6 +53,7 @@ struct StreetsCall {
     int count;
     Column x, y, surface, contested;
   } former_nodes;
+  bool onwards;
 };
 
 // Raises where a row lacks a value that it needs.

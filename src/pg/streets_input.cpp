@@ -282,6 +282,7 @@ Former former_of(const StreetsCall& call) {
   for (int i = 0; i < nodes.count; ++i)
     former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
                             former_surface(nodes.surface, nodes.contested, i)});
+  former.onwards = call.onwards;
   return former;
 }
 

@@ -61,6 +61,18 @@ TEST(Ownership, EveryPointKeepsOneOwner) {
   }
 }
 
+// Of three axes on one line but for noise each is as near as the next, and the last nearer than the
+// first; a fourth, before them in rank, lies beside them.
+TEST(Ownership, AxesThatNoiseTellsApartLeaveNoGroundToNobody) {
+  Geos geos;
+  Town town;
+  for (const double off : {-0.5, 0.0, 8e-6, 16e-6}) town.add({{0, off, 0}, {20.5, off, 0}}, 4);
+  const double ground = united_area(geos, town);
+  settle_ownership(geos, town.claims, disputes(town.claims));
+  EXPECT_NEAR(united_area(geos, town), ground, 1e-3);
+  EXPECT_NEAR(summed_area(town), ground, 1e-3);
+}
+
 // Streets of two levels, some of which also tile with one of the other.
 TEST(Ownership, WhereLevelsMeetAPlaceIsOwnedOnceByWhatTiles) {
   Geos geos;

@@ -171,6 +171,30 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
   EXPECT_FALSE(holds(town.intersections[0].surface, {6.6, 6.6, 0}));
 }
 
+// A link of 3 m between kerbs at 5 m, and the street that goes on from it with a bend.
+TEST(Streets, AnAxisIsFollowedWithinABendOfSixtyDegrees) {
+  constexpr double degree = M_PI / 180;
+  const auto bent = [](double angle) {
+    const Point far{3 + 100 * std::cos(angle), 100 * std::sin(angle), 0};
+    return streets({{1, {{0, 0, 0}, {3, 0, 0}}, 0, 10, 10, 5, 3},
+                    {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, 5, 3},
+                    {3, {{3, 0, 0}, far}, 0, 10, 10, 5, 3},
+                    {4, {{3, 0, 0}, {3, -80, 0}}, 0, 10, 10, 5, 3}},
+                   {});
+  };
+  const auto followed_to = [](const Streets& town, const Point& centre) {
+    const Corner* corner = corner_of(town, 1, 2, 0);
+    EXPECT_EQ(corner->method, Method::followed);
+    EXPECT_EQ(corner->radius, 5);
+    ASSERT_TRUE(corner->centre.has_value());
+    EXPECT_NEAR(distance(*corner->centre, centre), 0, 1e-6);
+  };
+  EXPECT_EQ(corner_of(bent(-61 * degree), 1, 2, 0)->method, Method::no_arc);
+  // Ten metres from both axes: left of the next one, and off the bend, whose outer kerb is round.
+  followed_to(bent(35 * degree), {10, (7 * std::sin(35 * degree) + 10) / std::cos(35 * degree), 0});
+  followed_to(bent(-50 * degree), {10, std::sqrt(51), 0});
+}
+
 TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   // The largest radius on 8 m, with both half widths 5 m and a right angle, is 3 m.
   StreetSettings settings;
@@ -387,6 +411,22 @@ TEST(Streets, ACutFarOffMovesNoBorder) {
   // Ground is shared out on a grid of a tenth of a micrometre, here along 200 m of border.
   EXPECT_LT(shared_area(first, second), 2e-5);
   EXPECT_NEAR(area(second), area(whole.sections[1].surface), 2e-5);
+}
+
+// The same, of one that meets the first beside its end, which makes its line longer.
+TEST(Streets, AnEndThatMovesFarOffMovesNoBorder) {
+  const std::vector<StreetAxis> two = {
+      {2, {{0, 0, 0}, {140, 25, 0}, {318.73, 88.9, 0}}, 0, 8, 8, 4, 3},
+      {3, {{320, 90, 0}, {230, 80, 0}}, 0, 7, 7, 4, 3}};
+  std::vector<StreetAxis> three = two;
+  three.push_back({1, {{-50, 60, 0}, {-0.3, 0.2, 0}}, 0, 7, 7, 4, 3});
+  const Streets before = streets(two, {}), after = streets(three, {});
+  ASSERT_EQ(after.network.edges[1].line.front().x, -0.3);
+  const MultiPolygon &first = before.sections[0].surface, &second = after.sections[2].surface;
+  ASSERT_EQ(after.network.edges[after.sections[2].edge].axis_id, 3);
+  EXPECT_GT(before.sections[0].contested_area, 10);
+  EXPECT_LT(shared_area(first, second), 2e-5);
+  EXPECT_NEAR(area(second), area(before.sections[1].surface), 2e-5);
 }
 
 FormerLimit former_of(const SectionLimit& limit) {
@@ -612,6 +652,27 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
     }
   }
   EXPECT_GT(met, out);
+}
+
+// The end of a street moves, and with it the next one, which ends where one meets it that is not
+// written.
+TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
+  std::vector<StreetAxis> axes = {{7, {{0, 0, 0}, {100, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {8, {{100, 0, 0}, {200, 0, 0}}, 0, 6, 6, 4, 5},
+                                  {9, {{200, 0, 0}, {300, 50, 0}}, 0, 6, 6, 4, 5}};
+  Former former = former_of(streets(axes, {}));
+  former.edges.pop_back();
+  axes[0].line.back().y = 0.3;
+  axes[1].changed = axes[2].changed = false;
+  axes[2].outer = true;
+  EXPECT_EQ(streets(axes, {}, {}, former).leading_on, (std::vector<bool>{false, true, false}));
+  former.onwards = false;
+  try {
+    streets(axes, {}, {}, former);
+    FAIL();
+  } catch (const LeadsOn& leads_on) {
+    EXPECT_EQ(leads_on.axes(), std::vector<std::int64_t>{8});
+  }
 }
 
 }  // namespace

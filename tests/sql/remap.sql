@@ -146,3 +146,17 @@ SELECT 'an editor''s edit takes decisions along', pg_temp.decisions() LIKE 'tran
 SELECT 'nobody calls a trigger by hand', NOT has_function_privilege('streetgen_test_editor', 'town.remap_update()', 'EXECUTE');
 SELECT streetgen.drop_model('town') \g /dev/null
 DROP ROLE streetgen_test_editor;
+
+-- Decisions of several kinds that move with their street: all are followed by one computation.
+CALL pg_temp.decide();
+SET track_functions = 'pl';
+BEGIN;
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 3, 100 0)') \g /dev/null
+SELECT 'a street and what is decided on it are followed at once', pg_temp.decisions() <> '' AND calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'and leave nothing for the next edit', current_setting('streetgen.remapped') = '';
+UPDATE town.lane_override SET width = 4.5;
+SELECT 'an edit of a decision is followed on its own again', calls = 2 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+COMMIT;
+SELECT 'and are up to date', streetgen.live('town', true) = 0;
+RESET track_functions;
+SELECT streetgen.drop_model('town') \g /dev/null

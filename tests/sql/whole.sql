@@ -65,3 +65,7 @@ BEGIN;
 SELECT streetgen.generate('parts') \g /dev/null
 ROLLBACK;
 SELECT 'a run rolled back leaves all as it was', NOT EXISTS (SELECT * FROM parts_before EXCEPT SELECT * FROM made_of('parts')) AND NOT EXISTS (SELECT FROM parts.node);
+-- TRUNCATE would refuse.
+CREATE TABLE noted (node_id bigint REFERENCES parts.node, word text);
+SELECT 'a table of others may refer to one of the model', sum(inserted) > 0 FROM streetgen.generate('parts');
+SELECT 'and its key holds', test.state($$INSERT INTO noted VALUES (-1, 'nowhere')$$) = '23503' AND test.state($$INSERT INTO noted SELECT node_id, 'here' FROM parts.node$$) = 'none';
