@@ -8,6 +8,6 @@ BEGIN
         , every AS (SELECT array_agg(number) AS ids FROM (SELECT generate_series(1, 10 * count(*)) AS number FROM used) n)
         SELECT 'section', surface FROM streetgen._computed_section((SELECT streets FROM computed), (SELECT ids FROM every))
         UNION ALL SELECT 'intersection', surface FROM streetgen._computed_intersection((SELECT streets FROM computed), (SELECT ids FROM every)) $sql$
-        USING NULL::bigint[], NULL::bigint[], NULL::bigint[];
+        USING NULL::bigint[], NULL::bigint[], NULL::bigint[], true;
     GET DIAGNOSTICS rows = ROW_COUNT;
 END $$;
