@@ -167,9 +167,12 @@ class Change {
     // Lanes of crossed limits end at the other one's.
     const bool crossed =
         before.start.abscissa >= before.end.abscissa || limits_crossed(layout_.streets, e);
-    const bool bent = crossed || bends_where_limits_moved(e, before);
-    if (bent || !same_start) move_end(e, edge.from_node);
-    if (bent || !same_end) move_end(e, edge.to_node);
+    // Lanes share out the width that a widening street has at its start.
+    const Roadway& roadway = layout_.streets.roadways[e];
+    const bool shared_anew = !same_start && roadway.width != roadway.width_end;
+    const bool both = crossed || shared_anew || bends_where_limits_moved(e, before);
+    if (both || !same_start) move_end(e, edge.from_node);
+    if (both || !same_end) move_end(e, edge.to_node);
   }
 
   // Lanes may have another last segment at their far end then.

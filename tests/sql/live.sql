@@ -421,6 +421,15 @@ UPDATE bent.axis SET width_end = 19.89 WHERE axis_id = 36;
 SELECT 'a wider street at one end of a bent one: the other end follows, as from scratch', test.followed('bent', 'once');
 SELECT streetgen.drop_model('bent') \g /dev/null
 
+-- Lanes of given widths share what a widening street has at its start: where that limit moves, paths at the other end bend anew.
+SELECT streetgen.create_model('shared', 2154) \g /dev/null
+INSERT INTO shared.axis (axis_id, geom, width, width_end) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), width, width_end FROM (VALUES
+  (1, 'LINESTRING(0 0, 100 0)', 7, 12), (2, 'LINESTRING(0 -60, 0 0)', 6, NULL), (3, 'LINESTRING(100 0, 110 60)', 8, NULL)) a(axis_id, line, width, width_end);
+INSERT INTO shared.lane_override (axis_id, abscissa, ordinality, width) VALUES (1, 50, 1, 3);
+UPDATE shared.axis SET width = 10 WHERE axis_id = 2;
+SELECT 'a wider street at the start of a widening one: the other end follows, as from scratch', test.followed('shared', 'once');
+SELECT streetgen.drop_model('shared') \g /dev/null
+
 -- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
 SELECT streetgen.create_model('gone', 2154) \g /dev/null
 INSERT INTO gone.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
