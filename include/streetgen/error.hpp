@@ -1,5 +1,6 @@
 // Everything the core refuses.  The border turns each kind into one SQLSTATE:
-// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014, leads_on SG001.
+// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014, leads_on SG001 (the
+// border makes it of LeadsOn).
 // Messages are in PostgreSQL style: lower case, no full stop, the wrong value in them.
 #pragma once
 

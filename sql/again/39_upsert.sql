@@ -115,7 +115,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
 BEGIN
     -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: no page is far; its joins stand in their order.
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], onwards boolean DEFAULT true)
+CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], onwards boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET random_page_cost = 0.01 SET join_collapse_limit = 1 SET plan_cache_mode = force_generic_plan

@@ -33,7 +33,7 @@ CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
 BEGIN
     EXECUTE format('ANALYZE %s', relation);
 END $$;
-COMMENT ON FUNCTION streetgen._analyse(regclass) IS 'First statistics of a table just filled, from 7,500 rows; autovacuum renews them as rows change.';
+COMMENT ON FUNCTION streetgen._analyse(regclass) IS 'First statistics of a table just filled, from 7,500 rows whatever default_statistics_target is; autovacuum renews them as rows change.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false) RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
@@ -45,7 +45,7 @@ DECLARE
     statements text[];
 BEGIN
     EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) d(relation));
-    WITH derived AS (SELECT c.oid, relname, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
+    WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
     -- Foreign keys between them.
     reference AS (
         SELECT k.*, d.relname, d.name AS relation FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
@@ -56,7 +56,9 @@ BEGIN
         SELECT d.relname, d.name AS relation, i.indexrelid, i.indisunique, k.oid AS key, k.conname
         FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
             LEFT JOIN pg_constraint k ON k.conindid = i.indexrelid AND k.conrelid = i.indrelid AND k.contype IN ('p', 'u', 'x')
-        WHERE NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid AND c.reltablespace = 0
+        WHERE NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid
+            -- A published table says by its primary key which row goes, unless told otherwise.
+            AND NOT (i.indisprimary AND d.relreplident = 'd' AND EXISTS (SELECT FROM pg_publication_tables WHERE schemaname = model AND tablename = d.relname)) AND c.reltablespace = 0
             AND CASE WHEN k.oid IS NULL THEN NOT i.indisunique ELSE c.reloptions IS NULL END
             AND (NOT by_cluster OR c.relam <> (SELECT oid FROM pg_am WHERE amname = 'btree'))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE (refclassid, refobjid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid))

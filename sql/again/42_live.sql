@@ -35,6 +35,9 @@ BEGIN
             EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
             GET STACKED DIAGNOSTICS leading_on = PG_EXCEPTION_HINT;
+            IF leading_on <@ changed THEN
+                RAISE;
+            END IF;
             changed := changed || leading_on;
         END;
     END LOOP;

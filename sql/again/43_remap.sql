@@ -242,7 +242,7 @@ BEGIN
         IF concerned <> '{}' THEN
             PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
             -- What the statements below change is followed with the axes, and not on its own.
-            PERFORM set_config('streetgen.remapped', '{}', true);
+            PERFORM set_config('streetgen.remapped', coalesce(nullif(current_setting('streetgen.remapped', true), ''), '{}'), true);
         END IF;
     END IF;
     %4$s

@@ -51,7 +51,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_edit_indexes(model name, srid integer
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 BEGIN
-    -- On the very expressions of the views.
+    -- On the very expressions of the views, and of _reach.
     EXECUTE format($sql$
 CREATE INDEX IF NOT EXISTS corner_centre ON %1$I.corner USING gist (centre);
 CREATE INDEX IF NOT EXISTS section_limit_kerb ON %1$I.section_limit USING gist ((CASE which WHEN 'start' THEN ST_StartPoint(border_line) ELSE ST_EndPoint(border_line) END::geometry(Point, %2$s)));

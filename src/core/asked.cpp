@@ -106,7 +106,11 @@ class Change {
     for (const int e : fresh) now.push_back(&edges_[e].line);
     for (const FormerEdge* edge : gone) {
       before.push_back(&edge->line);
-      turned.sections.push_back(&edge->section);
+      turned.surfaces.push_back(&edge->section);
+      for (const FormerNode& node : former_.nodes)
+        if (distance(node.point, edge->line.front()) == 0 ||
+            distance(node.point, edge->line.back()) == 0)
+          turned.surfaces.push_back(&node.intersection);
     }
     if (!lies_on(now, before) || !lies_on(before, now)) moved_.turned.push_back(turned);
   }

@@ -10,7 +10,7 @@ namespace streetgen {
 // An axis that did not change, of which edges get another course.
 struct Turned {
   std::vector<int> edges;
-  std::vector<const FormerSurface*> sections;  // that they had before
+  std::vector<const FormerSurface*> surfaces;  // that they and their nodes had before
 };
 
 // By edge and node: those whose surface may get another shape from the axes about it. What is asked

@@ -186,9 +186,9 @@ class Owners {
   // Those that shared ground with it.
   void lead_turned_on_from_given_up() {
     for (const Turned& turned : turned_)
-      for (const FormerSurface* section : turned.sections) {
-        if (section->ground.empty()) continue;
-        const Ground ground(section->ground);
+      for (const FormerSurface* before : turned.surfaces) {
+        if (before->ground.empty()) continue;
+        const Ground ground(before->ground);
         for (const int i : vicinity().near(ground.box())) {
           if (!outer(i) || !tile(claims_[turned.edges.front()], claims_[i])) continue;
           build(i);

@@ -224,9 +224,9 @@ double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 
 // Whether a street goes on nearly straight to the other arm, and no other one straighter.
 bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
-  constexpr double widest_bend = 20 * M_PI / 180;
+  constexpr double nearly_straight = 20 * M_PI / 180;
   const double own = bend(gaps, from, to);
-  if (own >= widest_bend) return false;
+  if (own >= nearly_straight) return false;
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (i != from && i != to && bend(gaps, i, to) < own) return false;
   return true;

@@ -17,8 +17,10 @@ namespace {
 void stay_within(const Streets& streets, const Former& former) {
   if (former.onwards) return;
   std::vector<std::int64_t> axes;
-  for (std::size_t e = 0; e < streets.leading_on.size(); ++e)
-    if (streets.leading_on[e]) axes.push_back(streets.network.edges[e].axis_id);
+  for (std::size_t e = 0; e < streets.leading_on.size(); ++e) {
+    const std::int64_t axis = streets.network.edges[e].axis_id;
+    if (streets.leading_on[e] && (axes.empty() || axes.back() != axis)) axes.push_back(axis);
+  }
   if (!axes.empty()) throw LeadsOn(std::move(axes));
 }
 

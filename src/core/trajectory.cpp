@@ -44,7 +44,7 @@ struct Passage {
   }
 };
 
-// Of a walk along a line, where it comes to another place than that of `at`.
+// Of a walk along a line that has a length, where it comes to another place than that of `at`.
 template <class Walk>
 Walk next_place(Walk at) {
   Walk next = at + 1;

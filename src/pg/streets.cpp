@@ -21,7 +21,7 @@ namespace {
 // As the hint of an error holds them; others turn up in the run with these.
 std::string array_of(const std::vector<std::int64_t>& axes) {
   std::string text = "{" + std::to_string(axes.front());
-  for (std::size_t i = 1; i < axes.size() && text.size() < 1000; ++i)
+  for (std::size_t i = 1; i < axes.size() && text.size() + 24 < sizeof(Outcome::hint); ++i)
     text += "," + std::to_string(axes[i]);
   return text + "}";
 }

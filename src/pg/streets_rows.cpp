@@ -177,25 +177,31 @@ bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, R
 }  // namespace
 
 using Computed = const ComputedStreets&;
+
+template <class T>
+void release(std::vector<T>& rows) {
+  std::vector<T>().swap(rows);
+}
+
 const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};
 const Table edge_table{[](Computed c) { return c.streets.network.edges.size(); }, fill_edge};
 const Table section_limit_table{[](Computed c) { return c.streets.limits.size(); },
                                 fill_section_limit,
-                                [](ComputedStreets& c) { c.streets.limits = {}; }};
+                                [](ComputedStreets& c) { release(c.streets.limits); }};
 const Table section_table{[](Computed c) { return c.streets.sections.size(); }, fill_section,
-                          [](ComputedStreets& c) { c.streets.sections = {}; }};
+                          [](ComputedStreets& c) { release(c.streets.sections); }};
 const Table corner_table{[](Computed c) { return c.streets.corners.size(); }, fill_corner,
-                         [](ComputedStreets& c) { c.streets.corners = {}; }};
+                         [](ComputedStreets& c) { release(c.streets.corners); }};
 const Table intersection_table{[](Computed c) { return c.streets.intersections.size(); },
                                fill_intersection,
-                               [](ComputedStreets& c) { c.streets.intersections = {}; }};
+                               [](ComputedStreets& c) { release(c.streets.intersections); }};
 const Table lane_table{[](Computed c) { return c.lanes.lanes.size(); }, fill_lane,
-                       [](ComputedStreets& c) { c.lanes.lanes = {}; }};
+                       [](ComputedStreets& c) { release(c.lanes.lanes); }};
 const Table lane_separator_table{[](Computed c) { return c.lanes.separators.size(); },
                                  fill_lane_separator,
-                                 [](ComputedStreets& c) { c.lanes.separators = {}; }};
+                                 [](ComputedStreets& c) { release(c.lanes.separators); }};
 const Table marking_table{[](Computed c) { return c.lanes.markings.size(); }, fill_marking,
-                          [](ComputedStreets& c) { c.lanes.markings = {}; }};
+                          [](ComputedStreets& c) { release(c.lanes.markings); }};
 const Table interconnection_table{[](Computed c) { return c.interconnections.size(); },
                                   fill_interconnection};
 const Table report_table{[](Computed c) { return c.streets.network.reports.size(); }, fill_report};

@@ -263,7 +263,7 @@ INSERT INTO town.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860200,650330
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17, 40, 1, 2.5);
 DELETE FROM town.axis WHERE axis_id = 11;
 SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
-  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'')', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
+  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'', true)', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
 -- What stands in a session's temporary schema must not run with the owner's rights.
 CREATE TEMPORARY TABLE ran_as (who name);
 GRANT INSERT ON ran_as TO PUBLIC;
@@ -430,7 +430,7 @@ UPDATE shared.axis SET width = 10 WHERE axis_id = 2;
 SELECT 'a wider street at the start of a widening one: the other end follows, as from scratch', test.followed('shared', 'once');
 SELECT streetgen.drop_model('shared') \g /dev/null
 
--- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: the run for that one leaves the other, which is near, to the run for both.
+-- Two streets are deleted at once, and a corner by hand of one goes over to a street beside it: what is near either follows.
 SELECT streetgen.create_model('gone', 2154) \g /dev/null
 INSERT INTO gone.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
   (1, 'LINESTRING(0 0, -50 0)'), (5, 'LINESTRING(0 0, -50 0, -80 0)'), (2, 'LINESTRING(0 0, 0 50)'), (3, 'LINESTRING(50 10, 200 10)'), (4, 'LINESTRING(200 10, 200 100)')) a(axis_id, line);
