@@ -233,22 +233,35 @@ CREATE OR REPLACE FUNCTION %1$I._remap(bigint[], geometry[], geometry[]) RETURNS
 DECLARE
     extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line);
     concerned bigint[];
+    held text[];
 BEGIN
-    -- Their rows first, and by one claim all their places, so that none waits for more while it holds some.
-    %2$s
-    IF streetgen._live(%3$L) THEN
-        concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
-                           UNION SELECT a.axis_id FROM %1$I.override_place o JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach) WHERE o.geom && ST_Expand(extent, 110));
-        IF concerned <> '{}' THEN
-            PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
-            -- What the statements below change is followed with the axes, and not on its own.
-            PERFORM set_config('streetgen.remapped', coalesce(nullif(current_setting('streetgen.remapped', true), ''), '{}'), true);
-        END IF;
+    LOOP
+        BEGIN
+            -- Their rows first, and by one claim all their places, so that none waits for more while it holds some.
+            held := '{}';
+            %2$s
+            IF streetgen._live(%3$L) THEN
+                concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
+                                   UNION SELECT a.axis_id FROM %1$I.override_place o JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach) WHERE o.geom && ST_Expand(extent, 110));
+                IF concerned <> '{}' THEN
+                    PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
+                END IF;
+            END IF;
+            EXIT WHEN NOT EXISTS (SELECT FROM %1$I.override_place WHERE geom && ST_Expand(extent, 110) AND concat(relation, override_id) <> ALL (held));
+            -- One that came while this waited may be held by who waits for this one's: all is given back.
+            RAISE SQLSTATE 'SG001';
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            NULL;
+        END;
+    END LOOP;
+    IF concerned <> '{}' THEN
+        -- What the statements below change is followed with the axes, and not on its own.
+        PERFORM set_config('streetgen.remapped', coalesce(nullif(current_setting('streetgen.remapped', true), ''), '{}'), true);
     END IF;
     %4$s
 END $body$ $sql$, model,
         -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
-        (SELECT string_agg(format('PERFORM FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110) ORDER BY %2$I_id FOR UPDATE;', model, relation), E'\n    ' ORDER BY n)
+        (SELECT string_agg(format('held := held || ARRAY(SELECT concat(%2$L, id) FROM (SELECT %2$I_id AS id FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110) ORDER BY id FOR UPDATE) r);', model, relation), E'\n            ' ORDER BY n)
          FROM unnest(overrides) WITH ORDINALITY r(relation, n)), model,
         (SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110)) THEN%3$s;' || E'\n    END IF;', model, relation,
             streetgen._remap_statement(model, relation)), E'\n    ' ORDER BY n)
