@@ -44,18 +44,18 @@ struct Passage {
   }
 };
 
-// Of a walk along a line that has a length, where it comes to another place than that of `at`.
+// Of a walk along a line, where it comes to another place than that where it starts, or its end.
 template <class Walk>
-Walk next_place(Walk at) {
-  Walk next = at + 1;
-  while (!(distance(*next, *at) > 0)) ++next;
-  return next;
+Point next_place(Walk start, Walk end) {
+  Walk next = start + 1;
+  while (next + 1 != end && !(distance(*next, *start) > 0)) ++next;
+  return *next;
 }
 
 Passage passage(const Line& lane_in, const Line& lane_out) {
   const Point start = planar(lane_in.back()), end = planar(lane_out.front());
-  return {start, unit(start - *next_place(lane_in.rbegin())), end,
-          unit(*next_place(lane_out.begin()) - end)};
+  return {start, unit(start - next_place(lane_in.rbegin(), lane_in.rend())), end,
+          unit(next_place(lane_out.begin(), lane_out.end()) - end)};
 }
 
 Point middle(const Point& a, const Point& b) { return (a + b) * 0.5; }

@@ -163,9 +163,8 @@ ReadLine read_line(std::string_view wkb, const std::string& what) {
   bool distinct = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Point p = read_vertex(reader, head.has_z, i + 1);
+    distinct = distinct || (i > 0 && (p.x != read.line[0].x || p.y != read.line[0].y));
     read.line.push_back(p);
-    const double dx = p.x - read.line[0].x, dy = p.y - read.line[0].y;
-    distinct = distinct || dx * dx + dy * dy > 0;
   }
   if (!distinct) reader.refuse("has no length: all its points are one");
   return read;
