@@ -18,7 +18,8 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-// As the hint of an error holds them; others turn up in the run with these.
+// As many as the hint of an error holds, with room for one more and the brace; others turn up in
+// the run with these.
 std::string array_of(const std::vector<std::int64_t>& axes) {
   std::string text = "{" + std::to_string(axes.front());
   for (std::size_t i = 1; i < axes.size() && text.size() + 24 < sizeof(Outcome::hint); ++i)
