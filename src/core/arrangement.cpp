@@ -422,19 +422,24 @@ void Arrangement::place_walks() {
     for (std::size_t tries = 0; tries < most_tries && !parts.empty(); ++tries) {
       const auto longest = std::max_element(
           parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size < q.size; });
-      const int part = longest->half;
+      const auto [size, part] = *longest;
       parts.erase(longest);
       const Point &from = positions[halves_[part].from], &to = positions[halves_[part].to];
       const Point middle = (from + to) * 0.5, across = left_normal(unit(to - from));
-      double reach = 1;  // metres, where nothing lies across
-      const auto meet = [&](int h) {
-        if ((h | 1) == (part | 1)) return;
+      const double aside = 1e-6 * size;  // a side may run along the way across
+      double reach = 1;                  // metres, where nothing lies across
+      const auto meet = [&, own = part | 1](int h) {
         const Point a = positions[halves_[h].from] - middle, b = positions[halves_[h].to] - middle;
         const double of_a = cross(across, a), of_b = cross(across, b);
-        if ((of_a > 0) == (of_b > 0)) return;
-        const double t = of_a / (of_a - of_b);
-        const double off = dot(a, across) * (1 - t) + dot(b, across) * t;
-        if (off > 0) reach = std::min(reach, off);
+        if (std::min(of_a, of_b) >= aside || std::max(of_a, of_b) <= -aside) return;
+        if ((h | 1) == own) return;
+        const double off_a = dot(a, across), off_b = dot(b, across);
+        const auto off_at = [&](double of) {
+          const double share = std::clamp((of - of_a) / (of_b - of_a), 0.0, 1.0);
+          return off_a + (off_b - off_a) * share;
+        };
+        const auto [nearest, farthest] = std::minmax({off_at(-aside), off_at(aside)});
+        if (farthest > 0) reach = std::min(reach, nearest);
       };
       std::for_each(walked_.begin() + first, walked_.begin() + walks_[w], meet);
       for (int other = 0, start = 0; islands && other < count; start = walks_[other++])

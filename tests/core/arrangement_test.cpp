@@ -40,6 +40,24 @@ TEST(Arrangement, KnowsIslands) {
   EXPECT_DOUBLE_EQ(area(faces.joined(those_in(faces, {square}))), 81);
 }
 
+// Across from the middle of its longest side lies a step, one side of which runs along the way.
+TEST(Arrangement, TellsAFaceFromWhatLiesBesideItsSteps) {
+  for (int quarter = 0; quarter < 4; ++quarter)
+    for (const int mirrored : {-1, 1})
+      for (const double tilt : {-1e-8, 0.0, 1e-8}) {
+        Ring step{{0, -7}, {0, 7}, {-0.1, 7}, {-0.1, 0}, {-9, tilt}, {-9, -7}, {0, -7}};
+        for (Point& p : step) {
+          p.y *= mirrored;
+          for (int turn = 0; turn < quarter; ++turn) p = left_normal(p);
+        }
+        const Arrangement faces({step});
+        EXPECT_NEAR(area(faces.joined(those_in(faces, {step}))), 63.7, 1e-6) << quarter;
+        for (const Point& place : faces.places())
+          for (std::size_t i = 1; i < step.size(); ++i)
+            EXPECT_GT(distance_to_segment(place, step[i - 1], step[i]), 1e-4) << quarter;
+      }
+}
+
 // A hole that touches its shell in one point.
 TEST(Arrangement, TakesRingsThatTouchThemselvesApart) {
   Geos geos;
