@@ -232,9 +232,9 @@ bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
   return true;
 }
 
-// Both kerbs of every arm: the arc of two arms may cut a third one that leaves between them. Where
-// the flat end of an arm reaches past its neighbours' axes, their kerbs hold, but beside an arm
-// that goes on from it.
+// Axis and kerbs of every arm: the arc of two arms may cut a third one that leaves between them,
+// and the kerbs of a short one may end beyond its neighbour's. Where the flat end of an arm reaches
+// past its neighbours' axes, their kerbs hold, but beside an arm that goes on from it.
 bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const MultiPolygon surface{polygon};
@@ -244,18 +244,18 @@ bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vec
     const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
     return at != arm && next != arm && !goes_on(gaps, arm, at) && !goes_on(gaps, arm, next);
   };
-  const auto kerbs_at = [](const Arm& arm, double abscissa) {
+  const auto lines_at = [](const Arm& arm, double abscissa) {
     const Line border = border_across(arm, abscissa);
     const Point across = unit(border[1] - border[0]) * inwards;
-    return Line{border[0] + across, border[1] - across};
+    return Line{border[0] + across, (border[0] + border[1]) * 0.5, border[1] - across};
   };
   std::vector<double> cuts;
   // Straight lines that cross nothing are inside where their ends are.
   const auto covers_whole = [&](const Line& first, const Line& last) {
     cuts.clear();
-    for (const int side : {0, 1}) {
-      ground.cut(first[side], last[side], cuts);
-      if (!cuts.empty() || !ground.holds(first[side]) || !ground.holds(last[side])) return false;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      ground.cut(first[i], last[i], cuts);
+      if (!cuts.empty() || !ground.holds(first[i]) || !ground.holds(last[i])) return false;
     }
     return true;
   };
@@ -266,11 +266,11 @@ bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vec
       return std::clamp(abscissa, inwards, arm.limit - inwards);
     };
     if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
-        covers_whole(kerbs_at(arm, clamped(0)), kerbs_at(arm, clamped(arm.limit))))
+        covers_whole(lines_at(arm, clamped(0)), lines_at(arm, clamped(arm.limit))))
       continue;
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
     for (int i = 0; i <= steps; ++i)
-      for (const Point& p : kerbs_at(arm, clamped(arm.limit * i / steps)))
+      for (const Point& p : lines_at(arm, clamped(arm.limit * i / steps)))
         if (!held(k, p)) return false;
   }
   return true;

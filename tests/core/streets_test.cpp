@@ -136,6 +136,18 @@ TEST(Streets, AnIntersectionTilesWithItsSectionsOfEveryLevel) {
         << "axis " << town.network.edges[section.edge].axis_id;
 }
 
+// The short one's kerbs end beyond that of the wide one.
+TEST(Streets, AnIntersectionHoldsAWideAxisBesideAShortOne) {
+  const Point node{650528.74, 6860111.34, 0}, south{650529.51, 6860092.41, 0};
+  const StreetAxis shorter{1, {{650530, 6860110}, node}, 0, 4.75, 13.96, 6.25, 3};
+  const StreetAxis wide{2, {south, node}, 0, 20.83, 20.83, 8, 1};
+  const Streets town = streets({shorter, wide}, {});
+  ASSERT_EQ(town.intersections.size(), 1u);
+  const Ground ground(town.intersections.front().surface);
+  for (double off = 0.05; off < distance(node, town.limits[3].point); off += 0.1)
+    EXPECT_TRUE(ground.holds(node + unit(south - node) * off)) << off;
+}
+
 // East and north from the origin, 10 m wide; a side street cuts the first 3 m off the one east.
 std::vector<StreetAxis> cut_short(double cut, double radius) {
   return {{1, {{0, 0, 0}, {100, 0, 0}}, 0, 10, 10, radius, 3},
