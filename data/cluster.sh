@@ -102,6 +102,7 @@ dynamic_library_path = '$stage$(pg_config --pkglibdir):\$libdir'
 shared_buffers = 256MB
 work_mem = 64MB
 maintenance_work_mem = 256MB
+max_locks_per_transaction = 1024
 max_wal_size = 2GB
 session_preload_libraries = 'postgis-3'
 wal_level = minimal

@@ -9,6 +9,8 @@ DECLARE
     known record;
     part text;
     missing text;
+    models bigint;
+    enough integer;
 BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
@@ -48,4 +50,10 @@ BEGIN
         EXECUTE format('INSERT INTO %I.setting AS s SELECT * FROM streetgen._default_setting()
             ON CONFLICT (name) DO UPDATE SET (unit, description, minimum, maximum, choice) = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)', known.name);
     END LOOP;
+EXCEPTION WHEN out_of_memory THEN
+    -- Seen: 530 locks a model, and 1,700 beside them.
+    SELECT count(*) INTO models FROM streetgen.model;
+    SELECT ceil((2000 + 600 * models) / sum(setting::numeric)) INTO enough FROM pg_settings WHERE name IN ('max_connections', 'max_prepared_transactions');
+    RAISE EXCEPTION 'one transaction cannot renew % models: %', models, SQLERRM USING ERRCODE = '53200',
+        HINT = format('ALTER SYSTEM SET max_locks_per_transaction = %s (it is %s), and start the server anew.', enough, current_setting('max_locks_per_transaction'));
 END $$;

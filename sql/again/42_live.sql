@@ -127,10 +127,10 @@ DECLARE
     elsewhere bigint[];
     live boolean := streetgen._live(%2$L);
     -- Axes whose overrides moved with these.
-    remapped constant bigint[] := coalesce(nullif(current_setting('streetgen.remapped', true), ''), '{}');
+    remapped constant bigint[] := streetgen._remapped(%2$L);
 BEGIN
-    IF current_setting('streetgen.remapped', true) <> '' THEN
-        PERFORM set_config('streetgen.remapped', '', true);
+    IF remapped IS NOT NULL THEN
+        PERFORM streetgen._note_remapped(%2$L, NULL);
     END IF;
     IF TG_OP = 'TRUNCATE' THEN
         IF live THEN
@@ -167,6 +167,7 @@ CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
     AS $body$
 DECLARE
     live constant boolean := streetgen._live(%2$L);
+    remapped constant bigint[] := streetgen._remapped(%2$L);
     changed jsonb[];
     named bigint[];
 BEGIN
@@ -185,8 +186,8 @@ BEGIN
     END IF;
     named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) role
         JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint);
-    IF live AND current_setting('streetgen.remapped', true) <> '' THEN
-        PERFORM set_config('streetgen.remapped', (current_setting('streetgen.remapped')::bigint[] || named)::text, true);
+    IF live AND remapped IS NOT NULL THEN
+        PERFORM streetgen._note_remapped(%2$L, remapped || named);
     ELSIF live THEN
         PERFORM streetgen._follow(%2$L, named);
     ELSE

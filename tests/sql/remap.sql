@@ -153,10 +153,27 @@ SET track_functions = 'pl';
 BEGIN;
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 3, 100 0)') \g /dev/null
 SELECT 'a street and what is decided on it are followed at once', pg_temp.decisions() <> '' AND calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
-SELECT 'and leave nothing for the next edit', current_setting('streetgen.remapped') = '';
+SELECT 'and leave nothing for the next edit', streetgen._remapped('town') IS NULL;
 UPDATE town.lane_override SET width = 4.5;
 SELECT 'an edit of a decision is followed on its own again', calls = 2 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
 COMMIT;
 SELECT 'and are up to date', streetgen.live('town', true) = 0;
+
+-- A user's trigger draws in another model whenever a decision moves: neither model follows the other's axes.
+SELECT streetgen.create_model('sketch', 2154) \g /dev/null
+CREATE FUNCTION pg_temp.sketch() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  INSERT INTO sketch.axis (geom) VALUES (pg_temp.line('LINESTRING(0 500, 100 500)'));
+  RETURN NULL;
+END $$;
+CREATE TRIGGER a_sketch AFTER UPDATE ON town.transition_override FOR EACH STATEMENT EXECUTE FUNCTION pg_temp.sketch();
+BEGIN;
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 -3, 100 0)') \g /dev/null
+SELECT 'a decision that moves draws in another model', count(*) > 0 FROM sketch.edge;
+SELECT 'and its own is followed by one computation all the same', calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'both leave nothing for the next edit', streetgen._remapped('town') IS NULL AND streetgen._remapped('sketch') IS NULL;
+COMMIT;
+SELECT 'and both are up to date', streetgen.live('town', true) = 0 AND streetgen.live('sketch', true) = 0;
+SELECT streetgen.drop_model('sketch') \g /dev/null
 RESET track_functions;
 SELECT streetgen.drop_model('town') \g /dev/null
