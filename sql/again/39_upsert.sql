@@ -57,9 +57,7 @@ add_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
     SELECT {id_new}, {written} FROM new_{relation} WHERE fresh ORDER BY number)$part$ ELSE '' END
     || CASE WHEN named THEN $part$,
-{relation}_ids AS MATERIALIZED (
-    SELECT array_agg(coalesce({id}, 0) ORDER BY number) AS ids
-    FROM generate_series(1, (SELECT max(number) FROM new_{relation})) number LEFT JOIN new_{relation} USING (number))$part$ ELSE '' END
+{relation}_ids AS MATERIALIZED (SELECT streetgen._ids(number, {id}) AS ids FROM new_{relation})$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
     -- Of a whole model every row is looked at only where one is too many.
@@ -96,8 +94,8 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that co
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false, onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
-    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
-    SET enable_nestloop = off
+    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by hash.
+    SET enable_nestloop = off SET enable_mergejoin = off
     -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
     SET application_name = 'streetgen: reading or writing rows'
     AS $$
