@@ -63,7 +63,7 @@ gone_{relation} AS (
     -- Of a whole model every row is looked at only where one is too many.
     DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
-        places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
+        places || jsonb_build_object('relation', relation, 'id', id, 'written', columns,
             'rows', streetgen._filled(rows, places || jsonb_build_object('next_id', next_id)), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
@@ -72,16 +72,16 @@ gone_{relation} AS (
             -- Of what hangs on a row that this statement made none is there.
             'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
             -- Of a whole model what stays as it is need not be stored.
-            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, same, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
+            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
-                id, columns, streetgen._columns_of('excluded', columns)) END,
+                id, others, streetgen._columns_of('excluded', others)) END,
             'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
-    FROM (SELECT (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent,
+    FROM (SELECT (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c WHERE c <> ALL (string_to_array(coalesce(same, ''), ', '))) AS others, (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent,
         -- In a bare model from where the sequence stands, which streetgen._pass_ids moves on.
         format(CASE WHEN (places ->> 'bare')::boolean THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)' ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: those of the columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
