@@ -99,7 +99,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('SELECT streetgen._check_setting(%L, d.name, s.value) FROM streetgen._default_setting() d LEFT JOIN %I.setting s USING (name)', model, model);
+    -- A default is within its range.
+    EXECUTE format('SELECT streetgen._check_setting(%L, d.name, s.value) FROM streetgen._default_setting() d LEFT JOIN %I.setting s USING (name) WHERE s.value IS DISTINCT FROM d.value', model, model);
 END $$;
 COMMENT ON FUNCTION streetgen._check_settings(name) IS 'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
 

@@ -9,6 +9,17 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
     streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[], boolean)
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: names and values as words, of all in streetgen._default_setting() that the core reads. onwards: also where the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is due too as its hint, an array. No axes (NULL): NULL; any other list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._ids_put(list internal, number integer, id bigint) RETURNS internal
+    LANGUAGE c IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_ids_put';
+COMMENT ON FUNCTION streetgen._ids_put(internal, integer, bigint) IS 'Step of streetgen._ids.';
+
+CREATE OR REPLACE FUNCTION streetgen._ids_list(list internal) RETURNS bigint[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_ids_list';
+COMMENT ON FUNCTION streetgen._ids_list(internal) IS 'End of streetgen._ids.';
+
+CREATE OR REPLACE AGGREGATE streetgen._ids(number integer, id bigint) (SFUNC = streetgen._ids_put, STYPE = internal, FINALFUNC = streetgen._ids_list, PARALLEL = SAFE);
+COMMENT ON AGGREGATE streetgen._ids(integer, bigint) IS 'The ids of rows, each at its number from 1 on, 0 where no row has the number; of no rows NULL. A number below 1: 22023.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
     RETURNS TABLE(number integer, asked boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';

@@ -57,16 +57,14 @@ add_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
     SELECT {id_new}, {written} FROM new_{relation} WHERE fresh ORDER BY number)$part$ ELSE '' END
     || CASE WHEN named THEN $part$,
-{relation}_ids AS MATERIALIZED (
-    SELECT array_agg(coalesce({id}, 0) ORDER BY number) AS ids
-    FROM generate_series(1, (SELECT max(number) FROM new_{relation})) number LEFT JOIN new_{relation} USING (number))$part$ ELSE '' END
+{relation}_ids AS MATERIALIZED (SELECT streetgen._ids(number, {id}) AS ids FROM new_{relation})$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
     -- Of a whole model every row is looked at only where one is too many.
     DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
-        places || jsonb_build_object('relation', relation, 'id', id, 'written', concat_ws(', ', same, columns),
-            'rows', streetgen._filled(rows, places), 'there', streetgen._filled(there, places),
+        places || jsonb_build_object('relation', relation, 'id', id, 'written', columns,
+            'rows', streetgen._filled(rows, places || jsonb_build_object('next_id', next_id)), 'there', streetgen._filled(there, places),
             'old_columns', streetgen._columns_of('old', columns), 'new_columns', streetgen._columns_of('n', columns),
             'same_there', streetgen._columns_of('o', coalesce(same, id)), 'same_new', streetgen._columns_of('n', coalesce(same, id)),
             'id_there', CASE WHEN same IS NULL THEN '' WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
@@ -74,14 +72,16 @@ gone_{relation} AS (
             -- Of what hangs on a row that this statement made none is there.
             'there_before', CASE WHEN (places ->> 'first')::boolean THEN format(' AND n.%s <= (SELECT max(%s_id) FROM %s.%2$s)', parent, substring(parent FROM '^[a-z]+'), places ->> 'model') ELSE '' END,
             -- Of a whole model what stays as it is need not be stored.
-            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, same, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
+            'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
             'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
-                id, columns, streetgen._columns_of('excluded', columns)) END,
+                id, others, streetgen._columns_of('excluded', others)) END,
             'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
-    FROM (SELECT (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent, format('nextval(''%s.%s_%s_seq'')', places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: columns that tell which row there is the same, which then keeps its id; others get a new one, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
+    FROM (SELECT (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c WHERE c <> ALL (string_to_array(coalesce(same, ''), ', '))) AS others, (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent,
+        -- In a bare model from where the sequence stands, which streetgen._pass_ids moves on.
+        format(CASE WHEN (places ->> 'bare')::boolean THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)' ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', relation, id) AS next_id) t $$;
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: those of the columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -94,8 +94,8 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that co
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false, onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
-    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys.
-    SET enable_nestloop = off
+    -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by hash.
+    SET enable_nestloop = off SET enable_mergejoin = off
     -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
     SET application_name = 'streetgen: reading or writing rows'
     AS $$

@@ -21,7 +21,7 @@ drawn AS MATERIALIZED (
     LEFT JOIN decided d USING (lane_in, lane_out)
     WHERE ((SELECT NOT of_core FROM rule) OR EXISTS (SELECT FROM decided)) AND (NOT r.of_core OR d.lane_in IS NOT NULL))$part$, places),
     streetgen._upsert_rows(places, 'interconnection', id => 'interconnection_id', same => 'lane_in, lane_out',
-        columns => 'node_id, turn, angle, plausible, reason, connecting, control, geom, method', rows => $part$
+        columns => 'node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method', rows => $part$
         SELECT number, node_id, lane_in, lane_out, turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
                CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
                coalesce(d.geom, p.geom) AS geom, CASE WHEN d.by_hand THEN 'by_hand' ELSE 'hypothesis' END AS method

@@ -4,21 +4,21 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lanes(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'lane', id => 'lane_id', same => 'edge_id, ordinality', named => true,
-        columns => 'lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method', rows => $part$
+        columns => 'edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, turn, geom, surface, method', rows => $part$
         SELECT number, edge_id, axis_id, ordinality, lane_position, side, along_axis, kind, width,
                axis_offset, turn, geom, surface, method
         FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked$part$),
     streetgen._upsert_rows(places, 'lane_separator', id => 'lane_separator_id', same => 'edge_id, lane_position',
-        columns => 'kind, dashed, axis_offset, geom, surface', rows => $part$
+        columns => 'edge_id, lane_position, kind, dashed, axis_offset, geom, surface', rows => $part$
         SELECT number, edge_id, lane_position, kind, dashed, axis_offset, geom, surface
         FROM streetgen._computed_lane_separator((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT s.lane_separator_id FROM new_edge e, LATERAL (
             SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s WHERE e.asked$part$),
     streetgen._upsert_rows(places, 'marking', id => 'marking_id', same => 'edge_id, kind, lane_position',
-        columns => 'node_id, geom, surface', rows => $part$
+        columns => 'edge_id, lane_position, node_id, kind, geom, surface', rows => $part$
         SELECT number, edge_id, kind, lane_position, node_id, geom, surface
         FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM edge_ids))$part$,
         there => $part$

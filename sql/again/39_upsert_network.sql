@@ -17,7 +17,7 @@ old_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id FROM asked_axis) AS asked
     FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM asked_axis UNION SELECT unnest(anchor_axis) FROM written_node))))$part$, places),
     streetgen._upsert_rows(places, 'node', id => 'node_id', named => true, columns => 'geom', rows => $part$
-        SELECT coalesce(node_id, nextval('{quoted_model}.node_node_id_seq')) AS node_id, number, asked, {geom_with_height} AS geom
+        SELECT coalesce(node_id, {next_id}) AS node_id, number, asked, {geom_with_height} AS geom
         FROM (SELECT n.number, n.asked, n.geom, anchor_axis[1] AS axis_id, k.node_id
               FROM written_node n LEFT JOIN (
                   -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa, in centimetres.
@@ -37,7 +37,7 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e JOIN o
         columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, '
             'width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash',
         rows => $part$
-        SELECT coalesce(edge_id, nextval('{quoted_model}.edge_edge_id_seq')) AS edge_id, number, lanes_asked AS asked, axis_id,
+        SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_asked AS asked, axis_id,
                (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
                level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash

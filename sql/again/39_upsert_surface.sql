@@ -4,14 +4,14 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surfaces(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'section_limit', id => 'section_limit_id', same => 'edge_id, which',
-        columns => 'wanted_abscissa, abscissa, geom, border_line, method', rows => $part$
+        columns => 'edge_id, which, wanted_abscissa, abscissa, geom, border_line, method', rows => $part$
         SELECT number, edge_id, which, wanted_abscissa, abscissa, {geom_with_height} AS geom, border_line, method
         FROM streetgen._computed_section_limit((SELECT streets FROM computed), (SELECT ids FROM edge_ids)) c$part$),
     streetgen._upsert_rows(places, 'section', id => 'edge_id', columns => 'level, surface, method, contested_area', rows => $part$
         SELECT number, edge_id, level, surface, method, contested_area
         FROM streetgen._computed_section((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$),
     streetgen._upsert_rows(places, 'corner', id => 'corner_id', same => 'node_id, edge_a, end_a, edge_b, end_b',
-        columns => 'centre, radius_wanted, radius, arc, method', rows => $part$
+        columns => 'node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method', rows => $part$
         SELECT number, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method
         FROM streetgen._computed_corner((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM edge_ids))$part$,
         there => $part$

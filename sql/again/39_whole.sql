@@ -110,6 +110,15 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._begin_files(name) IS 'Begins the files of the derived tables of a bare model anew, after its keys were taken off: where wal_level is minimal, what a transaction writes into files that it began is synced at its end and not logged.';
 
+CREATE OR REPLACE FUNCTION streetgen._pass_ids(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE (SELECT 'SELECT ' || string_agg(format('setval(%L, (SELECT max(%I) FROM %s))', pg_get_serial_sequence(attrelid::regclass::text, attname), attname, attrelid::regclass), ', ')
+        FROM unnest(streetgen._derived_tables()) d(relation) JOIN pg_attribute ON attrelid = format('%I.%I', model, d.relation)::regclass AND attidentity <> '');
+END $$;
+COMMENT ON FUNCTION streetgen._pass_ids(name) IS 'Moves the sequences of the derived tables to the last id: the rows of a bare model take as many from where each stands, which asks it once and not a row.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
@@ -127,5 +136,8 @@ BEGIN
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;
+    IF back <> '{}' THEN
+        PERFORM streetgen._pass_ids(model);
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_whole(name) IS 'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and keys are made after the rows, and statistics with them; they are the same as before.';

@@ -15,12 +15,11 @@ namespace {
 
 struct GivenColumn {
   Oid type;
-  bool is_cast;  // from bytea
-  FmgrInfo cast;
+  FmgrInfo cast;  // of a geometry, from bytea
 };
 
 GivenColumn given_column(const FormData_pg_attribute* attribute) {
-  GivenColumn column{attribute->atttypid, false, {}};
+  GivenColumn column{attribute->atttypid, {}};
   Oid cast;
   switch (column.type) {
     case BOOLOID:
@@ -28,7 +27,6 @@ GivenColumn given_column(const FormData_pg_attribute* attribute) {
     case INT8OID:
     case FLOAT8OID:
     case TEXTOID:
-    case BYTEAOID:
     case INT8ARRAYOID:
     case FLOAT8ARRAYOID:
       return column;
@@ -36,7 +34,6 @@ GivenColumn given_column(const FormData_pg_attribute* attribute) {
   if (find_coercion_pathway(column.type, BYTEAOID, COERCION_EXPLICIT, &cast) != COERCION_PATH_FUNC)
     elog(ERROR, "column %s has a type that nothing computed becomes", NameStr(attribute->attname));
   fmgr_info(cast, &column.cast);
-  column.is_cast = true;
   return column;
 }
 
@@ -52,12 +49,6 @@ Datum doubles(const std::vector<double>& numbers) {
   auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
   for (int i = 0; i < count; ++i) datums[i] = Float8GetDatum(numbers[i]);
   return PointerGetDatum(construct_array(datums, count, FLOAT8OID, 8, true, TYPALIGN_DOUBLE));
-}
-
-// Its cast takes no type modifier.
-Datum geometry_datum(const Ewkb& geometry, GivenColumn* column) {
-  const Datum bytes = bytes_datum(geometry.bytes);
-  return column->is_cast ? FunctionCall1(&column->cast, bytes) : bytes;
 }
 
 // The value of a column, which is of its type: else an error, not a wild read.
@@ -88,7 +79,11 @@ Datum datum_of(const Value& value, GivenColumn* column) {
       if (const auto* given = std::get_if<std::vector<double>>(&value)) return doubles(*given);
       break;
     default:
-      if (const auto* given = std::get_if<Ewkb>(&value)) return geometry_datum(*given, column);
+      if (const auto* given = std::get_if<Geometry>(&value))
+        return PointerGetDatum(given->bytes.data());
+      // The cast takes no type modifier.
+      if (const auto* given = std::get_if<Ewkb>(&value))
+        return FunctionCall1(&column->cast, bytes_datum(given->bytes));
   }
   elog(ERROR, "a computed value is not of its column's type %u", column->type);
 }

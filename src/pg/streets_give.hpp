@@ -6,7 +6,7 @@
 
 namespace streetgen::pg {
 
-// EWKB becomes what the column is by its cast from bytea: a geometry.
+// A column that has a cast from bytea is a geometry.
 Datum give(FunctionCallInfo fcinfo, const Table& table, const ComputedStreets& computed,
            const Named& named);
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lane_text.hpp"
-#include "wkb.hpp"
+#include "stored.hpp"
 
 namespace streetgen::pg {
 
@@ -72,8 +72,9 @@ bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row
     axes.push_back(anchor.axis_id);
     abscissas.push_back(anchor.abscissa);
   }
-  return put(row, computed.streets.asked_nodes[i], Ewkb{write_point(node.point, with_z(computed))},
-             std::move(axes), std::move(abscissas));
+  return put(row, computed.streets.asked_nodes[i],
+             Geometry{stored_point(node.point, with_z(computed))}, std::move(axes),
+             std::move(abscissas));
 }
 
 bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
@@ -81,25 +82,25 @@ bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row
   return put(row, bool(computed.streets.asked_edges[i]), lanes_asked(computed.streets, edge),
              bool(computed.streets.leading_on[i]), edge.axis_id, number(edge.from_node),
              number(edge.to_node), edge.level, edge.start_abscissa, edge.end_abscissa,
-             Ewkb{write_line(edge.line, with_z(computed))});
+             Geometry{stored_line(edge.line, with_z(computed))});
 }
 
 bool fill_section_limit(const ComputedStreets& computed, const Named& named, std::size_t i,
                         Row& row) {
   const SectionLimit& limit = computed.streets.limits[i];
   const std::int64_t edge = named.edges[limit.edge];
-  return edge > 0 &&
-         put(row, edge, computed.streets.network.edges[limit.edge].axis_id,
-             end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
-             Ewkb{write_point(limit.point, with_z(computed))},
-             Ewkb{write_line(limit.border_line, flat(computed))}, name(method_name(limit.method)));
+  return edge > 0 && put(row, edge, computed.streets.network.edges[limit.edge].axis_id,
+                         end_name(limit.at_start), limit.wanted_abscissa, limit.abscissa,
+                         Geometry{stored_point(limit.point, with_z(computed))},
+                         Geometry{stored_line(limit.border_line, flat(computed))},
+                         name(method_name(limit.method)));
 }
 
 bool fill_section(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
   const std::int64_t edge = named.edges[section.edge];
   return edge > 0 && put(row, edge, computed.streets.network.edges[section.edge].level,
-                         Ewkb{write_surface(section.surface, flat(computed))},
+                         Geometry{stored_surface(section.surface, flat(computed))},
                          name(method_name(section.method)), section.contested_area);
 }
 
@@ -109,7 +110,7 @@ bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_
   const std::int64_t edge_a = named.edges[corner.edge_a], edge_b = named.edges[corner.edge_b];
   if (node == 0 || edge_a == 0 || edge_b == 0) return false;
   Value centre, arc;
-  if (corner.centre) centre = Ewkb{write_point(*corner.centre, flat(computed))};
+  if (corner.centre) centre = Geometry{stored_point(*corner.centre, flat(computed))};
   if (corner.arc) arc = Ewkb{write_arc(*corner.arc, flat(computed))};
   return put(row, node, edge_a, end_name(corner.at_start_a), edge_b, end_name(corner.at_start_b),
              std::move(centre), corner.radius_wanted, corner.radius, std::move(arc),
@@ -121,7 +122,7 @@ bool fill_intersection(const ComputedStreets& computed, const Named& named, std:
   const Intersection& intersection = computed.streets.intersections[i];
   const std::int64_t node = named.nodes[intersection.node];
   return node > 0 && put(row, node, intersection.level,
-                         Ewkb{write_surface(intersection.surface, flat(computed))},
+                         Geometry{stored_surface(intersection.surface, flat(computed))},
                          name(method_name(intersection.method)), intersection.contested_area);
 }
 
@@ -131,11 +132,11 @@ bool fill_lane(const ComputedStreets& computed, const Named& named, std::size_t 
   if (edge == 0) return false;
   Value turn;
   if (lane.turns != 0) turn = turn_text(lane.turns);
-  return put(row, edge, computed.streets.network.edges[lane.edge].axis_id, lane.ordinality,
-             lane.position, name(lane_side_name(lane.side)), lane.along_axis,
-             name(lane_kind_name(lane.kind)), lane.width, lane.axis_offset, std::move(turn),
-             Ewkb{write_line(lane.line, flat(computed))},
-             Ewkb{write_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
+  return put(
+      row, edge, computed.streets.network.edges[lane.edge].axis_id, lane.ordinality, lane.position,
+      name(lane_side_name(lane.side)), lane.along_axis, name(lane_kind_name(lane.kind)), lane.width,
+      lane.axis_offset, std::move(turn), Geometry{stored_line(lane.line, flat(computed))},
+      Geometry{stored_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
 }
 
 bool fill_lane_separator(const ComputedStreets& computed, const Named& named, std::size_t i,
@@ -144,17 +145,17 @@ bool fill_lane_separator(const ComputedStreets& computed, const Named& named, st
   const std::int64_t edge = named.edges[separator.edge];
   return edge > 0 && put(row, edge, separator.position, name(separator_kind_name(separator.kind)),
                          separator.dashed, separator.axis_offset,
-                         Ewkb{write_line(separator.line, flat(computed))},
-                         Ewkb{write_surface(paint_of(separator), flat(computed))});
+                         Geometry{stored_line(separator.line, flat(computed))},
+                         Geometry{stored_surface(paint_of(separator), flat(computed))});
 }
 
 bool fill_marking(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Marking& marking = computed.lanes.markings[i];
   const std::int64_t edge = named.edges[marking.edge];
-  return edge > 0 &&
-         put(row, edge, marking.position, named.nodes[marking.node],
-             name(marking_kind_name(marking.kind)), Ewkb{write_line(marking.line, flat(computed))},
-             Ewkb{write_surface(marking.surface, flat(computed))});
+  return edge > 0 && put(row, edge, marking.position, named.nodes[marking.node],
+                         name(marking_kind_name(marking.kind)),
+                         Geometry{stored_line(marking.line, flat(computed))},
+                         Geometry{stored_surface(marking.surface, flat(computed))});
 }
 
 bool fill_interconnection(const ComputedStreets& computed, const Named& named, std::size_t i,
@@ -164,14 +165,14 @@ bool fill_interconnection(const ComputedStreets& computed, const Named& named, s
   const std::int64_t lane_in = named.lanes[pair.lane_in], lane_out = named.lanes[pair.lane_out];
   if (node == 0 || lane_in == 0 || lane_out == 0) return false;
   return put(row, node, lane_in, lane_out, name(turn_name(pair.turn)), pair.angle, pair.plausible,
-             name(reason_name(pair.reason)), Ewkb{write_point(pair.control, flat(computed))},
-             Ewkb{write_line(pair.line, flat(computed))});
+             name(reason_name(pair.reason)), Geometry{stored_point(pair.control, flat(computed))},
+             Geometry{stored_line(pair.line, flat(computed))});
 }
 
 bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const NetworkReport& report = computed.streets.network.reports[i];
   return put(row, name(issue_name(report.issue)), report.axis_a, report.axis_b, report.measure,
-             Ewkb{write_point(report.point, flat(computed))});
+             Geometry{stored_point(report.point, flat(computed))});
 }
 
 }  // namespace

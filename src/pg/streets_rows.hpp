@@ -32,12 +32,17 @@ struct Named {
   Ids nodes, edges, lanes;
 };
 
+// As PostGIS stores it.
+struct Geometry {
+  std::string bytes;
+};
+// An arc: PostGIS knows its box.
 struct Ewkb {
   std::string bytes;
 };
 // monostate: NULL.
 using Value = std::variant<std::monostate, bool, std::int32_t, std::int64_t, double, std::string,
-                           Ewkb, std::vector<std::int64_t>, std::vector<double>>;
+                           Geometry, Ewkb, std::vector<std::int64_t>, std::vector<double>>;
 using Row = std::vector<Value>;
 
 // The rows of a table, made one by one in the order of its columns in SQL after the first, the

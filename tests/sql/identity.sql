@@ -36,3 +36,8 @@ SELECT 'the chain has crossed limits', count(*) = 4 FROM chain.section WHERE met
 SELECT 'the chain is one group, named by its smallest node', count(*) = 5 AND count(DISTINCT group_id) = 1 AND min(group_id) = min(node_id) FROM chain.intersection_group JOIN chain.node USING (node_id) WHERE ST_Y(geom) = 0 AND ST_X(geom) >= 0;
 SELECT 'what a section parts is another', count(*) = 1 AND bool_and(group_id = node_id) FROM chain.intersection_group JOIN chain.node USING (node_id) WHERE ST_X(geom) = -100 AND ST_Y(geom) = 0;
 SELECT 'each intersection has one row', (SELECT count(*) FROM chain.intersection_group) = (SELECT count(*) FROM chain.intersection);
+
+SELECT 'ids are listed by the numbers of their rows, 0 where there is none', streetgen._ids(number, id) = '{70,0,30,50}' FROM (VALUES (4, 50::bigint), (1, 70), (3, 30)) v(number, id);
+SELECT 'of no rows there is no list', streetgen._ids(number, number) IS NULL FROM generate_series(1, 0) number;
+SELECT 'a long list is whole', streetgen._ids(number, 2 * number) = array_agg(2::bigint * number ORDER BY number) FROM generate_series(1, 1000) number;
+SELECT 'a number below 1 is refused', test.state('SELECT streetgen._ids(0, 1)') = '22023';
