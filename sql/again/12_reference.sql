@@ -32,10 +32,10 @@ DECLARE
 BEGIN
     -- A scale grows or shrinks towards the rim: the ends of the lines that touch it are looked at.
     FOR place IN EXECUTE format($sql$
-WITH line AS MATERIALIZED (%s),
-rim AS (SELECT min(ST_XMin(geom)) AS west, max(ST_XMax(geom)) AS east, min(ST_YMin(geom)) AS south, max(ST_YMax(geom)) AS north FROM line)
+WITH line AS MATERIALIZED (SELECT label, geom, box3d(geom) AS box FROM (%s) l),
+rim AS (SELECT min(ST_XMin(box)) AS west, max(ST_XMax(box)) AS east, min(ST_YMin(box)) AS south, max(ST_YMax(box)) AS north FROM line)
 SELECT label, ST_Force2D(v.point) AS point FROM line, rim, LATERAL (VALUES (ST_StartPoint(geom)), (ST_EndPoint(geom))) v(point)
-WHERE (ST_XMin(geom) = west OR ST_XMax(geom) = rim.east OR ST_YMin(geom) = south OR ST_YMax(geom) = rim.north)
+WHERE (ST_XMin(box) = west OR ST_XMax(box) = rim.east OR ST_YMin(box) = south OR ST_YMax(box) = rim.north)
     AND ST_X(v.point) BETWEEN -1e12 AND 1e12 AND ST_Y(v.point) BETWEEN -1e12 AND 1e12 $sql$, lines)
     LOOP
         BEGIN

@@ -18,20 +18,20 @@ CREATE OR REPLACE FUNCTION streetgen.cluster(model name, k integer) RETURNS TABL
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    many bigint;
+    ids bigint[];
+    x float8[];
+    y float8[];
 BEGIN
     PERFORM streetgen._check_model(model);
     IF k IS NULL THEN
         RAISE EXCEPTION 'the number of clusters of model "%" is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
     END IF;
-    SELECT count(*) INTO many FROM streetgen._axis_lines(model);
-    IF k < 1 OR k > greatest(many, 1) THEN
-        RAISE EXCEPTION 'model "%" cannot be parted in % clusters', model, k USING ERRCODE = '22023', DETAIL = format('It has %s axes.', many), HINT = 'At least 1, at most one an axis.';
+    SELECT coalesce(array_agg(c.axis_id), '{}'), array_agg(ST_X(centroid)), array_agg(ST_Y(centroid)) INTO ids, x, y
+        FROM (SELECT l.axis_id, ST_Centroid(geom) AS centroid FROM streetgen._axis_lines(model) l ORDER BY 1 OFFSET 0) c;
+    IF k < 1 OR k > greatest(cardinality(ids), 1) THEN
+        RAISE EXCEPTION 'model "%" cannot be parted in % clusters', model, k USING ERRCODE = '22023', DETAIL = format('It has %s axes.', cardinality(ids)), HINT = 'At least 1, at most one an axis.';
     END IF;
-    RETURN QUERY
-    SELECT c.axis_id, c.cluster FROM (
-        SELECT array_agg(a.axis_id ORDER BY a.axis_id) AS ids, streetgen._clusters(array_agg(ST_X(centroid) ORDER BY a.axis_id), array_agg(ST_Y(centroid) ORDER BY a.axis_id), k) AS numbers
-        FROM (SELECT l.axis_id, ST_Centroid(geom) AS centroid FROM streetgen._axis_lines(model) l) a HAVING count(*) > 0) f, unnest(ids, numbers) AS c(axis_id, cluster);
+    RETURN QUERY SELECT * FROM unnest(ids, streetgen._clusters(x, y, k));
 END $$;
 COMMENT ON FUNCTION streetgen.cluster(name, integer) IS 'Parts the axes of a model, by their centroids, in clusters 1 to k of equal size (or one axis more): K-means by bisection. A set is cut by a straight line across its longest extent, then as K-means does: each axis goes to the nearer centre as far as the sizes allow, and the centres follow, until nothing changes; each half is cut the same way. The same axes give the same clusters; clusters that follow each other are neighbours. Axes that are gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: 22023. Source: the StreetGen paper, figure 29.';
 
@@ -76,6 +76,7 @@ DECLARE
     many bigint;
     planned integer;
     left_over integer;
+    same integer;
     came integer;
     hash bigint;
 BEGIN
@@ -87,8 +88,8 @@ BEGIN
     -- Beside sessions that compute a cluster, but not beside another plan.
     EXECUTE format('LOCK TABLE %I.cluster IN SHARE UPDATE EXCLUSIVE MODE', model);
     hash := streetgen._setting_hash(model);
-    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE ended IS NULL AND setting_hash = $1) FROM %I.cluster', model) INTO planned, left_over USING hash;
-    IF left_over > 0 THEN
+    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE setting_hash = $1), count(*) FILTER (WHERE ended IS NULL AND setting_hash = $1) FROM %I.cluster', model) INTO planned, same, left_over USING hash;
+    IF left_over > 0 OR same > 0 AND streetgen._keys_are_missing(model) THEN
         -- What came since in no cluster is one more.
         EXECUTE format($sql$INSERT INTO %1$I.cluster (cluster_id, axes, hull, setting_hash)
             SELECT max(k.cluster_id) + 1, n.ids, n.hull, $1 FROM %1$I.cluster k, (
@@ -120,7 +121,7 @@ BEGIN
     END IF;
     RETURN planned;
 END $$;
-COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster. Clusters are computed by streetgen.generate_cluster. Where nothing was derived yet, and of a thousand axes and more, foreign keys and GiST indexes are taken off, as streetgen.generate does; streetgen.finish_clusters makes them after the last cluster, and an edit or streetgen.generate before. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
+COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster; 0 where only keys are left to make. Clusters are computed by streetgen.generate_cluster. Where nothing was derived yet, and of a thousand axes and more, foreign keys and GiST indexes are taken off, as streetgen.generate does; streetgen.finish_clusters makes them after the last cluster, and an edit or streetgen.generate before. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
 
 CREATE OR REPLACE FUNCTION streetgen._footprint(model name, asked bigint[], written bigint[], OUT near bigint[], OUT cells integer[], OUT blocks integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
@@ -161,6 +162,8 @@ COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS 'The place
 
 CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT asked bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys.
+    SET enable_nestloop = off
     AS $$
 DECLARE
     reach float8;
@@ -175,19 +178,20 @@ BEGIN
 WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)),
 around AS MATERIALIZED (
     SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, h.geom, $2) OFFSET 0) a
-    WHERE a.axis_id NOT IN (SELECT unnest($1)) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
-SELECT $1 || coalesce(array_agg(axis_id), '{}') FROM (
-    SELECT a.axis_id FROM around a, LATERAL (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o
-    WHERE o.axis_id IN (SELECT unnest($1)) GROUP BY 1) m
+    WHERE a.axis_id <> ALL ($1) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
+SELECT $1 || ARRAY(SELECT axis_id FROM around a WHERE (
+    SELECT true FROM (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o WHERE o.axis_id = ANY ($1) LIMIT 1))
 $sql$, model) INTO written USING axes, near;
     EXECUTE format($sql$
-WITH used AS MATERIALIZED (
-    SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS inside
-    FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)) h, LATERAL (SELECT * FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, h.geom, $2 + $4) OFFSET 0) u),
+WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used WHERE axis_id = ANY ($1)),
+around AS MATERIALIZED (
+    SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull, (SELECT max(half) FROM inside) AS most FROM %1$I.axis WHERE axis_id = ANY ($1)) h,
+        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
+    WHERE ST_DWithin(geom, hull, $2 + half + most)),
 beside AS MATERIALIZED (
-    SELECT DISTINCT u.axis_id, u.geom FROM used u, (SELECT max(half) AS half FROM used WHERE inside) m, LATERAL (
-        SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + m.half) OFFSET 0) o
-    JOIN used w ON w.axis_id = o.axis_id AND w.inside WHERE NOT u.inside AND ST_DWithin(o.geom, u.geom, $2 + u.half + w.half)),
+    SELECT DISTINCT p.axis_id, p.geom FROM (
+        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + most) OFFSET 0) o) p
+    JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
 -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next.
 met AS MATERIALIZED (SELECT DISTINCT m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
 SELECT array_agg(axis_id) FROM (
@@ -317,7 +321,6 @@ DECLARE
     started timestamptz;
 BEGIN
     PERFORM streetgen._check_owner(model);
-    PERFORM streetgen._check_settings(model);
     PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
     LOOP
         BEGIN

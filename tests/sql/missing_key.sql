@@ -41,6 +41,7 @@ SELECT 'foreign keys and indexes by place are taken off', foreign_keys('parts') 
 CALL compute('parts', 2);
 SELECT 'while clusters are left, clusters only', foreign_keys('parts') = 0 AND streetgen.plan_clusters('parts') = 4;
 CALL compute('parts', 5);
+SELECT 'a run that lacks nothing but keys goes on with them', streetgen.plan_clusters('parts', 3) = 0 AND foreign_keys('parts') = 0 AND ended = 6 AND clusters = 6 FROM streetgen.progress('parts');
 SELECT 'foreign keys first, for what comes', streetgen.finish_clusters('parts') = 'foreign keys' AND foreign_keys('parts') = foreign_keys('whole') AND NOT EXISTS (SELECT FROM pg_constraint WHERE connamespace = 'parts'::regnamespace AND contype = 'f' AND convalidated);
 SELECT 'each call makes some of them', streetgen.finish_clusters('parts') = 'indexes and statistics of interconnection' AND to_regclass('parts.interconnection_geom') IS NOT NULL AND to_regclass('parts.lane_geom') IS NULL;
 SELECT 'and puts the foreign keys of its table in force', bool_and(convalidated = (conrelid = 'parts.interconnection'::regclass)) FROM pg_constraint WHERE connamespace = 'parts'::regnamespace AND contype = 'f';
