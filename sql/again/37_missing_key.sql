@@ -2,7 +2,8 @@
 
 CREATE OR REPLACE FUNCTION streetgen._keys_are_missing(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT to_regclass(format('%I.missing_key', model)) IS NOT NULL $$;
+    -- By what is committed: who waited for a lock of the model knows old names until it meets a lock of a table.
+    AS $$ SELECT EXISTS (SELECT FROM pg_class WHERE relname = 'missing_key' AND relnamespace = to_regnamespace(quote_ident(model))) $$;
 COMMENT ON FUNCTION streetgen._keys_are_missing(name) IS 'Is a model computed by clusters for the first time, without foreign keys and GiST indexes?';
 
 CREATE OR REPLACE FUNCTION streetgen._leave_keys(model name) RETURNS void
@@ -14,8 +15,8 @@ BEGIN
     EXECUTE format($sql$
 CREATE TABLE %1$I.missing_key (turn integer NOT NULL, relation name, statement text NOT NULL);
 COMMENT ON TABLE %1$I.missing_key IS 'Foreign keys, indexes and statistics that the first run by clusters makes at its end, or the first edit before; the table is there as long as any is missing';
-COMMENT ON COLUMN %1$I.missing_key.turn IS 'what is made first, from 1';
-COMMENT ON COLUMN %1$I.missing_key.relation IS 'table whose indexes and statistics they are; NULL: the foreign keys';
+COMMENT ON COLUMN %1$I.missing_key.turn IS 'what is made first, from 0';
+COMMENT ON COLUMN %1$I.missing_key.relation IS 'table whose indexes and statistics they are, and whose foreign keys they validate; NULL: the foreign keys, not valid';
 COMMENT ON COLUMN %1$I.missing_key.statement IS 'makes them';
 ALTER TABLE %1$I.missing_key OWNER TO %2$s
 $sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
@@ -33,6 +34,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_key(model name) RETURNS text
 DECLARE
     key record;
 BEGIN
+    -- Tables wait for the foreign keys between them.
+    EXECUTE format('SELECT FROM %I.missing_key WHERE turn = 0 FOR UPDATE', model);
     EXECUTE format('SELECT ctid AS place, relation, statement FROM %1$I.missing_key k ORDER BY turn, pg_relation_size(to_regclass(%2$L || quote_ident(relation))) DESC LIMIT 1 FOR UPDATE SKIP LOCKED', model, quote_ident(model) || '.') INTO key;
     IF key.place IS NOT NULL THEN
         EXECUTE key.statement;

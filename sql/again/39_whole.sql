@@ -35,6 +35,22 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._analyse(regclass) IS 'First statistics of a table just filled, from 7,500 rows whatever default_statistics_target is; autovacuum renews them as rows change.';
 
+CREATE OR REPLACE FUNCTION streetgen._validate(relation regclass, name name, cure text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    validate constant text := format('ALTER TABLE %s VALIDATE CONSTRAINT %I', relation, name);
+BEGIN
+    EXECUTE validate;
+EXCEPTION WHEN foreign_key_violation THEN
+    IF cure IS NULL THEN
+        RAISE;
+    END IF;
+    EXECUTE cure;
+    EXECUTE validate;
+END $$;
+COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS 'Validates a constraint of a table; where a row violates it, after a statement that lets such rows go.';
+
 CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false) RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
@@ -48,7 +64,9 @@ BEGIN
     WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
     -- Foreign keys between them.
     reference AS (
-        SELECT k.*, d.relname, d.name AS relation FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
+        SELECT k.*, d.relname, d.name AS relation, format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)) AS back,
+               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, d.name, obj_description(k.oid, 'pg_constraint')) AS said
+        FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
         WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
             AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
     -- Indexes that no replication and nobody else builds on, and nothing but a comment says more of: of a constraint, or of none. Clusters find rows by B-trees.
@@ -74,17 +92,18 @@ BEGIN
                concat_ws('; ', format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class')), format('COMMENT ON CONSTRAINT %I ON %s IS %L', i.conname, i.relation, obj_description(i.key, 'pg_constraint')))
         FROM free_index i WHERE i.key IS NOT NULL
         UNION ALL
-        SELECT 2, r.relname, r.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', r.relation, conname),
-               -- A cluster replaces rows of others now and then, and what belonged to them is still there.
-               CASE WHEN by_cluster AND confdeltype = 'c' THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s)); ', r.relation, confrelid::regclass,
-                   (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n) FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid AND attnum = key),
-                   (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n) FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid AND attnum = key)) ELSE '' END
-               || format('ALTER TABLE %s ADD CONSTRAINT %I %s', r.relation, conname, pg_get_constraintdef(r.oid)),
-               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, r.relation, obj_description(r.oid, 'pg_constraint'))
+        SELECT 2, r.relname, r.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', r.relation, conname), CASE WHEN by_cluster THEN format('SELECT streetgen._validate(%L, %L, %L)', r.relation, conname,
+                   -- A cluster replaces rows of others now and then, and what belonged to them is still there.
+                   CASE confdeltype WHEN 'c' THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s))', r.relation, confrelid::regclass,
+                       (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n) FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid AND attnum = key),
+                       (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n) FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid AND attnum = key)) END) ELSE r.back END,
+               CASE WHEN NOT by_cluster THEN r.said END
         FROM reference r),
     make AS (
-        SELECT 1 AS turn, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 1 AND p.relname = d.relname), format('SELECT streetgen._analyse(%L)', d.name)) AS back FROM derived d
-        UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 2)
+        -- Clusters keep the keys that others refer to: tables are then made whole one beside another.
+        SELECT 0 AS turn, NULL::name AS relname, string_agg(concat_ws('; ', r.back || ' NOT VALID', r.said), '; ' ORDER BY r.oid) AS back FROM reference r WHERE by_cluster
+        UNION ALL SELECT 1, d.relname, concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.turn, p.oid) FROM part p WHERE (p.turn = 1 OR by_cluster) AND p.relname = d.relname), format('SELECT streetgen._analyse(%L)', d.name)) FROM derived d
+        UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p WHERE p.turn = 2 AND NOT by_cluster)
     SELECT (SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FROM part p), array_agg(m.turn), array_agg(m.relname), array_agg(m.back)
         INTO off, turns, relations, statements FROM make m WHERE m.back IS NOT NULL;
     FOR i IN 1 .. coalesce(cardinality(off), 0) LOOP
@@ -95,7 +114,7 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
     -- Somebody reads them.
     RETURN;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: B-trees stay on, and before a foreign key is put back what it would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: B-trees stay on, and foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

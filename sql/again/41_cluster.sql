@@ -5,33 +5,33 @@ CREATE OR REPLACE FUNCTION streetgen._clusters(x float8[], y float8[], k integer
 COMMENT ON FUNCTION streetgen._clusters(float8[], float8[], integer) IS 'The cluster, 1 to k, of each point: K-means by bisection, of equal sizes. k beyond the number of points: 22023.';
 
 -- One place for all axes of the model, and for edges whose axis is gone.
-CREATE OR REPLACE FUNCTION streetgen._axis_centroids(model name) RETURNS TABLE(axis_id bigint, centroid geometry)
+CREATE OR REPLACE FUNCTION streetgen._axis_lines(model name) RETURNS TABLE(axis_id bigint, geom geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format('SELECT axis_id, ST_Centroid(ST_Force2D(geom)) FROM %1$I.axis
-        UNION ALL (SELECT DISTINCT ON (axis_id) axis_id, ST_Centroid(ST_Force2D(geom)) FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = e.axis_id) ORDER BY axis_id, start_abscissa)', model);
+    RETURN QUERY EXECUTE format('SELECT axis_id, ST_Force2D(geom) FROM %1$I.axis
+        UNION ALL (SELECT DISTINCT ON (axis_id) axis_id, ST_Force2D(geom) FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = e.axis_id) ORDER BY axis_id, start_abscissa)', model);
 END $$;
-COMMENT ON FUNCTION streetgen._axis_centroids(name) IS 'The centroid of each axis of a model, and of each that is gone and has left edges behind.';
+COMMENT ON FUNCTION streetgen._axis_lines(name) IS 'The line of each axis of a model, and one edge of each that is gone and has left edges behind.';
 
 CREATE OR REPLACE FUNCTION streetgen.cluster(model name, k integer) RETURNS TABLE(axis_id bigint, cluster integer)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    many bigint;
+    ids bigint[];
+    x float8[];
+    y float8[];
 BEGIN
     PERFORM streetgen._check_model(model);
     IF k IS NULL THEN
         RAISE EXCEPTION 'the number of clusters of model "%" is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
     END IF;
-    SELECT count(*) INTO many FROM streetgen._axis_centroids(model);
-    IF k < 1 OR k > greatest(many, 1) THEN
-        RAISE EXCEPTION 'model "%" cannot be parted in % clusters', model, k USING ERRCODE = '22023', DETAIL = format('It has %s axes.', many), HINT = 'At least 1, at most one an axis.';
+    SELECT coalesce(array_agg(c.axis_id), '{}'), array_agg(ST_X(centroid)), array_agg(ST_Y(centroid)) INTO ids, x, y
+        FROM (SELECT l.axis_id, ST_Centroid(geom) AS centroid FROM streetgen._axis_lines(model) l ORDER BY 1 OFFSET 0) c;
+    IF k < 1 OR k > greatest(cardinality(ids), 1) THEN
+        RAISE EXCEPTION 'model "%" cannot be parted in % clusters', model, k USING ERRCODE = '22023', DETAIL = format('It has %s axes.', cardinality(ids)), HINT = 'At least 1, at most one an axis.';
     END IF;
-    RETURN QUERY
-    SELECT c.axis_id, c.cluster FROM (
-        SELECT array_agg(a.axis_id ORDER BY a.axis_id) AS ids, streetgen._clusters(array_agg(ST_X(centroid) ORDER BY a.axis_id), array_agg(ST_Y(centroid) ORDER BY a.axis_id), k) AS numbers
-        FROM streetgen._axis_centroids(model) a HAVING count(*) > 0) f, unnest(ids, numbers) AS c(axis_id, cluster);
+    RETURN QUERY SELECT * FROM unnest(ids, streetgen._clusters(x, y, k));
 END $$;
 COMMENT ON FUNCTION streetgen.cluster(name, integer) IS 'Parts the axes of a model, by their centroids, in clusters 1 to k of equal size (or one axis more): K-means by bisection. A set is cut by a straight line across its longest extent, then as K-means does: each axis goes to the nearer centre as far as the sizes allow, and the centres follow, until nothing changes; each half is cut the same way. The same axes give the same clusters; clusters that follow each other are neighbours. Axes that are gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: 22023. Source: the StreetGen paper, figure 29.';
 
@@ -47,7 +47,7 @@ CREATE INDEX IF NOT EXISTS cluster_hull ON %1$I.cluster USING gist (hull);
 COMMENT ON TABLE %1$I.cluster IS 'The last run of the model by clusters, or the one under way: a row per cluster; streetgen.plan_clusters writes it, streetgen.generate_cluster ends its rows, streetgen.progress sums them up';
 COMMENT ON COLUMN %1$I.cluster.cluster_id IS 'number of the cluster, from 1; those that follow each other are neighbours';
 COMMENT ON COLUMN %1$I.cluster.axes IS 'its axes';
-COMMENT ON COLUMN %1$I.cluster.hull IS 'convex hull of the centroids of its axes';
+COMMENT ON COLUMN %1$I.cluster.hull IS 'convex hull of its axes';
 COMMENT ON COLUMN %1$I.cluster.setting_hash IS 'hash of the settings that the run was planned with';
 COMMENT ON COLUMN %1$I.cluster.began IS 'when a session took it; NULL: not computed yet';
 COMMENT ON COLUMN %1$I.cluster.ended IS 'when it was done; NULL: not computed yet';
@@ -76,6 +76,7 @@ DECLARE
     many bigint;
     planned integer;
     left_over integer;
+    same integer;
     came integer;
     hash bigint;
 BEGIN
@@ -87,12 +88,12 @@ BEGIN
     -- Beside sessions that compute a cluster, but not beside another plan.
     EXECUTE format('LOCK TABLE %I.cluster IN SHARE UPDATE EXCLUSIVE MODE', model);
     hash := streetgen._setting_hash(model);
-    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE ended IS NULL AND setting_hash = $1) FROM %I.cluster', model) INTO planned, left_over USING hash;
-    IF left_over > 0 THEN
+    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE setting_hash = $1), count(*) FILTER (WHERE ended IS NULL AND setting_hash = $1) FROM %I.cluster', model) INTO planned, same, left_over USING hash;
+    IF left_over > 0 OR same > 0 AND streetgen._keys_are_missing(model) THEN
         -- What came since in no cluster is one more.
         EXECUTE format($sql$INSERT INTO %1$I.cluster (cluster_id, axes, hull, setting_hash)
             SELECT max(k.cluster_id) + 1, n.ids, n.hull, $1 FROM %1$I.cluster k, (
-                SELECT array_agg(a.axis_id) AS ids, ST_ConvexHull(ST_Collect(centroid)) AS hull FROM streetgen._axis_centroids(%2$L) a
+                SELECT array_agg(a.axis_id) AS ids, ST_ConvexHull(ST_Collect(geom)) AS hull FROM streetgen._axis_lines(%2$L) a
                 WHERE NOT EXISTS (SELECT FROM %1$I.cluster c, unnest(c.axes) id WHERE id = a.axis_id)) n WHERE n.ids IS NOT NULL GROUP BY n.ids, n.hull$sql$, model, model) USING hash;
         GET DIAGNOSTICS came = ROW_COUNT;
         IF came > 0 THEN
@@ -104,7 +105,7 @@ BEGIN
         RETURN left_over;
     END IF;
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
-    SELECT count(*) INTO many FROM streetgen._axis_centroids(model);
+    SELECT count(*) INTO many FROM streetgen._axis_lines(model);
     planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
     EXECUTE format('DELETE FROM %I.cluster', model);
     IF streetgen._keys_are_missing(model) OR streetgen._is_bare(model) THEN
@@ -115,12 +116,12 @@ BEGIN
     END IF;
     IF planned > 0 THEN
         EXECUTE format('INSERT INTO %I.cluster (cluster_id, axes, hull, setting_hash)
-            SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(centroid)), $1
-            FROM streetgen.cluster(%2$L, $2) c JOIN streetgen._axis_centroids(%2$L) a USING (axis_id) GROUP BY c.cluster', model, model) USING hash, planned;
+            SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(geom)), $1
+            FROM streetgen.cluster(%2$L, $2) c JOIN streetgen._axis_lines(%2$L) a USING (axis_id) GROUP BY c.cluster', model, model) USING hash, planned;
     END IF;
     RETURN planned;
 END $$;
-COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster. Clusters are computed by streetgen.generate_cluster. Where nothing was derived yet, and of a thousand axes and more, foreign keys and GiST indexes are taken off, as streetgen.generate does; streetgen.finish_clusters makes them after the last cluster, and an edit or streetgen.generate before. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
+COMMENT ON FUNCTION streetgen.plan_clusters(name, integer, integer) IS 'Plans a run of a model by clusters (about 2,500 axes each where their number is NULL, as many as sessions at least) in its table cluster, and returns how many are to be computed. A run that was planned with the same settings and has not ended goes on: what is done stays done, and axes that came since are one more cluster; 0 where only keys are left to make. Clusters are computed by streetgen.generate_cluster. Where nothing was derived yet, and of a thousand axes and more, foreign keys and GiST indexes are taken off, as streetgen.generate does; streetgen.finish_clusters makes them after the last cluster, and an edit or streetgen.generate before. Needs the rights of the owner (42501); a number under 1: 22023; settings and scale as for streetgen.generate.';
 
 CREATE OR REPLACE FUNCTION streetgen._footprint(model name, asked bigint[], written bigint[], OUT near bigint[], OUT cells integer[], OUT blocks integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
@@ -161,6 +162,8 @@ COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS 'The place
 
 CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT asked bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys.
+    SET enable_nestloop = off
     AS $$
 DECLARE
     reach float8;
@@ -175,19 +178,20 @@ BEGIN
 WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)),
 around AS MATERIALIZED (
     SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, h.geom, $2) OFFSET 0) a
-    WHERE a.axis_id NOT IN (SELECT unnest($1)) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
-SELECT $1 || coalesce(array_agg(axis_id), '{}') FROM (
-    SELECT a.axis_id FROM around a, LATERAL (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o
-    WHERE o.axis_id IN (SELECT unnest($1)) GROUP BY 1) m
+    WHERE a.axis_id <> ALL ($1) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
+SELECT $1 || ARRAY(SELECT axis_id FROM around a WHERE (
+    SELECT true FROM (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o WHERE o.axis_id = ANY ($1) LIMIT 1))
 $sql$, model) INTO written USING axes, near;
     EXECUTE format($sql$
-WITH used AS MATERIALIZED (
-    SELECT u.axis_id, u.geom, greatest(u.width, u.width_end) / 2 AS half, u.axis_id IN (SELECT unnest($1)) AS inside
-    FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis WHERE axis_id = ANY ($1)) h, LATERAL (SELECT * FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, h.geom, $2 + $4) OFFSET 0) u),
+WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used WHERE axis_id = ANY ($1)),
+around AS MATERIALIZED (
+    SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull, (SELECT max(half) FROM inside) AS most FROM %1$I.axis WHERE axis_id = ANY ($1)) h,
+        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
+    WHERE ST_DWithin(geom, hull, $2 + half + most)),
 beside AS MATERIALIZED (
-    SELECT DISTINCT u.axis_id, u.geom FROM used u, (SELECT max(half) AS half FROM used WHERE inside) m, LATERAL (
-        SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + m.half) OFFSET 0) o
-    JOIN used w ON w.axis_id = o.axis_id AND w.inside WHERE NOT u.inside AND ST_DWithin(o.geom, u.geom, $2 + u.half + w.half)),
+    SELECT DISTINCT p.axis_id, p.geom FROM (
+        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + most) OFFSET 0) o) p
+    JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
 -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next.
 met AS MATERIALIZED (SELECT DISTINCT m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
 SELECT array_agg(axis_id) FROM (
@@ -198,35 +202,63 @@ $sql$, model) INTO gathered USING written, reach, near, widest;
 END $$;
 COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS 'What a run for axes without streets writes and gathers where nothing around them changes by it, since all that is computed there was computed with them: as _reach_of, but by the places of axes alone. Of others it writes those that they meet.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, axes bigint[], wait boolean, OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._clusters_beside(model name, cluster integer) RETURNS integer[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    beside integer[];
+BEGIN
+    -- Axes that share a node are nearer.
+    EXECUTE format($sql$
+SELECT ARRAY(SELECT o.cluster_id FROM %1$I.cluster k JOIN %1$I.cluster o ON o.ended IS NULL AND o.cluster_id <> k.cluster_id AND ST_DWithin(o.hull, k.hull, reach) WHERE k.cluster_id = $1)
+FROM (SELECT sum(CASE name WHEN 'tolerance' THEN 3 ELSE 1 END * value::float8) AS reach FROM %1$I.setting WHERE name IN ('reach', 'tolerance')) s $sql$, model) INTO beside USING cluster;
+    RETURN beside;
+END $$;
+COMMENT ON FUNCTION streetgen._clusters_beside(name, integer) IS 'The clusters that have not ended and may share nodes with a cluster.';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_places(model name, alone integer[], shared integer[], wait boolean) RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     model_key constant integer := hashtext('streetgen.' || model);
-    places record := streetgen._footprint(model, axes, '{}');
+    place record;
+    free boolean := true;
+BEGIN
+    -- Edits of more than 64 places hold all, -1.
+    FOR place IN SELECT -1 AS key, false AS alone UNION ALL (SELECT k.key, k.alone FROM (SELECT unnest(_lock_places.alone), true UNION ALL SELECT unnest(_lock_places.shared), false) k(key, alone) ORDER BY 1) LOOP
+        CASE
+            WHEN wait AND place.alone THEN PERFORM pg_advisory_xact_lock(model_key, place.key);
+            WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, place.key);
+            WHEN place.alone THEN free := pg_try_advisory_xact_lock(model_key, place.key);
+            ELSE free := pg_try_advisory_xact_lock_shared(model_key, place.key);
+        END CASE;
+        EXIT WHEN NOT free;
+    END LOOP;
+    RETURN free;
+END $$;
+COMMENT ON FUNCTION streetgen._lock_places(name, integer[], integer[], boolean) IS 'Locks places of a model for this transaction, in one order, some for itself and some shared with who locks them so too. Without wait: false, with some of them locked, where another session holds any.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, cluster integer, axes bigint[], wait boolean, OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Keys of clusters are below those of blocks.
+    cluster_key constant integer := -1073741826;
+    places record;
     reach record;
-    key integer;
 BEGIN
     first := streetgen._keys_are_missing(model);
     LOOP
-        free := true;
         -- Where more turns out to be needed, the locks taken here are given back first, as _claim does.
         BEGIN
-            -- Edits of more than 64 places hold all. Cells are hashed, so that clusters share them with each other.
-            IF wait THEN
-                PERFORM pg_advisory_xact_lock_shared(model_key, -1);
+            IF first THEN
+                -- No edit comes in before the keys are made.
+                free := streetgen._lock_places(model, ARRAY[cluster_key - cluster], ARRAY(SELECT cluster_key - beside FROM unnest(streetgen._clusters_beside(model, cluster)) beside), wait);
             ELSE
-                free := pg_try_advisory_xact_lock_shared(model_key, -1);
+                places := coalesce(places, streetgen._footprint(model, axes, '{}'));
+                -- Cells are hashed, so that clusters share them with each other.
+                free := streetgen._lock_places(model, places.blocks, places.cells, wait);
             END IF;
-            FOREACH key IN ARRAY places.blocks || places.cells LOOP
-                EXIT WHEN NOT free;
-                CASE
-                    WHEN wait AND key < 0 THEN PERFORM pg_advisory_xact_lock(model_key, key);
-                    WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, key);
-                    WHEN key < 0 THEN free := pg_try_advisory_xact_lock(model_key, key);
-                    ELSE free := pg_try_advisory_xact_lock_shared(model_key, key);
-                END CASE;
-            END LOOP;
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
             END IF;
@@ -234,11 +266,11 @@ BEGIN
                 reach := streetgen._surroundings(model, axes);
             ELSE
                 reach := streetgen._reach_of(model, axes);
-            END IF;
-            IF EXISTS (SELECT unnest(reach.asked) EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written) EXCEPT SELECT unnest(places.near)) THEN
-                places := streetgen._footprint(model, reach.asked, reach.written);
-                axes := reach.asked;
-                RAISE SQLSTATE 'SG001';
+                IF EXISTS (SELECT unnest(reach.asked) EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written) EXCEPT SELECT unnest(places.near)) THEN
+                    places := streetgen._footprint(model, reach.asked, reach.written);
+                    axes := reach.asked;
+                    RAISE SQLSTATE 'SG001';
+                END IF;
             END IF;
         EXCEPTION
             WHEN SQLSTATE 'SG001' THEN
@@ -255,7 +287,7 @@ BEGIN
         gathered := reach.gathered;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._claim_cluster(name, bigint[], boolean) IS 'Locks the places of a cluster for this transaction, in one order; gives what a run for it writes and gathers, and whether it is the first of the model. Without wait: not free where another session holds any of them, and nothing is locked.';
+COMMENT ON FUNCTION streetgen._claim_cluster(name, integer, bigint[], boolean) IS 'Locks the places of a cluster for this transaction, or, where it is the first run of the model, the cluster and those beside it; gives what a run for it writes and gathers, and whether it is that first run. Without wait: not free where another session holds any of them, and nothing is locked.';
 
 CREATE OR REPLACE FUNCTION streetgen.progress(model name)
     RETURNS TABLE(clusters integer, ended integer, sessions integer, axes bigint, axes_ended bigint, began timestamptz, axes_per_second float8, time_left interval)
@@ -275,7 +307,7 @@ FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended, co
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS 'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';
 
-CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer DEFAULT 1)
+CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer DEFAULT NULL)
     RETURNS TABLE(cluster integer, axes integer, seconds float8, ended integer, clusters integer, axes_per_second float8, time_left interval)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
@@ -289,22 +321,23 @@ DECLARE
     started timestamptz;
 BEGIN
     PERFORM streetgen._check_owner(model);
-    PERFORM streetgen._check_settings(model);
     PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
     LOOP
         BEGIN
-            EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id <> ALL ($1) ORDER BY cluster_id < $2, cluster_id LIMIT 1 FOR UPDATE SKIP LOCKED', model)
-                INTO chosen USING tried, coalesce(first, 1);
+            -- What has most beside it first: those that are left at the end are apart, and no session waits for another.
+            EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id <> ALL ($1)
+                ORDER BY cluster_id = $2 DESC, cardinality(streetgen._clusters_beside($3, cluster_id)) DESC, cluster_id LIMIT 1 FOR UPDATE SKIP LOCKED', model)
+                INTO chosen USING tried, coalesce(first, 0), model;
             IF chosen.cluster_id IS NULL AND tried = '{}' THEN
                 -- All that is left is under way: should a session fail, its cluster is free again.
-                EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL ORDER BY cluster_id < $1, cluster_id LIMIT 1 FOR UPDATE', model) INTO chosen USING coalesce(first, 1);
+                EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL ORDER BY cluster_id LIMIT 1 FOR UPDATE', model) INTO chosen;
             END IF;
             IF chosen.cluster_id IS NOT NULL THEN
                 IF chosen.setting_hash <> streetgen._setting_hash(model) THEN
                     RAISE EXCEPTION 'settings of model "%" changed since its clusters were planned', model USING ERRCODE = '55000', HINT = format('SELECT streetgen.plan_clusters(%L) begins anew.', model);
                 END IF;
                 started := clock_timestamp();
-                claimed := streetgen._claim_cluster(model, chosen.axes, wait);
+                claimed := streetgen._claim_cluster(model, chosen.cluster_id, chosen.axes, wait);
                 free := claimed.free;
                 IF NOT free THEN
                     RAISE SQLSTATE 'SG001';
@@ -334,7 +367,7 @@ BEGIN
     EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE cluster_id = $2', model) USING started, chosen.cluster_id;
     RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes), extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left FROM streetgen.progress(model) p;
 END $$;
-COMMENT ON FUNCTION streetgen.generate_cluster(name, integer) IS 'Computes the next cluster of a run planned by streetgen.plan_clusters that is free, from number first on, and gives how far the run is then; no row where none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it until there is no row. Rows shared with clusters computed before are finished, so that after the last one the model is as streetgen.generate makes it, with other ids; a first run ends with streetgen.finish_clusters. A session that ends takes nothing along: what it had not committed is computed by the next. Sessions keep apart by places; where only places beside others are left it waits for them, and for edits. Needs read committed (0A000) and the rights of the owner (42501). Settings that changed since the plan: 55000; lock_timeout that ends: 55P03.';
+COMMENT ON FUNCTION streetgen.generate_cluster(name, integer) IS 'Computes the next cluster of a run planned by streetgen.plan_clusters that is free, the one numbered first if it is, else of those that are left the one with most beside it, and gives how far the run is then; no row where none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it until there is no row. Rows shared with clusters computed before are finished, so that after the last one the model is as streetgen.generate makes it, with other ids; a first run ends with streetgen.finish_clusters. A session that ends takes nothing along: what it had not committed is computed by the next. Sessions keep apart by places; where only places beside others are left it waits for them, and for edits. Needs read committed (0A000) and the rights of the owner (42501). Settings that changed since the plan: 55000; lock_timeout that ends: 55P03.';
 
 CREATE OR REPLACE FUNCTION streetgen.finish_clusters(model name) RETURNS text
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -354,3 +387,26 @@ BEGIN
     RETURN made;
 END $$;
 COMMENT ON FUNCTION streetgen.finish_clusters(name) IS 'After the last cluster of a first run: makes the next of the foreign keys, indexes and statistics that it left for its end, and says what it made; NULL when none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it. Whatever else enters the model before, an edit or streetgen.generate, makes them all first. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE PROCEDURE streetgen.generate_clusters(model name)
+    LANGUAGE plpgsql
+    AS $$
+DECLARE
+    told record;
+BEGIN
+    LOOP
+        SELECT * INTO told FROM streetgen.generate_cluster(model);
+        EXIT WHEN told.cluster IS NULL;
+        COMMIT;
+        RAISE INFO 'cluster %: % axes in % s; % of % done, % axes/s, % left', told.cluster, told.axes, round(told.seconds::numeric, 1), told.ended, told.clusters, round(told.axes_per_second), date_trunc('second', told.time_left);
+        -- Waiting, a session whose server was killed sees it, and ends.
+        PERFORM pg_sleep(0.001);
+    END LOOP;
+    WHILE streetgen.finish_clusters(model) IS NOT NULL LOOP
+        COMMIT;
+    END LOOP;
+    COMMIT;
+    -- Where sessions end together the last one clears up.
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+END $$;
+COMMENT ON PROCEDURE streetgen.generate_clusters(name) IS 'Computes clusters of a run planned by streetgen.plan_clusters, each in a transaction of its own, until none is left, and tells of each; then what a first run left for its end, by streetgen.finish_clusters. As many sessions as one likes call it. Not within a transaction (2D000); errors as for streetgen.generate_cluster.';

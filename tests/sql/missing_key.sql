@@ -32,14 +32,22 @@ CALL town('again');
 SELECT format('COMMENT ON INDEX %I.lane_geom IS %L', name, 'lanes by place') FROM streetgen.model \gexec
 SELECT streetgen.generate('whole') \g /dev/null
 
+CALL town('row');
+UPDATE row.axis SET geom = ST_SetSRID(ST_MakeLine(ST_Point(650000 + 30 * axis_id, 6860000), ST_Point(650030 + 30 * axis_id, 6860000)), 2154);
+SELECT streetgen.plan_clusters('row', 6) \g /dev/null
+SELECT 'what has most beside it that is left comes first', array_agg(cluster) = '{2,4,5,1,3,6}' FROM (SELECT (streetgen.generate_cluster('row')).cluster FROM generate_series(1, 6)) c;
 SELECT 'a run of an empty model is planned', streetgen.plan_clusters('parts', 6) = 6;
 SELECT 'foreign keys and indexes by place are taken off', foreign_keys('parts') = 0 AND to_regclass('parts.lane_geom') IS NULL AND to_regclass('parts.edge_axis') IS NOT NULL;
 CALL compute('parts', 2);
 SELECT 'while clusters are left, clusters only', foreign_keys('parts') = 0 AND streetgen.plan_clusters('parts') = 4;
 CALL compute('parts', 5);
+SELECT 'a run that lacks nothing but keys goes on with them', streetgen.plan_clusters('parts', 3) = 0 AND foreign_keys('parts') = 0 AND ended = 6 AND clusters = 6 FROM streetgen.progress('parts');
+SELECT 'foreign keys first, for what comes', streetgen.finish_clusters('parts') = 'foreign keys' AND foreign_keys('parts') = foreign_keys('whole') AND NOT EXISTS (SELECT FROM pg_constraint WHERE connamespace = 'parts'::regnamespace AND contype = 'f' AND convalidated);
 SELECT 'each call makes some of them', streetgen.finish_clusters('parts') = 'indexes and statistics of interconnection' AND to_regclass('parts.interconnection_geom') IS NOT NULL AND to_regclass('parts.lane_geom') IS NULL;
-SELECT 'foreign keys last', (SELECT max(made) FROM (SELECT streetgen.finish_clusters('parts') AS made FROM generate_series(1, 10)) m) IS NOT NULL AND foreign_keys('parts') = 0 AND streetgen.finish_clusters('parts') = 'foreign keys';
+SELECT 'and puts the foreign keys of its table in force', bool_and(convalidated = (conrelid = 'parts.interconnection'::regclass)) FROM pg_constraint WHERE connamespace = 'parts'::regnamespace AND contype = 'f';
+SELECT 'one call a table', count(made) = 10 FROM (SELECT streetgen.finish_clusters('parts') AS made FROM generate_series(1, 10)) m;
 SELECT 'then none is left', streetgen.finish_clusters('parts') IS NULL;
+SELECT 'all foreign keys are in force', bool_and(convalidated) FROM pg_constraint WHERE connamespace = 'parts'::regnamespace;
 SELECT 'all is as one run leaves it', alike('parts', 'whole') AND test.same('parts', 'whole');
 SELECT 'with statistics', bool_and(reltuples > 0) FROM pg_class WHERE relnamespace = 'parts'::regnamespace AND relname IN ('node', 'edge', 'lane', 'interconnection');
 SELECT 'a model with streets keeps its keys', streetgen.plan_clusters('parts', 3) = 3 AND alike('parts', 'whole');
@@ -81,6 +89,18 @@ INSERT INTO again.interconnection (node_id, lane_in, lane_out, turn, angle, plau
 SELECT streetgen.generate('again') \g /dev/null
 SELECT 'a run over all makes them first, and lets go what hangs on nothing', alike('again', 'whole') AND test.same('again', 'whole') AND NOT EXISTS (SELECT FROM again.lane WHERE edge_id = -1);
 SELECT 'a plan for other settings begins with all of them', streetgen.plan_clusters('again', 2) = 2 AND alike('again', 'whole');
+
+-- A session that does it all.
+CALL town('called');
+SELECT format('COMMENT ON INDEX called.lane_geom IS %L', 'lanes by place') \gexec
+SELECT streetgen.plan_clusters('called', 5) \g /dev/null
+SELECT 'not within a transaction: 2D000', test.state($$CALL streetgen.generate_clusters('called')$$) = '2D000' AND ended = 0 FROM streetgen.progress('called');
+CALL streetgen.generate_clusters('called');
+SELECT 'a call for all clusters makes all', ended = 5 AND alike('called', 'whole') FROM streetgen.progress('called');
+UPDATE called.axis a SET width = w.width FROM whole.axis w WHERE w.axis_id = a.axis_id AND w.width <> a.width;
+SELECT 'as one run does', test.same('called', 'whole');
+CALL streetgen.generate_clusters('called');
+SELECT 'once more it finds nothing to do', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('called');
 
 -- Planned by somebody else than its owner, and edited by one who may only do that.
 CREATE ROLE streetgen_key_owner;
