@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "groups.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -15,7 +14,6 @@ namespace streetgen {
 
 namespace {
 
-__extension__ using Wide = __int128;
 using Cell = GridCell;
 
 struct Segment {
@@ -37,30 +35,6 @@ struct Segment {
   bool ends_at(int place) const { return place == first || place == last; }
 };
 
-// Twice the area of a, b, c: positive where c lies left.
-Wide turn(const Cell& a, const Cell& b, const Cell& c) {
-  return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
-}
-
-// The same in doubles, which hold differences of cells exactly, and how far it may be off.
-struct About {
-  double value, error;
-};
-About about_turn(const Cell& a, const Cell& b, const Cell& c) {
-  const double left = static_cast<double>(b.x - a.x) * static_cast<double>(c.y - a.y);
-  const double right = static_cast<double>(b.y - a.y) * static_cast<double>(c.x - a.x);
-  return {left - right, 0x1p-50 * (std::abs(left) + std::abs(right))};
-}
-
-int sign(Wide value) { return (value > 0) - (value < 0); }
-
-int side(const Cell& a, const Cell& b, const Cell& c) {
-  const About about = about_turn(a, b, c);
-  if (about.value > about.error) return 1;
-  if (about.value < -about.error) return -1;
-  return sign(turn(a, b, c));
-}
-
 void sort_distinct(std::vector<std::pair<int, int>>& pairs) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -70,7 +44,7 @@ void sort_distinct(std::vector<std::pair<int, int>>& pairs) {
 bool crossing(const Segment& s, const Segment& t, Cell& cell) {
   if (side(s.from, s.to, t.from) * side(s.from, s.to, t.to) >= 0) return false;
   if (side(t.from, t.to, s.from) * side(t.from, t.to, s.to) >= 0) return false;
-  const Wide o3 = turn(t.from, t.to, s.from), o4 = turn(t.from, t.to, s.to);
+  const Wide o3 = twice_area(t.from, t.to, s.from), o4 = twice_area(t.from, t.to, s.to);
   const long double share = static_cast<long double>(o3) / static_cast<long double>(o3 - o4);
   cell = {s.from.x + std::llround(share * (s.to.x - s.from.x)),
           s.from.y + std::llround(share * (s.to.y - s.from.y))};
@@ -79,16 +53,17 @@ bool crossing(const Segment& s, const Segment& t, Cell& cell) {
 
 // Whether the segment comes into a cell of its box: no farther than half a step either way.
 bool passes(const Segment& s, const Cell& cell) {
-  const About about = about_turn(s.from, s.to, cell);
+  const About about = about_twice_area(s.from, s.to, cell);
   if (2 * (std::abs(about.value) - about.error) > static_cast<double>(s.size())) return false;
-  const Wide off = 2 * turn(s.from, s.to, cell);
+  const Wide off = 2 * twice_area(s.from, s.to, cell);
   return off <= s.size() && -off <= s.size();
 }
 
 // Whether t lies so far on one side of the line of s that they come into no cell of each other.
 bool lies_off(const Segment& s, const Segment& t) {
   const double size = static_cast<double>(s.size());
-  const About from = about_turn(s.from, s.to, t.from), to = about_turn(s.from, s.to, t.to);
+  const About from = about_twice_area(s.from, s.to, t.from),
+              to = about_twice_area(s.from, s.to, t.to);
   return 2 * std::min(from.value - from.error, to.value - to.error) > size ||
          2 * std::max(from.value + from.error, to.value + to.error) < -size;
 }
@@ -187,7 +162,7 @@ class Meetings {
 
 bool counter_clockwise(const std::vector<Cell>& ring) {
   Wide sum = 0;
-  for (std::size_t i = 2; i < ring.size(); ++i) sum += turn(ring[0], ring[i - 1], ring[i]);
+  for (std::size_t i = 2; i < ring.size(); ++i) sum += twice_area(ring[0], ring[i - 1], ring[i]);
   return sum > 0;
 }
 
@@ -198,7 +173,7 @@ bool holds(const std::vector<Cell>& ring, const Cell& place) {
     const Cell &p = ring[i], &q = ring[(i + 1) % ring.size()];
     const Cell a{2 * p.x, 2 * p.y}, b{2 * q.x, 2 * q.y};
     if ((a.y > place.y) == (b.y > place.y)) continue;
-    odd ^= (turn(a, b, place) > 0) == (b.y > a.y);
+    odd ^= (twice_area(a, b, place) > 0) == (b.y > a.y);
   }
   return odd;
 }
@@ -383,74 +358,6 @@ void Arrangement::walk() {
       walked_.push_back(h);
     }
     walks_.push_back(static_cast<int>(walked_.size()));
-  }
-}
-
-// Half way from the middle of a long part of the walk to what lies across the face, where that is
-// not too near to tell one side of it from the other. Across lies the walk itself, or another
-// island or what that is an island in.
-void Arrangement::place_walks() {
-  constexpr double clear = 1e-3;  // metres
-  constexpr std::size_t most_tries = 64;
-  const int count = static_cast<int>(walks_.size());
-  Groups connected(count);
-  std::pair<int, int> joined;
-  for (const int h : walked_)
-    if (const std::pair<int, int> pair(halves_[h].walk, halves_[h ^ 1].walk); pair != joined) {
-      joined = pair;
-      connected.join(pair.first, pair.second);
-    }
-  bool islands = false;
-  for (int w = 1; w < count; ++w) islands = islands || connected.of(w) > 0;
-  std::vector<Point> positions;  // of nodes, from the origin
-  for (const Node& node : nodes_)
-    positions.push_back({node.cell.x * step_, node.cell.y * step_, 0});
-  struct Part {
-    double size;
-    int half;
-  };
-  std::vector<Part> parts;
-  for (int w = 0, first = 0; w < count; first = walks_[w++]) {
-    poll_cancel();
-    parts.clear();
-    for (int i = first; i < walks_[w]; ++i) {
-      const Half& half = halves_[walked_[i]];
-      parts.push_back({distance(positions[half.from], positions[half.to]), walked_[i]});
-    }
-    Point place;
-    double widest = 0;
-    for (std::size_t tries = 0; tries < most_tries && !parts.empty(); ++tries) {
-      const auto longest = std::max_element(
-          parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size < q.size; });
-      const auto [size, part] = *longest;
-      parts.erase(longest);
-      const Point &from = positions[halves_[part].from], &to = positions[halves_[part].to];
-      const Point middle = (from + to) * 0.5, across = left_normal(unit(to - from));
-      const double aside = 1e-6 * size;  // a side may run along the way across
-      double reach = 1;                  // metres, where nothing lies across
-      const auto meet = [&, own = part | 1](int h) {
-        const Point a = positions[halves_[h].from] - middle, b = positions[halves_[h].to] - middle;
-        const double of_a = cross(across, a), of_b = cross(across, b);
-        if (std::min(of_a, of_b) >= aside || std::max(of_a, of_b) <= -aside) return;
-        if ((h | 1) == own) return;
-        const double off_a = dot(a, across), off_b = dot(b, across);
-        const auto off_at = [&](double of) {
-          const double share = std::clamp((of - of_a) / (of_b - of_a), 0.0, 1.0);
-          return off_a + (off_b - off_a) * share;
-        };
-        const auto [nearest, farthest] = std::minmax({off_at(-aside), off_at(aside)});
-        if (farthest > 0) reach = std::min(reach, nearest);
-      };
-      std::for_each(walked_.begin() + first, walked_.begin() + walks_[w], meet);
-      for (int other = 0, start = 0; islands && other < count; start = walks_[other++])
-        if (connected.of(other) != connected.of(w))
-          std::for_each(walked_.begin() + start, walked_.begin() + walks_[other], meet);
-      if (reach <= widest) continue;
-      widest = reach;
-      place = middle + across * (reach / 2);
-      if (widest >= clear) break;
-    }
-    places_.push_back(origin_ + place);
   }
 }
 

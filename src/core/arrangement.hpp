@@ -1,18 +1,12 @@
 // The faces that lines make where they cross or touch.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "grid_cell.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {
-
-struct GridCell {
-  std::int64_t x, y;  // steps of the grid
-  bool operator<(const GridCell& o) const { return x != o.x ? x < o.x : y < o.y; }
-  bool operator==(const GridCell& o) const { return x == o.x && y == o.y; }
-};
 
 // Lines are noded once, by snap rounding on a grid finer than a micrometre with exact predicates:
 // what comes out crosses nowhere, and the same crossing is the same point in every arrangement. The
@@ -47,6 +41,7 @@ class Arrangement {
                           const std::vector<const Point*>& points);
   void connect();
   void walk();
+  int outer_walk() const;
   void place_walks();
   Point on_grid(const GridCell& cell) const;
 

@@ -131,9 +131,10 @@ class Settlement {
     }
     std::vector<bool> kept;
     bool lost = false;
-    for (const Contest& contest : contests) {
+    kept.reserve(contests.size());
+    for (Contest& contest : contests) {
       const bool held = !contest.parties.empty();
-      kept.push_back(held && owns(claim, contest));
+      kept.push_back(held && owns(claim, std::move(contest)));
       lost = lost || (held && !kept.back());
     }
     if (!lost) return surface;
@@ -223,6 +224,7 @@ class Settlement {
 
   Contest contest_at(int claim, const Point& place) {
     Contest contest;
+    contest.parties.reserve(opponents_[claim].size() + 1);
     contest.parties.push_back(claim);
     for (const int other : opponents_[claim])
       if (grounds_[other].holds(place)) contest.parties.push_back(other);

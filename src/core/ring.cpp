@@ -1,6 +1,7 @@
 #include "ring.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "offset.hpp"
@@ -191,7 +192,7 @@ MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>
   for (const Line& border : borders)
     for (const Point& end : border)
       std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
-  return geos.valid(moved) ? moved : surface;
+  return same(moved, surface) || !geos.valid(moved) ? surface : moved;
 }
 
 double angle_about(const Point& node, const Point& p) {
@@ -247,11 +248,11 @@ bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vec
   const auto lines_at = [](const Arm& arm, double abscissa) {
     const Line border = border_across(arm, abscissa);
     const Point across = unit(border[1] - border[0]) * inwards;
-    return Line{border[0] + across, (border[0] + border[1]) * 0.5, border[1] - across};
+    return std::array{border[0] + across, (border[0] + border[1]) * 0.5, border[1] - across};
   };
   std::vector<double> cuts;
   // Straight lines that cross nothing are inside where their ends are.
-  const auto covers_whole = [&](const Line& first, const Line& last) {
+  const auto covers_whole = [&](const auto& first, const auto& last) {
     cuts.clear();
     for (std::size_t i = 0; i < first.size(); ++i) {
       ground.cut(first[i], last[i], cuts);
