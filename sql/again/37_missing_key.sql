@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._keys_are_missing(model name) RETURNS boole
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     -- By what is committed: who waited for a lock of the model knows old names until it meets a lock of a table.
     AS $$ SELECT EXISTS (SELECT FROM pg_class WHERE relname = 'missing_key' AND relnamespace = to_regnamespace(quote_ident(model))) $$;
-COMMENT ON FUNCTION streetgen._keys_are_missing(name) IS 'Is a model computed by clusters for the first time, without foreign keys and GiST indexes?';
+COMMENT ON FUNCTION streetgen._keys_are_missing(name) IS 'Is a model computed by clusters for the first time, without foreign keys and most indexes?';
 
 CREATE OR REPLACE FUNCTION streetgen._leave_keys(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

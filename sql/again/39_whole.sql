@@ -69,7 +69,7 @@ BEGIN
         FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
         WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
             AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
-    -- Indexes that no replication and nobody else builds on, and nothing but a comment says more of: of a constraint, or of none. Clusters find rows by B-trees.
+    -- Indexes that no replication and nobody else builds on, and nothing but a comment says more of: of a constraint, or of none. Clusters find rows by keys, and by these.
     free_index AS (
         SELECT d.relname, d.name AS relation, i.indexrelid, i.indisunique, k.oid AS key, k.conname
         FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
@@ -78,7 +78,7 @@ BEGIN
             -- A published table says by its primary key which row goes, unless told otherwise.
             AND NOT (i.indisprimary AND d.relreplident = 'd' AND EXISTS (SELECT FROM pg_publication_tables WHERE schemaname = model AND tablename = d.relname)) AND c.reltablespace = 0
             AND CASE WHEN k.oid IS NULL THEN NOT i.indisunique ELSE c.reloptions IS NULL END
-            AND (NOT by_cluster OR c.relam <> (SELECT oid FROM pg_am WHERE amname = 'btree'))
+            AND NOT (by_cluster AND c.relam = (SELECT oid FROM pg_am WHERE amname = 'btree') AND (k.oid IS NOT NULL OR c.relname = ANY ('{edge_axis,interconnection_node,report_axis}')))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE (refclassid, refobjid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid))
                 AND (classid, objid) <> ('pg_class'::regclass, i.indexrelid) AND (classid <> 'pg_constraint'::regclass OR objid NOT IN (SELECT r.oid FROM reference r)))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE (classid, objid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid)) AND deptype NOT IN ('a', 'n', 'i'))
@@ -114,7 +114,7 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
     -- Somebody reads them.
     RETURN;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: B-trees stay on, and foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
