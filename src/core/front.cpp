@@ -13,6 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Range all{-infinite, infinite};
+constexpr double noise = 1e-6;   // metres
 constexpr double sliver = 1e-9;  // of an angle, as its tangent: no front
 
 Quadratic operator+(const Quadratic& p, const Quadratic& q) {
@@ -171,7 +172,6 @@ void Front::meet_inside_about_end(const Straight& piece, const Straight* named) 
 void Front::meet_inside(const Straight& piece, const Straight* named) {
   const Point from = origin_ - piece.origin, normal = left_normal(piece.along);
   const double off = dot(from, normal), slope = dot(normal, along_), turn = dot(normal, out_);
-  if (off == 0 && slope == 0) return;
   const double ahead = dot(from, piece.along), goes = dot(piece.along, along_),
                rises = dot(piece.along, out_);
   for (const double side : {1.0, -1.0}) {
@@ -184,6 +184,9 @@ void Front::meet_inside(const Straight& piece, const Straight* named) {
     const Quadratic value{side * off / closing, side * slope / closing, 0};
     range.hold(ahead + rises * value.a, goes + rises * value.b, piece.from, piece.to);
     if (range.empty()) continue;
+    // Where one lies on the other neither is in the way of the other.
+    const auto gap = [&](double at) { return std::abs(off + slope * at); };
+    if (std::max(gap(range.from), gap(range.to)) <= noise) continue;
     meet(value, range, {}, named, Part::inside);
   }
 }

@@ -43,15 +43,10 @@ double reach_within(const Box& box, const std::vector<Straight>& first,
   return std::sqrt(square) + beyond;
 }
 
-std::vector<Straight> near(const std::vector<Straight>& pieces, const Box& box, double reach,
-                           const Point& origin) {
+std::vector<Straight> near(const std::vector<Straight>& pieces, const Box& box, double reach) {
   std::vector<Straight> out;
-  for (const Straight& piece : pieces) {
-    if (!piece.box().meets(box, reach)) continue;
-    out.push_back(piece);
-    for (Point* p : {&out.back().origin, &out.back().start, &out.back().end})
-      *p = planar(*p - origin);
-  }
+  for (const Straight& piece : pieces)
+    if (piece.box().meets(box, reach)) out.push_back(piece);
   return out;
 }
 
@@ -70,12 +65,14 @@ double NearestOwner::Axes::square_from(const Point& p) const {
 }
 
 NearestOwner::NearestOwner(const std::vector<Straight>& of_leader,
-                           const std::vector<Straight>& of_other, const Box& within, double reach)
-    : origin_{within.min_x, within.min_y, 0},
-      within_{0, 0, within.max_x - within.min_x, within.max_y - within.min_y},
-      reach_(reach_within(within, of_leader, of_other, reach)),
-      leader_(near(of_leader, within, reach_, origin_)),
-      other_(apart(near(of_other, within, reach_, origin_), leader_.pieces, leader_.index)) {}
+                           const std::vector<Straight>& of_other, const Point& origin,
+                           const Box& within, double reach)
+    : origin_(origin),
+      within_{within.min_x - origin.x, within.min_y - origin.y, within.max_x - origin.x,
+              within.max_y - origin.y},
+      reach_(reach_within(within_, of_leader, of_other, reach)),
+      leader_(near(of_leader, within_, reach_)),
+      other_(apart(near(of_other, within_, reach_), leader_.pieces, leader_.index)) {}
 
 bool NearestOwner::leader_owns(const Point& place) const {
   const Point p = planar(place - origin_);

@@ -13,10 +13,11 @@ namespace streetgen {
 
 // Of places in a box, none of which lies farther than `reach` from an axis of either owner.  Where
 // axes of the other lie on those of the leader, to a tenth of a millimetre, the leader's count.
+// The pieces are as seen from the origin; box, places and border are not.
 class NearestOwner {
  public:
   NearestOwner(const std::vector<Straight>& of_leader, const std::vector<Straight>& of_other,
-               const Box& within, double reach);
+               const Point& origin, const Box& within, double reach);
 
   bool leader_owns(const Point& place) const;
   // The places as near to both, in segments that leave them by a millimetre at most: those that

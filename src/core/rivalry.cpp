@@ -62,10 +62,10 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
-std::vector<Straight> pieces_of(const Claim& claim) {
+std::vector<Straight> pieces_of(const Claim& claim, const Point& origin) {
   std::vector<Straight> pieces;
   for (const Stretch& stretch : claim.skeleton)
-    append_pieces(*stretch.line, stretch.from, stretch.to, pieces);
+    append_pieces(*stretch.line, stretch.from, stretch.to, origin, pieces);
   return pieces;
 }
 
@@ -130,11 +130,12 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   // Border there is on the ground of both.
   for (const Ground* ground : {a.ground, b.ground})
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
-  const std::vector<Straight> of_winner = pieces_of(*winner.claim),
-                              of_loser = pieces_of(*loser.claim);
+  const Point origin{within.min_x, within.min_y, 0};
+  const std::vector<Straight> of_winner = pieces_of(*winner.claim, origin),
+                              of_loser = pieces_of(*loser.claim, origin);
   if (of_winner.empty() && of_loser.empty()) return;
   first_leads_ = first_wins;
-  nearest_.emplace(of_winner, of_loser, within,
+  nearest_.emplace(of_winner, of_loser, origin, within,
                    std::min(reach_of(*winner.claim), reach_of(*loser.claim)));
   for (const auto& [from, to] : nearest_->border())
     append_shared(*a.ground, *b.ground, from, to, border_);

@@ -72,10 +72,11 @@ void Range::hold(double start, double slope, double least, double most) {
   to = std::min(to, std::max(low, high));
 }
 
-void append_pieces(const Line& line, double from, double to, std::vector<Straight>& pieces) {
+void append_pieces(const Line& line, double from, double to, const Point& origin,
+                   std::vector<Straight>& pieces) {
   double walked = 0;
   for (std::size_t i = 1; i < line.size() && walked < to; ++i) {
-    const Point start = planar(line[i - 1]), end = planar(line[i]);
+    const Point start = planar(line[i - 1] - origin), end = planar(line[i] - origin);
     const double size = distance(start, end);
     const bool whole = from - walked <= same_place, on = to - walked >= size - same_place;
     const double first = whole ? 0 : from - walked, last = on ? size : to - walked;

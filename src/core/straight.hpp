@@ -28,8 +28,10 @@ struct Range {
   void hold(double start, double slope, double least, double most);
 };
 
-// The pieces of the line between two abscissas.
-void append_pieces(const Line& line, double from, double to, std::vector<Straight>& pieces);
+// The pieces of the line between two abscissas, as seen from an origin near them: there they end
+// where they end, and not where coordinates of a city are rounded to.
+void append_pieces(const Line& line, double from, double to, const Point& origin,
+                   std::vector<Straight>& pieces);
 
 // What of the pieces does not lie on others, to a tenth of a millimetre.
 std::vector<Straight> apart(const std::vector<Straight>& pieces,
