@@ -25,6 +25,18 @@ double heading(const Arm& arm, double abscissa) {
 
 }  // namespace
 
+namespace {
+
+// Each as wide as at its node.
+std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
+  return corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius);
+}
+std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radius_limit) {
+  return max_corner_radius(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius_limit);
+}
+
+}  // namespace
+
 double angle_between(const Arm& a, const Arm& b) {
   const double from = heading(a, std::min(1.0, length(a.line)));
   const double to = heading(b, std::min(1.0, length(b.line)));
@@ -37,7 +49,7 @@ namespace {
 void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
                        SolvedCorner& solved) {
   if (angle >= M_PI) return;
-  const auto crossing = corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, 0);
+  const auto crossing = corner_arc(a, b, 0);
   const Point node = planar(a.line.front());
   if (crossing && distance(crossing->centre, node) <= reach) {
     solved.gap = {true, *crossing};
@@ -88,19 +100,25 @@ std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
   return order;
 }
 
-SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
+namespace {
+
+const Point& start_of(const Arm& arm) { return arm.line.front(); }
+const Point& start_of(const Course& course) { return course.front().line.front(); }
+
+// On two arms, or on two courses.
+template <class Street>
+std::optional<SolvedCorner> solve_arc(const Street& a, const Street& b, double angle,
+                                      const CornerWish& wish) {
+  if (angle > widest_corner || wish.radius <= 0) return std::nullopt;
   SolvedCorner solved;
-  const double angle = angle_between(a, b);
-  const double width_a = 2 * a.half_start, width_b = 2 * b.half_start;
-  const Point node = planar(a.line.front());
-  if (angle > widest_corner || wish.radius <= 0) return without_arc(a, b, wish);
+  const Point node = planar(start_of(a));
   const auto near = [&](const CornerArc& c) {
     return distance(c.centre, node) <= wish.max_arc_distance;
   };
-  auto found = corner_arc(a.line, b.line, width_a, width_b, wish.radius);
+  auto found = corner_arc(a, b, wish.radius);
   if (!found && angle < nearly_straight) {
-    const auto largest = max_corner_radius(a.line, b.line, width_a, width_b, wish.radius);
-    if (largest && *largest > 0.001) found = corner_arc(a.line, b.line, width_a, width_b, *largest);
+    const auto largest = max_corner_radius(a, b, wish.radius);
+    if (largest && *largest > 0.001) found = corner_arc(a, b, *largest);
     solved.method = Method::radius_reduced;
   }
   if (found && !near(*found)) {
@@ -108,20 +126,26 @@ SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
     solved.method = Method::radius_minimal;
     for (double high = found->radius; wish.by_hand && high - least > 1e-7;) {
       const double middle = (least + high) / 2;
-      const auto tried = corner_arc(a.line, b.line, width_a, width_b, middle);
+      const auto tried = corner_arc(a, b, middle);
       (tried && near(*tried) ? least : high) = middle;
       if (least == middle) solved.method = Method::radius_reduced;
     }
-    found = corner_arc(a.line, b.line, width_a, width_b, least);
+    found = corner_arc(a, b, least);
     if (found && !near(*found) && angle >= nearly_straight) found.reset();
   }
   // Borders that are one line touch the circle in one point: no arc is needed.
-  if (found && distance(found->arc.start, found->arc.end) < shortest_arc) found.reset();
-  if (!found) return without_arc(a, b, wish);
+  if (!found || distance(found->arc.start, found->arc.end) < shortest_arc) return std::nullopt;
   solved.gap = {true, *found};
   solved.limit_a = found->abscissa_a;
   solved.limit_b = found->abscissa_b;
   return solved;
+}
+
+}  // namespace
+
+SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
+  const auto solved = solve_arc(a, b, angle_between(a, b), wish);
+  return solved ? *solved : without_arc(a, b, wish);
 }
 
 SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
@@ -142,18 +166,16 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
 
 bool may_follow(const Arm& a, const Arm& b) { return angle_between(a, b) < nearly_straight; }
 
-std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
-                                          const Arm& longer_b, const CornerWish& wish) {
-  SolvedCorner solved = solve_corner(longer_a, longer_b, wish);
-  solved.gap.angle = angle_between(a, b);
-  const CornerArc& corner = solved.gap.corner;
-  if (corner.radius <= 0) return std::nullopt;
-  const auto crossing =
-      corner_arc(longer_a.line, longer_b.line, 2 * a.half_start, 2 * b.half_start, 0);
+std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,
+                                          const Course& onwards_b, const CornerWish& wish) {
+  auto solved = solve_arc(onwards_a, onwards_b, angle_between(a, b), wish);
+  if (!solved) return std::nullopt;
+  const auto crossing = corner_arc(onwards_a, onwards_b, 0);
   if (!crossing) return std::nullopt;
-  solved.gap.beyond = cusp(longer_a, longer_b, *crossing, corner);
-  solved.gap.meets = false;
-  solved.method = Method::followed;
+  solved->gap.angle = angle_between(a, b);
+  solved->gap.beyond = cusp(onwards_a, onwards_b, *crossing, solved->gap.corner);
+  solved->gap.meets = false;
+  solved->method = Method::followed;
   return solved;
 }
 

@@ -41,10 +41,10 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
 // Whether a corner can have an arc beyond its arms' ends: it is none that is nearly straight.
 bool may_follow(const Arm& a, const Arm& b);
 
-// The same on `longer_a` and `longer_b`, the arms with the axes that go on from their ends:
-// an arc beyond the arms' own lengths, if there is one.  Failure 3 of the paper.
-std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Arm& longer_a,
-                                          const Arm& longer_b, const CornerWish& wish);
+// The same on the axes that go on from the arms' ends: an arc beyond the arms' own lengths, if
+// there is one.  Failure 3 of the paper.
+std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,
+                                          const Course& onwards_b, const CornerWish& wish);
 
 void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner);
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "box_index.hpp"
-#include "offset.hpp"
+#include "course.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -15,11 +15,6 @@ namespace {
 
 constexpr double slack =
     1e-7;  // metres; places nearer to an axis than its offset by more are inside
-
-struct Meeting {
-  Point centre;
-  double abscissa_a, abscissa_b;
-};
 
 // Where `p`, known to lie on the piece's carrier, lies within the piece.
 bool within(const OffsetPiece& piece, const Point& p, double* abscissa) {
@@ -101,17 +96,35 @@ Box box_of(const OffsetPiece& piece) {
 constexpr std::size_t worth_an_index = 64;
 constexpr std::size_t worth_thinning = 16;
 
-// One axis and, where it is long, its segments by place.
+// An axis, or a leg of a course, and, where it is long, its segments by place.
 class Axis {
  public:
-  explicit Axis(const Line& line) : line_(line) {
+  Axis(const Line& line, double half) : line_(line), half_(half) {
     if (line.size() <= worth_an_index) return;
     std::vector<Box> boxes(line.size() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(line[i], line[i + 1]);
     segments_.emplace(boxes);
   }
+  Axis(const Leg& leg, bool last) : Axis(leg.line, leg.half) {
+    start_ = leg.start;
+    end_ = leg.end;
+    last_ = last;
+  }
 
   const Line& line() const { return line_; }
+  double half() const { return half_; }
+  bool first() const { return start_ == 0; }
+  // On the course, of a place `at` metres along the line.
+  double abscissa(double at) const {
+    return half_ > 0 ? start_ + at : start_ + at * (end_ - start_) / length(line_);
+  }
+
+  // Whether the place on it that is nearest to p is an end where the width changes.
+  bool ends_before(const Point& p) const {
+    if (half_ == 0 || (first() && last_)) return false;
+    const double at = nearest_abscissa(p, line_);
+    return (!first() && at <= 0) || (!last_ && at >= length(line_) - slack);
+  }
 
   // Whether it is anywhere nearer to p than `reach`.
   bool comes_within(const Point& p, double reach) const {
@@ -144,18 +157,36 @@ class Axis {
 
  private:
   const Line& line_;
+  double half_;
+  double start_ = 0, end_ = 0;
+  bool last_ = true;
   std::optional<BoxIndex> segments_;
 };
 
-// The offset border with the quarter of its round end behind the node: where a wide axis meets a
-// narrow one nearly straight on, the circle touches the wide one's end.
+struct Foot {
+  const Axis* axis;
+  double at;  // metres along its line
+
+  double abscissa() const { return axis->abscissa(at); }
+};
+
+struct Meeting {
+  Point centre;
+  Foot a, b;
+};
+
+// The offset border. That of the first leg has the quarter of its round end behind the node:
+// where a wide axis meets a narrow one nearly straight on, the circle touches the wide one's end.
 class Border {
  public:
-  Border(const Axis& axis, double offset, int side)
-      : axis_(axis), offset_(offset), pieces_(offset_pieces(axis.line(), offset, side)) {
+  Border(const Axis& axis, double radius, int side)
+      : axis_(axis),
+        offset_(axis.half() + radius),
+        pieces_(offset_pieces(axis.line(), offset_, side)) {
     const Point node = planar(axis.line().front());
-    const Point behind = node - place_at(axis.line(), 0).direction * offset;
-    pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0, 0});
+    const Point behind = node - place_at(axis.line(), 0).direction * offset_;
+    if (axis.first())
+      pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0, 0});
     // Most pieces of a jagged axis hold no place for a centre.
     if (pieces_.size() > worth_thinning)
       pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
@@ -168,6 +199,7 @@ class Border {
     if (pieces_.size() > worth_an_index) index_.emplace(boxes_);
   }
 
+  const Axis& axis() const { return axis_; }
   const std::vector<OffsetPiece>& pieces() const { return pieces_; }
 
   // The pieces that may meet one of another border, in order.
@@ -181,8 +213,11 @@ class Border {
         if (boxes_[i].meets(box, touch)) use(pieces_[i]);
   }
 
-  // Nearer to the axis than the border is: no place for a centre.
-  bool too_near(const Point& p) const { return axis_.comes_within(p, offset_ - slack); }
+  // Nearer to the axis than the border is: no place for a centre. Beyond an end where the width
+  // changes the kerb counts.
+  bool too_near(const Point& p) const {
+    return axis_.comes_within(p, offset_ - slack) && !axis_.ends_before(p);
+  }
 
  private:
   static constexpr double touch = 1e-5;  // metres, more than the slack of a meeting
@@ -194,68 +229,97 @@ class Border {
   std::optional<BoxIndex> index_;
 };
 
-std::optional<Meeting> nearest_meeting(const Axis& axis_a, const Axis& axis_b, double offset_a,
-                                       double offset_b) {
-  const Border border_a(axis_a, offset_a, +1), border_b(axis_b, offset_b, -1);
-  const Point node = planar(axis_a.line().front());
+using Street = std::vector<Axis>;
+
+Street street_of(const Line& axis, double width) {
+  Street street;
+  street.emplace_back(axis, width / 2);
+  return street;
+}
+
+Street street_of(const Course& course) {
+  Street street;
+  street.reserve(course.size());
+  for (const Leg& leg : course) street.emplace_back(leg, &leg == &course.back());
+  return street;
+}
+
+std::vector<Border> borders_of(const Street& street, double radius, int side) {
+  std::vector<Border> borders;
+  borders.reserve(street.size());
+  for (const Axis& axis : street) borders.emplace_back(axis, radius, side);
+  return borders;
+}
+
+std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& street_b,
+                                       double radius) {
+  const auto borders_a = borders_of(street_a, radius, +1),
+             borders_b = borders_of(street_b, radius, -1);
+  const Point node = planar(street_a.front().line().front());
   std::optional<Meeting> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (const OffsetPiece& a : border_a.pieces()) {
-    if (piece_distance(a, node) > best_distance) continue;
-    poll_cancel();
-    border_b.each_near(a, [&](const OffsetPiece& b) {
-      Point places[2];
-      const int count =
-          a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
-                : (b.arc ? meet_line_arc(a, b, places) : meet_line_line(a, b, node, places));
-      for (int i = 0; i < count; ++i) {
-        Meeting found{places[i], 0, 0};
-        const double d = distance(node, found.centre);
-        if (d > best_distance + slack) continue;
-        if (!within(a, found.centre, &found.abscissa_a)) continue;
-        if (!within(b, found.centre, &found.abscissa_b)) continue;
-        if (d > best_distance - slack && best && found.abscissa_a >= best->abscissa_a) continue;
-        if (border_a.too_near(found.centre) || border_b.too_near(found.centre)) continue;
-        best = found;
-        best_distance = std::min(d, best_distance);
-      }
-    });
-  }
+  const auto too_near = [](const std::vector<Border>& borders, const Point& p) {
+    return std::any_of(borders.begin(), borders.end(),
+                       [&](const Border& border) { return border.too_near(p); });
+  };
+  const auto meet = [&](const Border& border_a, const OffsetPiece& a, const Border& border_b,
+                        const OffsetPiece& b) {
+    Point places[2];
+    const int count =
+        a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
+              : (b.arc ? meet_line_arc(a, b, places) : meet_line_line(a, b, node, places));
+    for (int i = 0; i < count; ++i) {
+      Meeting found{places[i], {&border_a.axis(), 0}, {&border_b.axis(), 0}};
+      const double d = distance(node, found.centre);
+      if (d > best_distance + slack) continue;
+      if (!within(a, found.centre, &found.a.at)) continue;
+      if (!within(b, found.centre, &found.b.at)) continue;
+      if (d > best_distance - slack && best && found.a.abscissa() >= best->a.abscissa()) continue;
+      if (too_near(borders_a, found.centre) || too_near(borders_b, found.centre)) continue;
+      best = found;
+      best_distance = std::min(d, best_distance);
+    }
+  };
+  for (const Border& border_a : borders_a)
+    for (const OffsetPiece& a : border_a.pieces()) {
+      if (piece_distance(a, node) > best_distance) continue;
+      poll_cancel();
+      for (const Border& border_b : borders_b)
+        border_b.each_near(a, [&](const OffsetPiece& b) { meet(border_a, a, border_b, b); });
+    }
   return best;
 }
 
-Point towards(const Line& axis, double abscissa, const Point& centre, double half) {
-  const Place foot = place_at(axis, abscissa);
-  const Point away = unit(planar(centre) - planar(foot.point));
-  return planar(foot.point) + away * half;
+Point towards(const Foot& foot, const Point& centre) {
+  const Point point = planar(place_at(foot.axis->line(), foot.at).point);
+  return point + unit(planar(centre) - point) * foot.axis->half();
+}
+
+bool straight(const Street& street) {
+  return street.size() == 1 && street.front().line().size() == 2;
 }
 
 // The largest radius that fits two straight axes, as long as the slack takes them.
-double straight_radius(const Line& axis_a, const Line& axis_b, double width_a, double width_b) {
-  const Point u = unit(axis_a[1] - axis_a[0]), v = unit(axis_b[1] - axis_b[0]);
+double straight_radius(const Axis& a, const Axis& b) {
+  const Point u = unit(a.line()[1] - a.line()[0]), v = unit(b.line()[1] - b.line()[0]);
   const double sine = cross(u, v), cosine = dot(u, v);
-  const auto fitting = [&](const Line& axis, double own, double other) {
-    const double size = distance(axis[0], axis[1]) + slack;
-    return (size * sine - (other + own * cosine) / 2) / (1 + cosine);
+  const auto fitting = [&](const Axis& axis, double other) {
+    const double size = distance(axis.line()[0], axis.line()[1]) + slack;
+    return (size * sine - (other + axis.half() * cosine)) / (1 + cosine);
   };
-  return std::min(fitting(axis_a, width_a, width_b), fitting(axis_b, width_b, width_a));
+  return std::min(fitting(a, b.half()), fitting(b, a.half()));
 }
 
-}  // namespace
-
-std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
-                                    double width_b, double radius) {
-  const double half_a = width_a / 2, half_b = width_b / 2;
-  const auto meeting =
-      nearest_meeting(Axis(axis_a), Axis(axis_b), half_a + radius, half_b + radius);
+std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius) {
+  const auto meeting = nearest_meeting(a, b, radius);
   if (!meeting) return std::nullopt;
   CornerArc corner;
   corner.centre = planar(meeting->centre);
   corner.radius = radius;
-  corner.abscissa_a = meeting->abscissa_a;
-  corner.abscissa_b = meeting->abscissa_b;
-  corner.arc.start = towards(axis_a, corner.abscissa_a, corner.centre, half_a);
-  corner.arc.end = towards(axis_b, corner.abscissa_b, corner.centre, half_b);
+  corner.abscissa_a = meeting->a.abscissa();
+  corner.abscissa_b = meeting->b.abscissa();
+  corner.arc.start = towards(meeting->a, corner.centre);
+  corner.arc.end = towards(meeting->b, corner.centre);
   const Point from = unit(corner.arc.start - corner.centre),
               to = unit(corner.arc.end - corner.centre);
   // From a to b the arc turns clockwise about its centre: it bulges towards the node.
@@ -267,24 +331,14 @@ std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, doub
   return corner;
 }
 
-std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double width_a,
-                                double width_b, double radius) {
-  const auto corner = corner_arc(axis_a, axis_b, width_a, width_b, radius);
-  return corner ? std::optional<Point>(corner->centre) : std::nullopt;
-}
-
-std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, double width_a,
-                                        double width_b, double radius_limit) {
+std::optional<double> largest_radius(const Street& a, const Street& b, double radius_limit) {
   constexpr double precision = 1e-7;
-  const Axis a(axis_a), b(axis_b);
-  const auto fits = [&](double radius) {
-    return nearest_meeting(a, b, width_a / 2 + radius, width_b / 2 + radius).has_value();
-  };
+  const auto fits = [&](double radius) { return nearest_meeting(a, b, radius).has_value(); };
   if (!fits(0)) return std::nullopt;
   if (fits(radius_limit)) return radius_limit;
   double low = 0, high = radius_limit;
-  if (axis_a.size() == 2 && axis_b.size() == 2) {
-    const double expected = straight_radius(axis_a, axis_b, width_a, width_b);
+  if (straight(a) && straight(b)) {
+    const double expected = straight_radius(a.front(), b.front());
     const double below = expected - 0.4 * precision, above = expected + 0.4 * precision;
     if (below > low && above < high && fits(below) && !fits(above)) return below;
   }
@@ -293,6 +347,32 @@ std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, 
     (fits(middle) ? low : high) = middle;
   }
   return low;
+}
+
+}  // namespace
+
+std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius) {
+  return arc_of(street_of(a), street_of(b), radius);
+}
+
+std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
+                                    double width_b, double radius) {
+  return arc_of(street_of(axis_a, width_a), street_of(axis_b, width_b), radius);
+}
+
+std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double width_a,
+                                double width_b, double radius) {
+  const auto corner = corner_arc(axis_a, axis_b, width_a, width_b, radius);
+  return corner ? std::optional<Point>(corner->centre) : std::nullopt;
+}
+
+std::optional<double> max_corner_radius(const Course& a, const Course& b, double radius_limit) {
+  return largest_radius(street_of(a), street_of(b), radius_limit);
+}
+
+std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, double width_a,
+                                        double width_b, double radius_limit) {
+  return largest_radius(street_of(axis_a, width_a), street_of(axis_b, width_b), radius_limit);
 }
 
 }  // namespace streetgen

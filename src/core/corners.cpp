@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "around.hpp"
+#include "onwards.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -26,37 +27,6 @@ double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) 
   return std::min(a.radius, b.radius);
 }
 
-// The arm with the axes that go on in its direction, up to the reach from the node: at each
-// further node the one that turns least, within the widest bend, of the same level and width.
-Arm longer(const Layout& layout, const EdgeEnd& end, std::vector<int>& followed) {
-  const auto& edges = layout.streets.network.edges;
-  Arm arm = layout.arm(end);
-  if (arm.half_start != arm.half_end) return arm;
-  EdgeEnd last = end;
-  while (length(arm.line) < layout.settings.reach) {
-    const Edge& edge = edges[last.edge];
-    const Point direction = unit(arm.line.back() - arm.line[arm.line.size() - 2]);
-    double best = std::cos(widest_bend);
-    const EdgeEnd* next = nullptr;
-    followed.push_back(last.at_start ? edge.to_node : edge.from_node);
-    for (const EdgeEnd& other : layout.junctions[followed.back()].ends) {
-      const Arm& on = layout.arm(other);
-      const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
-      if (other.edge == last.edge || edges[other.edge].level != edge.level ||
-          std::abs(on.half_start - arm.half_start) > same_width ||
-          std::abs(on.half_end - arm.half_start) > same_width || cosine <= best)
-        continue;
-      best = cosine;
-      next = &other;
-    }
-    if (next == nullptr) break;
-    const Line& on = layout.arm(*next).line;
-    arm.line.insert(arm.line.end(), on.begin() + 1, on.end());
-    last = *next;
-  }
-  return arm;
-}
-
 // Between ends[i] and the next.
 SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, double radius,
                    bool by_hand) {
@@ -71,8 +41,8 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
   if (!may_follow(arm_a, arm_b)) return solved;
-  const auto followed = follow_corner(arm_a, arm_b, longer(layout, a, junction.followed),
-                                      longer(layout, b, junction.followed), wish);
+  const auto followed = follow_corner(arm_a, arm_b, onwards(layout, a, +1, junction.followed),
+                                      onwards(layout, b, -1, junction.followed), wish);
   return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
 }
 
@@ -115,9 +85,15 @@ void choose_transition(const Layout& layout, Junction& junction) {
   }
 }
 
+void choose_transitions(Layout& layout) {
+  for (Junction& junction : layout.junctions)
+    if (junction.ends.size() == 2 &&
+        changes_width(layout.arm(junction.ends[0]), layout.arm(junction.ends[1])))
+      choose_transition(layout, junction);
+}
+
 // Its two corners have no arc.
-void make_transition(Layout& layout, Junction& junction) {
-  choose_transition(layout, junction);
+void make_transition(Layout& layout, const Junction& junction) {
   auto& corners = layout.streets.corners;
   for (auto corner = corners.end() - 2; corner != corners.end(); ++corner) {
     corner->radius = 0;
@@ -127,13 +103,14 @@ void make_transition(Layout& layout, Junction& junction) {
   }
   for (const EdgeEnd& end : junction.ends) {
     Arm& arm = layout.arm(end);
-    arm.limit = std::min(junction.transition->length / 2, 0.4 * length(arm.line));
+    arm.limit = transition_limit(arm, *junction.transition);
   }
 }
 
 }  // namespace
 
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
+  choose_transitions(layout);
   for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
     Junction& junction = layout.junctions[n];
     if (junction.dead_end()) continue;
@@ -141,8 +118,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
     tell_progress("corners", n, layout.junctions.size());
     for (std::size_t i = 0; i < junction.ends.size(); ++i) append_corner(layout, n, i, by_hand);
     if (junction.ends.size() == 2) {
-      if (changes_width(layout.arm(junction.ends[0]), layout.arm(junction.ends[1])))
-        make_transition(layout, junction);
+      if (junction.transition) make_transition(layout, junction);
       continue;
     }
     for (const EdgeEnd& end : junction.ends) {

@@ -27,6 +27,9 @@ struct Junction {
 
   const EdgeEnd& next(std::size_t i) const { return ends[(i + 1) % ends.size()]; }
   bool dead_end() const { return ends.size() == 1; }
+  // Index of the end from which sides of the transition are seen: an axis that starts at the node
+  // goes on from it.
+  int transition_from() const { return ends[along].at_start ? 1 - along : along; }
 };
 
 struct Layout {

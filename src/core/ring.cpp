@@ -23,7 +23,9 @@ struct Outline {
 
   // The kerb's inner points: a border line or a corner already gave an end where one is left out.
   void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
-    const Kerb kerb = kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side);
+    follow(kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side), with_first, with_last);
+  }
+  void follow(const Kerb& kerb, bool with_first, bool with_last) {
     whole = whole && kerb.whole;
     for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
       ring.push_back(kerb.line[i]);
@@ -307,12 +309,12 @@ Ring closed(Ring ring) {
   return out;
 }
 
-Polygon cusp(const Arm& a, const Arm& b, const CornerArc& crossing, const CornerArc& corner) {
+Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner) {
   Outline outline;
   outline.ring.push_back(crossing.centre);
-  outline.follow(a, crossing.abscissa_a, corner.abscissa_a, +1, false, false);
+  outline.follow(kerb_line(a, crossing.abscissa_a, corner.abscissa_a, +1), false, false);
   append_corner(outline.ring, corner);
-  outline.follow(b, corner.abscissa_b, crossing.abscissa_b, -1, false, false);
+  outline.follow(kerb_line(b, corner.abscissa_b, crossing.abscissa_b, -1), false, false);
   outline.ring = closed(std::move(outline.ring));
   if (outline.ring.empty() || !outline.whole) return {};
   return {outline.ring};

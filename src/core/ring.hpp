@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "course.hpp"
 #include "geos.hpp"
-#include "streetgen/corner.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {
@@ -36,7 +36,7 @@ double half_at(const Arm& arm, double abscissa);
 Line border_across(const Arm& arm, double abscissa);
 
 // Between the kerbs that leave `crossing` (left of a, right of b) and the arc of `corner`.
-Polygon cusp(const Arm& a, const Arm& b, const CornerArc& crossing, const CornerArc& corner);
+Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner);
 
 // Without repeated points; empty when fewer than three remain.
 Ring closed(Ring ring);

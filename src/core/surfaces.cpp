@@ -12,9 +12,7 @@ Surface surface_of(Built built) {
 }
 
 Surface transition_of(Geos& geos, const Junction& junction, const std::vector<Arm>& arms) {
-  // An axis that starts at the node goes on from it.
-  const bool leaves = junction.ends[junction.along].at_start;
-  const int from = leaves ? 1 - junction.along : junction.along;
+  const int from = junction.transition_from();
   return {build_transition(geos, arms[from], arms[1 - from], junction.transition->kind),
           Method::transition};
 }

@@ -8,21 +8,23 @@
 
 namespace streetgen {
 
-namespace {
-constexpr double step_length = 0.5;  // metres on which the other kerb steps
-}  // namespace
-
 bool changes_width(const Arm& a, const Arm& b) {
   return std::abs(a.half_start - b.half_start) > same_width &&
          std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
+
+double transition_limit(const Arm& arm, const Transition& transition) {
+  return std::min(transition.length / 2, 0.4 * length(arm.line));
+}
+
+double step_length(double limit_a, double limit_b) { return std::min({0.5, limit_a, limit_b}); }
 
 MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, TransitionKind kind) {
   Line line = substring(a.line, a.limit, 0);
   const Line rest = substring(b.line, 0, b.limit);
   line.insert(line.end(), rest.begin() + 1, rest.end());
   const double total = a.limit + b.limit;
-  const double step = std::min({step_length, a.limit, b.limit});
+  const double step = step_length(a.limit, b.limit);
   const bool steps = kind != TransitionKind::symmetric && step > 0;
   if (steps) {
     Line cut = substring(line, 0, a.limit - step / 2);

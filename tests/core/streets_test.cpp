@@ -239,14 +239,88 @@ TEST(Streets, AFarCornerTakesNoMoreThanFits) {
   EXPECT_NEAR(corner->radius, fits, 1e-6);
 }
 
-TEST(Streets, NoAxisIsFollowedBeyondReachOrIntoAnotherWidth) {
+TEST(Streets, NoAxisIsFollowedBeyondReach) {
   StreetSettings settings;
   settings.reach = 2;
   EXPECT_EQ(corner_of(streets(cut_short(3, 5), settings), 1, 2, 0)->method, Method::no_arc);
-  std::vector<StreetAxis> wider = cut_short(3, 5);
-  wider[0].line = {{0, 0, 0}, {3, 0, 0}};
-  wider.push_back({4, {{3, 0, 0}, {100, 0, 0}}, 0, 12, 12, 5, 3});
-  EXPECT_EQ(corner_of(streets(wider, {}), 1, 2, 0)->method, Method::no_arc);
+}
+
+// The first 3 m of the axis east, 10 m wide, and what goes on from them.
+std::vector<StreetAxis> going_on(double width, int level) {
+  return {{1, {{0, 0, 0}, {3, 0, 0}}, 0, 10, 10, 5, 3},
+          {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, 5, 3},
+          {3, {{3, 0, 0}, {100, 0, 0}}, level, width, width, 5, 3}};
+}
+
+// The kerb at `foot`, with the roadway below it.
+void lies_on_a_kerb(const Streets& town, const Point& foot) {
+  const auto roadway = [&](const Point& p) {
+    const auto held = [&](const auto& surfaces) {
+      return std::any_of(surfaces.begin(), surfaces.end(),
+                         [&](const auto& one) { return holds(one.surface, p); });
+    };
+    return held(town.sections) || held(town.intersections);
+  };
+  EXPECT_TRUE(roadway(foot - Point{0, 0.01, 0})) << foot.x;
+  EXPECT_FALSE(roadway(foot + Point{0.3, 0.1, 0})) << foot.x;
+}
+
+TEST(Streets, AnAxisIsFollowedOntoAnotherLevel) {
+  const Streets town = streets(going_on(10, 1), {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_EQ(corner->method, Method::followed);
+  EXPECT_EQ(corner->radius, 5);
+  EXPECT_NEAR(distance(*corner->centre, {10, 10, 0}), 0, 1e-9);
+  EXPECT_TRUE(holds(town.intersections[0].surface, {6.2, 6.2, 0}));
+}
+
+TEST(Streets, AnAxisIsFollowedIntoAnotherWidth) {
+  for (const double width : {12.0, 8.0}) {
+    const Streets town = streets(going_on(width, 0), {});
+    const Corner* corner = corner_of(town, 1, 2, 0);
+    ASSERT_EQ(corner->method, Method::followed) << width;
+    EXPECT_EQ(corner->radius, 5);
+    EXPECT_NEAR(distance(*corner->centre, {10, width / 2 + 5, 0}), 0, 1e-9);
+    lies_on_a_kerb(town, corner->arc->start);
+    double shared = 0;
+    for (const Section& section : town.sections)
+      for (const Intersection& intersection : town.intersections)
+        shared += shared_area(section.surface, intersection.surface);
+    EXPECT_LE(shared, 1e-6) << width;
+  }
+}
+
+TEST(Streets, NoAxisIsFollowedIntoAnotherWidthPastAStreetBetween) {
+  for (const double side : {1.0, -1.0}) {
+    std::vector<StreetAxis> axes = going_on(12, 0);
+    axes.push_back({4, {{3, 0, 0}, {33, side * 80, 0}}, 0, 10, 10, 5, 3});
+    const Method method = corner_of(streets(axes, {}), 1, 2, 0)->method;
+    EXPECT_EQ(method, side > 0 ? Method::no_arc : Method::followed) << side;
+  }
+}
+
+// On the kerb that widens from 5 to 6 m, from where the limits of the first axis cross.
+TEST(Streets, AnAxisIsFollowedAlongAKerbThatWidens) {
+  std::vector<StreetAxis> axes = going_on(12, 0);
+  axes[2].transition_start = Transition{TransitionKind::left, 60};
+  const Streets town = streets(axes, {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_EQ(corner->method, Method::followed);
+  const double from = 3 - 1.2 * 3 / 4.2, slope = 1 / (33 - from);
+  const double rise = 5 * std::sqrt(1 + slope * slope);
+  EXPECT_NEAR(distance(*corner->centre, {10, 5 + (10 - from) * slope + rise, 0}), 0, 1e-9);
+  lies_on_a_kerb(town, corner->arc->start);
+}
+
+// The kerb beside it steps at the node and is straight on from there.
+TEST(Streets, AnAxisIsFollowedAlongAKerbThatSteps) {
+  std::vector<StreetAxis> axes = going_on(12, 0);
+  axes[2].transition_start = Transition{TransitionKind::right, 60};
+  const Streets town = streets(axes, {});
+  const Corner* corner = corner_of(town, 1, 2, 0);
+  ASSERT_EQ(corner->method, Method::followed);
+  EXPECT_NEAR(distance(*corner->centre, {10, 11, 0}), 0, 1e-9);
+  lies_on_a_kerb(town, corner->arc->start);
 }
 
 // Two streets bowed away from each other between the same nodes: nothing overlaps, and the lens

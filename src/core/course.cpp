@@ -1,0 +1,35 @@
+#include "course.hpp"
+
+#include <algorithm>
+
+#include "polyline.hpp"
+
+namespace streetgen {
+
+namespace {
+
+Kerb kerb_of(const Leg& leg, double from, double to, int side) {
+  if (leg.half > 0)
+    return kerb_line(leg.line, from - leg.start, to - leg.start, leg.half, leg.half, side);
+  const double span = leg.end - leg.start;
+  const double share = span > 0 ? length(leg.line) / span : 0;
+  return {substring(leg.line, (from - leg.start) * share, (to - leg.start) * share)};
+}
+
+}  // namespace
+
+Kerb kerb_line(const Course& course, double u, double v, int side) {
+  Kerb kerb;
+  for (const Leg& leg : course) {
+    const double from = std::max(std::min(u, v), leg.start);
+    const double to = std::min(std::max(u, v), leg.end);
+    if (from > to) continue;
+    const Kerb part = kerb_of(leg, from, to, side);
+    kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
+    kerb.whole = kerb.whole && part.whole;
+  }
+  if (u > v) kerb.line = reversed(std::move(kerb.line));
+  return kerb;
+}
+
+}  // namespace streetgen
