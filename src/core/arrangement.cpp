@@ -361,6 +361,14 @@ void Arrangement::walk() {
   }
 }
 
+Ring Arrangement::border(int walk) const {
+  Ring ring;
+  for (int i = walk > 0 ? walks_[walk - 1] : 0; i < walks_[walk]; ++i)
+    ring.push_back(nodes_[halves_[walked_[i]].from].point);
+  ring.push_back(ring.front());
+  return ring;
+}
+
 MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
   const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
   std::vector<bool> used(halves_.size());

@@ -19,6 +19,9 @@ class Arrangement {
   // A place in the face beside each walk along its border; a face with islands has several.
   const std::vector<Point>& places() const { return places_; }
 
+  // The walk on whose left the place lies: counter-clockwise, but about an island.
+  Ring border(int walk) const;
+
   // The faces whose walks are kept, as one. With the lines' own vertices rings that nearly touch
   // may cross by less than a step; on the grid they do not.
   enum class Vertices { own, on_grid };

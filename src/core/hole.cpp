@@ -4,11 +4,12 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <tuple>
 #include <unordered_map>
 
+#include "arrangement.hpp"
 #include "box_index.hpp"
+#include "box_runs.hpp"
 #include "groups.hpp"
 #include "narrow.hpp"
 #include "overlap.hpp"
@@ -19,32 +20,43 @@ namespace streetgen {
 
 namespace {
 
-constexpr double least_hole = 1e-6;  // square metres: below it is the noise of coordinates
+// Square metres: a hole that is smaller, or what filling one leaves, is the noise of coordinates.
+constexpr double least_hole = 1e-7, hairline = 1e-6;
 constexpr double touching = 1e-6;    // metres
+constexpr double about = 1e-3;       // metres, that places are looked at beyond
 
-std::vector<Ring> small_holes(const MultiPolygon& ground, double max_area) {
-  std::vector<Ring> holes;
-  for (const Polygon& polygon : ground)
-    for (std::size_t i = 1; i < polygon.size(); ++i) {
-      const double size = std::abs(signed_area(polygon[i]));
-      if (size >= least_hole && size < max_area) holes.push_back(polygon[i]);
+// The stretches of the surface's rings that come near the place.
+void append_near(const MultiPolygon& surface, const Box& place, std::vector<Line>& lines) {
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon) {
+      bool goes_on = false;
+      for (std::size_t i = 1; i < ring.size(); ++i) {
+        const bool near = box_of(ring[i - 1], ring[i]).meets(place, 0);
+        if (near && !goes_on) lines.push_back({ring[i - 1]});
+        if (near) lines.back().push_back(ring[i]);
+        goes_on = near;
+      }
     }
-  return holes;
 }
 
-constexpr double frame_off = 1;  // metres
-
-// A band beyond the box, all around it.
-MultiPolygon frame_about(const Box& box) {
-  const auto ring = [&](double off) {
-    const Box b = box.grown(off);
-    return Ring{{b.min_x, b.min_y, 0},
-                {b.max_x, b.min_y, 0},
-                {b.max_x, b.max_y, 0},
-                {b.min_x, b.max_y, 0},
-                {b.min_x, b.min_y, 0}};
-  };
-  return {{ring(2 * frame_off), reversed(ring(frame_off))}};
+// Across each gap between lines that nearly touch, so that they close rings.
+void append_bridges(std::vector<Line>& lines) {
+  std::vector<std::pair<Point, Point>> sides;
+  std::vector<Box> boxes;
+  for (const Line& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      sides.emplace_back(line[i - 1], line[i]);
+      boxes.push_back(box_of(line[i - 1], line[i]));
+    }
+  const BoxRuns near(std::move(boxes));
+  for (std::size_t k = 0, count = lines.size(); k < count; ++k)
+    for (const Point p : Line(lines[k]))
+      near.any_near(box_of(p, p), touching, [&](std::size_t i) {
+        const Point across = nearest_on_segment(p, sides[i].first, sides[i].second);
+        const double gap = distance(p, across);
+        if (gap > 0 && gap <= touching) lines.push_back({p, across});
+        return false;
+      });
 }
 
 // Metres of the hole's ring that run along the surface.
@@ -71,59 +83,58 @@ ClaimsOnEdge claims_on_edges(const std::vector<Claim>& claims) {
   return on_edge;
 }
 
-// Claims of one level joined by disputes, with those near a dispute that share an edge with its
-// claims: the ring of a small hole turns where two surfaces overlap.
-void add_disputing(const std::vector<Claim>& claims, const std::vector<Box>& boxes,
-                   const ClaimsOnEdge& on_edge, const std::vector<std::pair<int, int>>& disputes,
-                   std::vector<std::set<int>>& groups) {
-  Groups joined(static_cast<int>(claims.size()));
-  for (const auto& [i, j] : disputes)
-    if (claims[i].level == claims[j].level) joined.join(i, j);
-  std::map<int, std::set<int>> by_name;
+// Claims of one level that may close the ring of a small hole: where it turns two surfaces overlap,
+// or an edge leaves a surface and comes back to it, or two edges lead to the same one. Those near a
+// dispute go with it that share an edge with its claims.
+std::vector<std::vector<int>> groups_of(const std::vector<Claim>& claims,
+                                        const std::vector<Box>& boxes, const ClaimsOnEdge& on_edge,
+                                        const std::vector<std::pair<int, int>>& disputes) {
+  const int count = static_cast<int>(claims.size());
+  Groups joined(count);
+  std::vector<bool> member(count);
+  const auto join = [&](int i, int j) {
+    if (claims[i].level != claims[j].level) return;
+    joined.join(i, j);
+    member[i] = member[j] = true;
+  };
   for (const auto& [i, j] : disputes) {
+    join(i, j);
     const Box place = boxes[i].shared_with(boxes[j]).grown(hole_extent);
-    for (const int claim : {i, j}) {
-      std::set<int>& group = by_name[joined.of(claim)];
-      group.insert(claim);
+    for (const int claim : {i, j})
       for (const int edge : claims[claim].edges)
         for (const int neighbour : on_edge.at(edge))
-          if (claims[neighbour].level == claims[claim].level && boxes[neighbour].meets(place, 0))
-            group.insert(neighbour);
-    }
+          if (boxes[neighbour].meets(place, 0)) join(claim, neighbour);
   }
-  for (auto& [of, group] : by_name) groups.push_back(std::move(group));
-}
-
-// What closes a ring with nothing in dispute: a claim that an edge leaves and comes back to, or two
-// with more than one edge between them, and all of their level on those edges.
-void add_rings(const std::vector<Claim>& claims, const ClaimsOnEdge& on_edge,
-               std::vector<std::set<int>>& groups) {
-  for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
-    const auto add = [&](const std::vector<int>& edges) {
-      std::set<int> group;
-      for (const int edge : edges)
-        for (const int claim : on_edge.at(edge))
-          if (claims[claim].level == claims[i].level && !claims[claim].surface->empty())
-            group.insert(claim);
-      groups.push_back(std::move(group));
+  for (int i = 0; i < count; ++i) {
+    const auto join_all_on = [&](int edge) {
+      for (const int claim : on_edge.at(edge)) join(i, claim);
     };
-    std::map<int, std::vector<int>> shared;  // edges, by the later claim at their other end
+    std::map<int, int> shared;  // an edge, by the later claim at its other end
     for (const int edge : claims[i].edges) {
       const std::vector<int>& there = on_edge.at(edge);
       if (std::count(there.begin(), there.end(), i) > 1) {
-        add({edge});
+        join_all_on(edge);
         continue;
       }
-      for (const int other : there)
-        if (other > i && claims[other].level == claims[i].level) shared[other].push_back(edge);
+      for (const int other : there) {
+        if (other <= i || claims[other].level != claims[i].level) continue;
+        const auto [first, only] = shared.emplace(other, edge);
+        if (only) continue;
+        join_all_on(first->second);
+        join_all_on(edge);
+      }
     }
-    for (const auto& [other, edges] : shared)
-      if (edges.size() > 1) add(edges);
   }
+  std::map<int, std::vector<int>> by_name;
+  for (int i = 0; i < count; ++i)
+    if (member[i]) by_name[joined.of(i)].push_back(i);
+  std::vector<std::vector<int>> groups;
+  for (auto& [name, group] : by_name) groups.push_back(std::move(group));
+  return groups;
 }
 
 // Those of a group that a hole beside a wanted one may touch.
-std::vector<int> near_wanted(const std::set<int>& group, const std::vector<Claim>& claims,
+std::vector<int> near_wanted(const std::vector<int>& group, const std::vector<Claim>& claims,
                              const std::vector<Box>& boxes) {
   std::vector<Box> wanted;
   for (const int i : group)
@@ -143,7 +154,7 @@ void fill_holes(MultiPolygon& surface, double max_area) {
       if (std::abs(signed_area(polygon[i])) < max_area) polygon.erase(polygon.begin() + i);
 }
 
-std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
+std::vector<Hole> holes_between(const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area) {
   std::vector<Box> boxes, solid_boxes;
   std::vector<int> solid;  // the claims with ground
@@ -154,23 +165,25 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     solid.push_back(i);
   }
   const BoxIndex index(solid_boxes);
-  // Surfaces that touch in two points alone close a ring only together with what lies about them.
-  const auto holes_in = [&](const Box& place, const std::vector<int>& members) {
-    std::vector<const MultiPolygon*> surfaces;
-    for (const int i : members) surfaces.push_back(claims[i].surface);
-    const auto united = [&] { return geos.polygons(geos.unite_valid(surfaces).get()); };
-    const MultiPolygon plain = united();
-    std::vector<Ring> holes = small_holes(plain, max_area);
-    if (!holes.empty() || plain.size() < 2) return holes;
-    const MultiPolygon frame = frame_about(place);
-    surfaces.push_back(&frame);
-    holes = small_holes(united(), max_area);
-    const Box within = place.grown(frame_off / 2);
-    const auto outside = [&](const Ring& ring) {
-      return !std::all_of(ring.begin(), ring.end(),
-                          [&](const Point& p) { return within.holds(p, 0); });
-    };
-    holes.erase(std::remove_if(holes.begin(), holes.end(), outside), holes.end());
+  // Faces near the place that no member holds; one that leaves it may be held beyond by others.
+  const auto holes_near = [&](const Box& place, const std::vector<int>& members) {
+    std::vector<Line> lines;
+    for (const int i : members) append_near(*claims[i].surface, place, lines);
+    append_bridges(lines);
+    const Arrangement faces(lines);
+    std::vector<bool> open;
+    for (int walk = 0; walk < static_cast<int>(faces.places().size()); ++walk) {
+      const double size = signed_area(faces.border(walk));
+      open.push_back(size > 0 && size < max_area &&
+                     std::none_of(members.begin(), members.end(), [&](int i) {
+                       return inside(faces.places()[walk], *claims[i].surface);
+                     }));
+    }
+    std::vector<Ring> holes;
+    for (Polygon& hole : faces.joined(open)) {
+      const double size = signed_area(hole.front());
+      if (size >= least_hole && size < max_area) holes.push_back(std::move(hole.front()));
+    }
     return holes;
   };
   const auto members_near = [&](const std::vector<int>& group, const Box& place) {
@@ -181,7 +194,7 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
   };
   // By a surface of the level, or by one of another that tiles with one of the level.
   const auto covered = [&](const Ring& ring, const std::vector<int>& around) {
-    const MultiPolygon hole{{reversed(ring)}};
+    const MultiPolygon hole{{ring}};
     const Ground ground(hole);
     const std::vector<int> near = index.near(ground.box(), touching);
     return std::any_of(near.begin(), near.end(), [&](int k) {
@@ -193,37 +206,32 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
     });
   };
   std::vector<Hole> holes;
-  // Two groups may share the neighbours of one hole.
+  // Two places may show one hole.
   const auto known = [&](const Ring& ring) {
-    const Box box = box_of({{ring}});
-    return std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
-      const Box other = box_of({{hole.ring}});
-      return other.grown(touching).holds({box.min_x, box.min_y, 0}, 0) &&
-             box.grown(touching).holds({other.min_x, other.min_y, 0}, 0) &&
-             other.grown(touching).holds({box.max_x, box.max_y, 0}, 0);
-    });
+    return std::any_of(holes.begin(), holes.end(),
+                       [&](const Hole& hole) { return same(hole.ring, ring); });
   };
-  const ClaimsOnEdge on_edge = claims_on_edges(claims);
-  std::vector<std::set<int>> groups;
-  add_disputing(claims, boxes, on_edge, disputes, groups);
-  add_rings(claims, on_edge, groups);
-  for (const std::set<int>& whole : groups) {
+  for (const std::vector<int>& whole :
+       groups_of(claims, boxes, claims_on_edges(claims), disputes)) {
     poll_cancel();
     const std::vector<int> group = near_wanted(whole, claims, boxes);
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : group) surfaces.push_back(claims[i].surface);
     for (const Box& place : narrow_places(surfaces, max_area))
-      for (const Ring& found : holes_in(place, members_near(group, place))) {
-        const Box box = box_of({{found}});
+      for (const Ring& found : holes_near(place.grown(about), members_near(group, place))) {
+        const Box box = box_of({{found}}).grown(about);
         std::vector<int> around = members_near(group, box);
         std::sort(around.begin(), around.end(), [&](int i, int j) {
           return std::tie(claims[i].axis_id, claims[i].place) <
                  std::tie(claims[j].axis_id, claims[j].place);
         });
-        // Once more from its neighbours alone: the same whatever else was united.
-        for (const Ring& ring : holes_in(box, around))
-          if (std::any_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }) &&
-              box.holds(ring.front(), touching) && !known(ring) && !covered(ring, around))
+        if (std::none_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }))
+          continue;
+        // Once more from its neighbours alone: the same whatever else was there.
+        for (const Ring& ring : holes_near(box, around))
+          if (std::all_of(ring.begin(), ring.end(),
+                          [&](const Point& p) { return box.holds(p, 0); }) &&
+              !known(ring) && !covered(ring, around))
             holes.push_back({ring, around});
       }
   }
@@ -232,13 +240,20 @@ std::vector<Hole> holes_between(Geos& geos, const std::vector<Claim>& claims,
 
 namespace {
 
-// Its vertices are those of the surface where they lie on one: a union may have moved them.
+// Each vertex is the nearest of the surface's where it lies on one: settling may have moved that.
 Ring on_vertices(Ring ring, const MultiPolygon& surface) {
-  for (Point& p : ring)
+  for (Point& p : ring) {
+    Point nearest = p;
+    double away = touching;
     for (const Polygon& polygon : surface)
       for (const Ring& of_surface : polygon)
         for (const Point& vertex : of_surface)
-          if (distance(p, vertex) <= touching) p = vertex;
+          if (const double off = distance(p, vertex); off <= away) {
+            nearest = vertex;
+            away = off;
+          }
+    p = nearest;
+  }
   return ring;
 }
 
@@ -256,7 +271,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
     }
     if (owner == nullptr) continue;
     *owner = geos.polygons(geos.unite({*owner, {{on_vertices(hole.ring, *owner)}}}).get());
-    fill_holes(*owner, least_hole);
+    fill_holes(*owner, hairline);
   }
 }
 

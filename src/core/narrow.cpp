@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "box_index.hpp"
 #include "box_runs.hpp"
 #include "groups.hpp"
 #include "polyline.hpp"
@@ -47,7 +48,7 @@ double share_of(const Side& side, const Point& p) {
 class Borders {
  public:
   explicit Borders(const std::vector<const MultiPolygon*>& surfaces) : surfaces_(surfaces) {
-    std::vector<Box> boxes, ring_boxes;
+    std::vector<Box> boxes, ring_boxes, surface_boxes;
     std::size_t count = 0;
     for (const MultiPolygon* surface : surfaces)
       for (const Polygon& polygon : *surface)
@@ -55,7 +56,7 @@ class Borders {
     boxes.reserve(count);
     sides_.reserve(count);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
-      boxes_.push_back(box_of(*surfaces[k]));
+      surface_boxes.push_back(box_of(*surfaces[k]));
       for (const Polygon& polygon : *surfaces[k])
         for (const Ring& ring : polygon) {
           const int number = static_cast<int>(rings_.size());
@@ -69,27 +70,16 @@ class Borders {
         }
     }
     rings_.push_back(static_cast<int>(sides_.size()));
-    const BoxRuns near(std::move(ring_boxes));
-    std::vector<int> order, active;
-    for (int i = 0; i < static_cast<int>(sides_.size()); ++i)
-      if (near.any_near(boxes[i], touching,
-                        [&](std::size_t k) { return static_cast<int>(k) != sides_[i].ring; }))
-        order.push_back(i);
-    std::sort(order.begin(), order.end(),
-              [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
-    for (const int i : order) {
+    const BoxIndex rings(ring_boxes);
+    for (int r = 0; r < static_cast<int>(ring_boxes.size()); ++r) {
       poll_cancel();
-      std::size_t kept = 0;
-      for (const int j : active) {
-        if (boxes[j].max_x < boxes[i].min_x - touching) continue;
-        active[kept++] = j;
-        if (sides_[i].ring != sides_[j].ring && boxes[i].meets(boxes[j], touching)) meet(i, j);
-      }
-      active.resize(kept);
-      active.push_back(i);
+      rings.each_near(ring_boxes[r], touching, [&](int other) {
+        if (other < r) meet_rings(other, r, ring_boxes[r].shared_with(ring_boxes[other]), boxes);
+      });
     }
     std::sort(met_.begin(), met_.end());
     index_ = BoxRuns(std::move(boxes));
+    surface_index_ = BoxIndex(surface_boxes);
   }
 
   std::vector<Run> runs() const {
@@ -120,6 +110,18 @@ class Borders {
       return side == o.side ? share < o.share : side < o.side;
     }
   };
+
+  // What they share lies in the box.
+  void meet_rings(int r, int s, const Box& shared, const std::vector<Box>& boxes) {
+    std::vector<int> there;
+    for (int i = rings_[r]; i < rings_[r + 1]; ++i)
+      if (boxes[i].meets(shared, touching)) there.push_back(i);
+    if (there.empty()) return;
+    for (int j = rings_[s]; j < rings_[s + 1]; ++j)
+      if (boxes[j].meets(shared, touching))
+        for (const int i : there)
+          if (boxes[i].meets(boxes[j], touching)) meet(i, j);
+  }
 
   void meet(int i, int j) {
     const Side &s = sides_[i], &t = sides_[j];
@@ -193,16 +195,12 @@ class Borders {
   }
 
   bool covered(const Point& p, int but) const {
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      if (static_cast<int>(k) == but || !boxes_[k].holds(p, 0)) continue;
-      for (const Polygon& polygon : *surfaces_[k])
-        if (inside(p, polygon)) return true;
-    }
-    return false;
+    return surface_index_.any_near(box_of(p, p), 0,
+                                   [&](int k) { return k != but && inside(p, *surfaces_[k]); });
   }
 
   const std::vector<const MultiPolygon*>& surfaces_;
-  std::vector<Box> boxes_;  // of surfaces
+  BoxIndex surface_index_;
   std::vector<Side> sides_;
   std::vector<int> rings_;    // their first sides, and the end
   std::vector<Meeting> met_;  // where sides of different rings meet, by side

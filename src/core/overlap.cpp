@@ -169,6 +169,11 @@ bool inside(const Point& p, const Polygon& polygon) {
   return odd;
 }
 
+bool inside(const Point& p, const MultiPolygon& surface) {
+  return std::any_of(surface.begin(), surface.end(),
+                     [&](const Polygon& polygon) { return inside(p, polygon); });
+}
+
 bool overlap(const Ground& a, const Ground& b) {
   if (!a.box().meets(b.box(), 0)) return false;
   const Box shared = a.box().shared_with(b.box());

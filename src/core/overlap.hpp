@@ -56,6 +56,7 @@ inline Box box_of(const Point& a, const Point& b) {
 Box box_of(const MultiPolygon& surface);
 
 bool inside(const Point& p, const Polygon& polygon);
+bool inside(const Point& p, const MultiPolygon& surface);
 
 // A surface that is asked about others; it keeps what it finds out about its boundary, and the
 // surface must outlive it unchanged.

@@ -215,8 +215,7 @@ class Owners {
       ask_opponents();
       ask_below_moved();
       if (build(needed_by_wanted())) continue;
-      std::vector<Hole> holes =
-          holes_between(geos_, claims_, disputes_, layout_.settings.max_hole_area);
+      std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();
       vicinity_.reset();

@@ -66,11 +66,14 @@ Line substring(const Line& line, double u, double v) {
   return out;
 }
 
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a;
   const double square = dot(ab, ab);
-  const double t = square > 0 ? std::clamp(dot(p - a, ab) / square, 0.0, 1.0) : 0.0;
-  return distance(p, a + ab * t);
+  return a + ab * (square > 0 ? std::clamp(dot(p - a, ab) / square, 0.0, 1.0) : 0.0);
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  return distance(p, nearest_on_segment(p, a, b));
 }
 
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -56,6 +56,7 @@ Line substring(const Line& line, double u, double v);
 // Of the segments a to b and c to d, ends included; none where they are parallel.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d);
 
+Point nearest_on_segment(const Point& p, const Point& a, const Point& b);
 double distance_to_segment(const Point& p, const Point& a, const Point& b);
 double distance_to_line(const Point& p, const Line& line);
 // Of the place on the line that is nearest to p, the first of equal ones.

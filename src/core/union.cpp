@@ -14,10 +14,8 @@ MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
   const Arrangement faces(lines);
   std::vector<bool> kept;
   for (const Point& place : faces.places())
-    kept.push_back(std::any_of(parts.begin(), parts.end(), [&](const MultiPolygon& part) {
-      return std::any_of(part.begin(), part.end(),
-                         [&](const Polygon& polygon) { return inside(place, polygon); });
-    }));
+    kept.push_back(std::any_of(parts.begin(), parts.end(),
+                               [&](const MultiPolygon& part) { return inside(place, part); }));
   const MultiPolygon joined = faces.joined(kept);
   return geos.valid(joined) ? joined : faces.joined(kept, Arrangement::Vertices::on_grid);
 }

@@ -109,26 +109,27 @@ TEST(Ownership, WhereLevelsMeetAPlaceIsOwnedOnceByWhatTiles) {
   }
 }
 
-// Four streets about a gap of 0.5 m by 0.4 m, each overlapping the next.
+// Four streets about a gap of 0.5 m by 0.375 m, places of the grid of arrangements, each
+// overlapping the next.
 TEST(Holes, GoToTheNeighbourWithTheLongestBorder) {
   Geos geos;
   Town town;
   town.add({{-10, -2, 0}, {10, -2, 0}}, 4);
-  town.add({{-10, 2.4, 0}, {10, 2.4, 0}}, 4);
+  town.add({{-10, 2.375, 0}, {10, 2.375, 0}}, 4);
   town.add({{-2, -10, 0}, {-2, 10, 0}}, 4);
   town.add({{2.5, -10, 0}, {2.5, 10, 0}}, 4);
   const double ground = united_area(geos, town);
   const auto pairs = disputes(town.claims);
-  EXPECT_TRUE(holes_between(geos, town.claims, pairs, 0.1).empty());
-  const std::vector<Hole> holes = holes_between(geos, town.claims, pairs, 0.5);
+  EXPECT_TRUE(holes_between(town.claims, pairs, 0.1).empty());
+  const std::vector<Hole> holes = holes_between(town.claims, pairs, 0.5);
   ASSERT_EQ(holes.size(), 1u);
-  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.2, 1e-9);
+  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.1875, 1e-9);
   settle_ownership(geos, town.claims, pairs);
   const double first = area(town.surfaces.front());
   give_holes(geos, town.claims, holes);
-  EXPECT_NEAR(united_area(geos, town), ground + 0.2, 1e-6);
-  EXPECT_NEAR(summed_area(town), ground + 0.2, 1e-6);
-  EXPECT_NEAR(area(town.surfaces.front()), first + 0.2, 1e-6);
+  EXPECT_NEAR(united_area(geos, town), ground + 0.1875, 1e-6);
+  EXPECT_NEAR(summed_area(town), ground + 0.1875, 1e-6);
+  EXPECT_NEAR(area(town.surfaces.front()), first + 0.1875, 1e-6);
 }
 
 // Two surfaces that touch in two points and nowhere else.
@@ -142,9 +143,67 @@ TEST(Holes, LieBetweenSurfacesThatTouchInPoints) {
   claims[1].surface = &right;
   claims[1].place = 1;
   for (Claim& claim : claims) claim.edges = {1, 2};
-  const std::vector<Hole> holes = holes_between(geos, claims, {}, 0.5);
+  const std::vector<Hole> holes = holes_between(claims, {}, 0.5);
   ASSERT_EQ(holes.size(), 1u);
   EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.3, 1e-9);
+}
+
+// The same, with five nanometres between them at one of the places.
+TEST(Holes, MayBeOpenByTheNoiseOfCoordinates) {
+  Geos geos;
+  MultiPolygon left{{{{0, 0, 0}, {10, 4, 0}, {9.7, 4.5, 0}, {10, 5, 0}, {0, 9, 0}, {0, 0, 0}}}};
+  MultiPolygon right{
+      {{{20, 0, 0}, {20, 9, 0}, {10, 5, 0}, {10.3, 4.5, 0}, {10 + 5e-9, 4, 0}, {20, 0, 0}}}};
+  std::vector<Claim> claims(2);
+  claims[0].surface = &left;
+  claims[1].surface = &right;
+  claims[1].place = 1;
+  for (Claim& claim : claims) claim.edges = {1, 2};
+  const std::vector<Hole> holes = holes_between(claims, {}, 0.5);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.3, 1e-7);
+}
+
+// About 0.6 m by 0.5 m the left street disputes with the upper one and the right with the lower;
+// only by the one beyond do edges lead from the upper to the right.
+TEST(Holes, LieBetweenDisputesThatEdgesJoin) {
+  Geos geos;
+  const auto rectangle = [](double x, double y, double to_x, double to_y) {
+    return MultiPolygon{{{{x, y, 0}, {to_x, y, 0}, {to_x, to_y, 0}, {x, to_y, 0}, {x, y, 0}}}};
+  };
+  std::vector<MultiPolygon> surfaces{
+      rectangle(-5, -5, 5, 0),    // lower
+      rectangle(-5, 0, 0, 5),     // left
+      rectangle(-2, 0.5, 2, 3),   // upper
+      rectangle(2, 0.5, 5, 3),    // beyond
+      rectangle(0.6, -1, 4, 0.5)  // right
+  };
+  const std::vector<std::vector<int>> edges{{1}, {1}, {2}, {2, 3}, {3}};
+  std::vector<Claim> claims(surfaces.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    claims[i].surface = &surfaces[i];
+    claims[i].edges = edges[i];
+    claims[i].place = static_cast<std::int64_t>(i);
+  }
+  const std::vector<std::pair<int, int>> pairs = disputes(claims);
+  ASSERT_EQ(pairs, (std::vector<std::pair<int, int>>{{0, 4}, {1, 2}}));
+  const std::vector<Hole> holes = holes_between(claims, pairs, 0.5);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_NEAR(std::abs(signed_area(holes.front().ring)), 0.3, 1e-7);
+}
+
+// Two of its corners are nearer to each other than settling may move them.
+TEST(Holes, AreFilledToTheirNarrowestCorner) {
+  Geos geos;
+  const Ring needle{{5, 5, 0}, {15, 5, 0}, {15, 5 + 4e-7, 0}, {5, 5, 0}};
+  MultiPolygon frame{
+      {{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, 0, 0}}, reversed(needle)}};
+  Claim claim;
+  claim.surface = &frame;
+  std::vector<Claim> claims{claim};
+  give_holes(geos, claims, {{needle, {0}}});
+  ASSERT_EQ(frame.size(), 1u);
+  EXPECT_EQ(frame[0].size(), 1u);
 }
 
 // The union that finds a hole may move its corners by the noise of coordinates.
