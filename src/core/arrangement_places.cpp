@@ -3,6 +3,7 @@
 
 #include "arrangement.hpp"
 #include "groups.hpp"
+#include "overlap.hpp"
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -35,6 +36,7 @@ class WayAcross {
     if (farthest > 0) reach_ = std::min(reach_, nearest);
   }
 
+  bool comes_to(const Box& box) const { return box.holds(middle_, reach_ + width_); }
   double reach() const { return reach_; }
   Point place() const { return middle_ + across_ * (reach_ / 2); }
 
@@ -75,6 +77,9 @@ void Arrangement::place_walks() {
   positions.reserve(nodes_.size());
   for (const Node& node : nodes_)
     positions.push_back({node.cell.x * step_, node.cell.y * step_, 0});
+  std::vector<Box> boxes(islands ? count : 0);  // of walks
+  if (islands)
+    for (const int h : walked_) boxes[halves_[h].walk].add(positions[halves_[h].from]);
   struct Part {
     double size;
     int half;
@@ -110,7 +115,8 @@ void Arrangement::place_walks() {
       };
       meet(first, walks_[w]);
       for (int other = 0, start = 0; islands && other < count; start = walks_[other++])
-        if (connected.of(other) != connected.of(w)) meet(start, walks_[other]);
+        if (way.comes_to(boxes[other]) && connected.of(other) != connected.of(w))
+          meet(start, walks_[other]);
       if (way.reach() <= widest) continue;
       widest = way.reach();
       place = way.place();
