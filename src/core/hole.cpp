@@ -94,6 +94,7 @@ std::vector<std::vector<int>> groups_of(const std::vector<Claim>& claims,
   std::vector<bool> member(count);
   const auto join = [&](int i, int j) {
     if (claims[i].level != claims[j].level) return;
+    if (claims[i].surface->empty() || claims[j].surface->empty()) return;
     joined.join(i, j);
     member[i] = member[j] = true;
   };
