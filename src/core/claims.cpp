@@ -20,6 +20,20 @@ void add_axis(Claim& claim, const Layout& layout, int edge) {
 // Twice the millimetres: sections lie at odd places, nodes at even ones.
 std::int64_t place_of(double abscissa) { return 2 * std::llround(1000 * abscissa); }
 
+// Where the edge's line begins, metres along its axis, told from its first vertex between its ends:
+// those lie beside the axis where others meet it, and must not move what is measured beyond.
+double first_abscissa(const Layout& layout, int e) {
+  const Edge& edge = layout.streets.network.edges[e];
+  const Line& axis = layout.axis_of(e).line;
+  double abscissa = 0;
+  for (std::size_t i = 1; i < axis.size() && abscissa < edge.end_abscissa; ++i) {
+    abscissa += distance(axis[i - 1], axis[i]);
+    if (abscissa > edge.start_abscissa && distance(axis[i], edge.line[1]) == 0)
+      return abscissa - distance(edge.line[0], edge.line[1]);
+  }
+  return edge.start_abscissa;
+}
+
 }  // namespace
 
 Claim claim_of_section(const Layout& layout, int e) {
@@ -31,7 +45,8 @@ Claim claim_of_section(const Layout& layout, int e) {
   claim.level = edge.level;
   claim.axis_id = edge.axis_id;
   claim.place = place_of(edge.start_abscissa) + 1;
-  if (start < end) claim.skeleton.push_back({&layout.arms[2 * e].line, start, end});
+  if (start < end)
+    claim.skeleton.push_back({&layout.arms[2 * e].line, start, end, first_abscissa(layout, e)});
   add_axis(claim, layout, e);
   return claim;
 }
@@ -48,8 +63,8 @@ Claim claim_of_intersection(const Layout& layout, int node) {
     const Line& along = layout.arms[2 * end.edge].line;
     const double limit = layout.arm(end).limit, total = length(along);
     if (limit > 0)
-      claim.skeleton.push_back(
-          {&along, end.at_start ? 0 : total - limit, end.at_start ? limit : total});
+      claim.skeleton.push_back({&along, end.at_start ? 0 : total - limit,
+                                end.at_start ? limit : total, first_abscissa(layout, end.edge)});
     add_axis(claim, layout, end.edge);
     claim.joins_levels |= layout.streets.network.edges[end.edge].level != claim.level;
   }

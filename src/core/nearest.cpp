@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -12,122 +11,265 @@ namespace streetgen {
 
 namespace {
 
+constexpr double same_site = 1e-5;  // metres
 constexpr double noise = 1e-6;      // metres
 constexpr double beyond = 1;        // metres
-constexpr double chord_off = 1e-3;  // metres: from its parabola
+constexpr double stride = 2;        // metres: sites in a row are no farther apart
+constexpr int beside = 2;           // sites of a row
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Box everywhere{-infinite, -infinite, infinite, infinite};
 
-using Segments = std::vector<std::pair<Point, Point>>;
+std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& origin) {
+  std::vector<std::pair<double, int>> order;  // by x
+  order.reserve(sites.size());
+  for (const Site& site : sites) order.emplace_back(site.point.x, static_cast<int>(order.size()));
+  std::sort(order.begin(), order.end());
+  std::vector<bool> repeated(sites.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t l = k; l-- > 0 && order[k].first - order[l].first <= same_site;) {
+      const int i = order[k].second, j = order[l].second;
+      if (std::abs(sites[i].point.y - sites[j].point.y) <= same_site)
+        repeated[std::max(i, j)] = true;
+    }
+  std::vector<Site> out;
+  out.reserve(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (!repeated[i]) out.push_back({planar(sites[i].point - origin), sites[i].first});
+  return out;
+}
 
-// Ends of segments that meet come out of each a little different.
-void join_ends(Segments& segments) {
+// Without those that are nearest nowhere in the box, told by parts of it.
+void drop_far(std::vector<Site>& sites, const Box& box) {
+  constexpr int parts = 2;  // a side
+  const double width = (box.max_x - box.min_x) / parts, height = (box.max_y - box.min_y) / parts;
+  std::vector<bool> near(sites.size());
+  for (int part = 0; part < parts * parts; ++part) {
+    const Point corner{box.min_x + width * (part % parts), box.min_y + height * (part / parts), 0};
+    const Box within = box_of(corner, corner + Point{width, height, 0});
+    double enough = infinite;
+    for (const Site& site : sites) enough = std::min(enough, within.farthest_square(site.point));
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (within.square_from(sites[i].point) <= enough + noise) near[i] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (near[i]) sites[kept++] = sites[i];
+  sites.resize(kept);
+}
+
+// Ends of edges that meet come out of each edge a little different.
+void join_ends(std::vector<std::pair<Point, Point>>& edges) {
   std::vector<Point*> ends;
-  for (auto& [from, to] : segments) ends.insert(ends.end(), {&from, &to});
+  for (auto& [from, to] : edges) ends.insert(ends.end(), {&from, &to});
   std::sort(ends.begin(), ends.end(), [](const Point* p, const Point* q) { return p->x < q->x; });
   for (std::size_t k = 0; k < ends.size(); ++k)
     for (std::size_t l = k; l-- > 0 && ends[k]->x - ends[l]->x <= 2 * noise;)
       if (std::abs(ends[k]->y - ends[l]->y) <= 2 * noise) *ends[k] = *ends[l];
-  segments.erase(
-      std::remove_if(segments.begin(), segments.end(),
-                     [](const auto& segment) { return same(segment.first, segment.second); }),
-      segments.end());
-}
-
-// A place as near to both owners lies no farther than the corner farthest from any of their axes.
-double reach_within(const Box& box, const std::vector<Straight>& first,
-                    const std::vector<Straight>& second, double reach) {
-  double square = reach * reach;
-  for (const auto* pieces : {&first, &second})
-    for (const Straight& piece : *pieces)
-      square = std::min(square, box.farthest_square(piece.start));
-  return std::sqrt(square) + beyond;
-}
-
-std::vector<Straight> near(const std::vector<Straight>& pieces, const Box& box, double reach) {
-  std::vector<Straight> out;
-  for (const Straight& piece : pieces)
-    if (piece.box().meets(box, reach)) out.push_back(piece);
-  return out;
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                             [](const auto& edge) {
+                               return edge.first.x == edge.second.x &&
+                                      edge.first.y == edge.second.y;
+                             }),
+              edges.end());
 }
 
 }  // namespace
 
-NearestOwner::Axes::Axes(std::vector<Straight> all) : pieces(std::move(all)) {
-  std::vector<Box> boxes;
-  boxes.reserve(2 * pieces.size());
-  for (const Straight& piece : pieces) boxes.push_back(piece.box());
-  index = BoxRuns(std::move(boxes));
-}
+// What two cells share: a stretch of the line of places equally far from both sites, told by metres
+// along it.
+class NearestOwner::Edge {
+ public:
+  Edge(const Point& p, const Point& q)
+      : p_(p), middle_((q - p) * 0.5), along_(left_normal(unit(q - p))) {}
 
-double NearestOwner::Axes::square_from(const Point& p) const {
-  const int nearest = index.nearest(p, [&](int i) { return pieces[i].square_from(p); });
-  return nearest < 0 ? infinite : pieces[nearest].square_from(p);
-}
-
-NearestOwner::NearestOwner(const std::vector<Straight>& of_leader,
-                           const std::vector<Straight>& of_other, const Point& origin,
-                           const Box& within, double reach)
-    : origin_(origin),
-      within_{within.min_x - origin.x, within.min_y - origin.y, within.max_x - origin.x,
-              within.max_y - origin.y},
-      reach_(reach_within(within_, of_leader, of_other, reach)),
-      leader_(near(of_leader, within_, reach_)),
-      other_(apart(near(of_other, within_, reach_), leader_.pieces, leader_.index)) {}
-
-bool NearestOwner::leader_owns(const Point& place) const {
-  const Point p = planar(place - origin_);
-  return leader_.square_from(p) <= other_.square_from(p);
-}
-
-void NearestOwner::append_border(Front& front, const Box& base, Segments& border) const {
-  other_.index.any_near(base, 2 * reach_, [&](std::size_t i) {
-    front.meet(other_.pieces[i], true);
-    return false;
-  });
-  const double farthest = front.farthest();
-  if (farthest == 0) return;
-  leader_.index.any_near(base, 2 * farthest, [&](std::size_t i) {
-    front.meet(leader_.pieces[i], false);
-    return false;
-  });
-  front.append_met(chord_off, within_.grown(beyond), border);
-}
-
-// Outwards from all that is the leader's.
-Segments NearestOwner::border() const {
-  Segments border;
-  if (other_.pieces.empty()) return border;
-  struct End {
-    Point point, direction;
-  };
-  std::vector<End> ends;
-  for (const Straight& piece : leader_.pieces) {
-    poll_cancel();
-    for (const bool left : {true, false}) {
-      Front front = Front::beside(piece, left, reach_);
-      append_border(front, piece.box(), border);
+  // Takes off what is nearer to another site. Whether that is as near at an end then.
+  bool leave_to(const Point& site) {
+    const auto [slope, most] = limit(site);
+    if (slope > 0) {
+      if (most > (last_ + 2 * noise) * slope) return false;
+      last_ = std::min(last_, most / slope);
+    } else if (slope < 0) {
+      if (most > (first_ - 2 * noise) * slope) return false;
+      first_ = std::max(first_, most / slope);
+    } else {
+      if (most < 0) last_ = -infinite;
+      return false;
     }
-    ends.push_back({piece.start, piece.along});
-    ends.push_back({piece.end, piece.along * -1});
+    return true;
   }
-  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-    return std::pair(a.point.x, a.point.y) < std::pair(b.point.x, b.point.y);
+  // Whether a site is as near at one of its ends.
+  bool ends_at(const Point& site) const {
+    const auto [slope, most] = limit(site);
+    return slope != 0 && std::abs(most / slope - (slope > 0 ? last_ : first_)) <= noise;
+  }
+  // Takes off what lies outside.
+  void clip(const Box& box) {
+    const Point start = p_ + middle_;
+    clip(along_.x, start.x, box.min_x, box.max_x);
+    clip(along_.y, start.y, box.min_y, box.max_y);
+  }
+  double size() const { return last_ - first_; }
+  std::pair<Point, Point> ends() const { return {place(first_), place(last_)}; }
+  bool open() const { return first_ == -infinite || last_ == infinite; }
+  // Holds each site that is as near to a place of it as its two are: about its ends.
+  Box reach() const {
+    Box box;
+    for (const double at : {first_, last_}) {
+      const Point end = place(at);
+      box = box.joined_with(box_of(end, end).grown(distance(end, p_) + noise));
+    }
+    return box;
+  }
+
+ private:
+  struct Limit {
+    double slope, most;  // places nearer to the two: slope * metres <= most
+  };
+  Limit limit(const Point& site) const {
+    const Point away = site - p_;
+    return {dot(along_, away), dot(away, away) / 2 - dot(middle_, away)};
+  }
+  void clip(double slope, double start, double least, double most) {
+    if (slope == 0) return;
+    const double low = ((slope > 0 ? least : most) - start) / slope;
+    const double high = ((slope > 0 ? most : least) - start) / slope;
+    first_ = std::max(first_, low);
+    last_ = std::min(last_, high);
+  }
+  Point place(double at) const { return p_ + middle_ + along_ * at; }
+
+  Point p_, middle_, along_;
+  double first_ = -infinite, last_ = infinite;
+};
+
+NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
+    : within_{0, 0, within.max_x - within.min_x, within.max_y - within.min_y},
+      origin_{within.min_x, within.min_y, 0},
+      sites_(distinct_sites(sites, origin_)) {
+  drop_far(sites_, within_);
+  std::vector<Box> boxes;
+  boxes.reserve(2 * sites_.size());
+  for (const Site& site : sites_) boxes.push_back(box_of(site.point, site.point));
+  index_ = BoxRuns(std::move(boxes));
+}
+
+double NearestOwner::square(int site, const Point& p) const {
+  const Point away = sites_[site].point - p;
+  return dot(away, away);
+}
+
+template <class Use>
+void NearestOwner::each_in(const Box& box, Use use) const {
+  index_.any_near(box, 0, [&](std::size_t i) {
+    use(static_cast<int>(i));
+    return false;
   });
-  std::vector<Point> directions;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    directions.push_back(ends[i].direction);
-    if (i + 1 < ends.size() && same(ends[i].point, ends[i + 1].point)) continue;
-    poll_cancel();
-    if (auto front = Front::beyond(ends[i].point, directions, reach_))
-      append_border(*front, box_of(ends[i].point, ends[i].point), border);
-    directions.clear();
+}
+
+int NearestOwner::nearest(const Point& p, int end) const {
+  return index_.nearest(p, [&](int i) { return i < end ? square(i, p) : infinite; });
+}
+
+bool NearestOwner::first_owns(const Point& place) const {
+  return sites_[nearest(place - origin_, size())].first;
+}
+
+NearestOwner::Edge NearestOwner::edge_between(int first, int second,
+                                              std::vector<int>& neighbours) const {
+  Edge edge(sites_[first].point, sites_[second].point);
+  // Those beside the two in their rows leave little to the others.
+  for (const int site : {first, second})
+    for (int i = std::max(0, site - beside); i <= std::min(site + beside, size() - 1); ++i)
+      if (i != first && i != second) edge.leave_to(sites_[i].point);
+  neighbours.clear();
+  if (edge.size() < -noise) return edge;
+  each_in(edge.open() ? everywhere : edge.reach(), [&](int i) {
+    if (i != first && i != second && edge.leave_to(sites_[i].point)) neighbours.push_back(i);
+  });
+  neighbours.erase(std::remove_if(neighbours.begin(), neighbours.end(),
+                                  [&](int i) { return !edge.ends_at(sites_[i].point); }),
+                   neighbours.end());
+  return edge;
+}
+
+// Lines that join all sites meet every line of the border, which has sites on both its sides: from
+// each site to the one before, or where that is far to the nearest before.
+std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
+  std::vector<std::pair<int, int>> pairs;
+  Point asked;
+  double apart = 0;  // metres: no site of the other owner lies nearer to the place asked last
+  for (int next = 1; next < size(); ++next) {
+    const Point& to = sites_[next].point;
+    const bool goes_on = distance(sites_[next - 1].point, to) <= stride;
+    const int before = goes_on ? next - 1 : nearest(to, next);
+    const Point& from = sites_[before].point;
+    const double size = distance(from, to);
+    if (const bool owner = sites_[next].first; sites_[before].first == owner) {
+      // No other owner's cell lies on the way if none of its sites is nearer than the way is long.
+      const Point middle = (from + to) * 0.5;
+      if (distance(middle, asked) + size < apart) continue;
+      asked = middle;
+      const int other = index_.nearest(
+          middle, [&](int i) { return sites_[i].first != owner ? square(i, middle) : infinite; });
+      apart = other < 0 ? infinite : distance(sites_[other].point, middle);
+      if (apart > size) continue;
+    }
+    apart = 0;
+    // The nearest site of each place on the way is no farther than the nearer end.
+    const Box way = box_of(from, to).grown(size / 2 + noise);
+    for (int now = before; now != next;) {
+      const Point& p = sites_[now].point;
+      int then = next;
+      double soonest = 1;
+      each_in(way, [&](int i) {
+        const Point away = sites_[i].point - p;
+        const double slope = dot(to - from, away);
+        if (slope <= 0) return;
+        const double share = (dot(away, away) / 2 - dot(from - p, away)) / slope;
+        if (share >= soonest) return;
+        soonest = share;
+        then = i;
+      });
+      if (sites_[now].first != sites_[then].first)
+        pairs.emplace_back(sites_[now].first ? now : then, sites_[now].first ? then : now);
+      now = then;
+    }
   }
-  join_ends(border);
-  for (auto& [from, to] : border) {
+  return pairs;
+}
+
+// From edge to edge, by the sites at their ends.
+std::vector<std::pair<Point, Point>> NearestOwner::border() const {
+  std::vector<std::pair<Point, Point>> edges;
+  std::vector<std::pair<int, int>> seen = some_pairs();
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  std::vector<std::pair<int, int>> open = seen;
+  std::vector<int> neighbours;
+  const Box shown = within_.grown(beyond);
+  while (!open.empty()) {
+    poll_cancel();
+    const auto [first, second] = open.back();
+    open.pop_back();
+    Edge edge = edge_between(first, second, neighbours);
+    if (edge.size() < -noise) continue;
+    for (const int site : neighbours) {
+      const std::pair<int, int> pair =
+          sites_[site].first ? std::pair(site, second) : std::pair(first, site);
+      const auto at = std::lower_bound(seen.begin(), seen.end(), pair);
+      if (at != seen.end() && *at == pair) continue;
+      seen.insert(at, pair);
+      open.push_back(pair);
+    }
+    edge.clip(shown);
+    if (edge.size() > noise) edges.push_back(edge.ends());
+  }
+  join_ends(edges);
+  for (auto& [from, to] : edges) {
     from = origin_ + from;
     to = origin_ + to;
   }
-  return border;
+  return edges;
 }
 
 }  // namespace streetgen

@@ -1,45 +1,49 @@
-// Whose axis is nearest: ground between two owners.
+// Whose site is nearest: ground between two owners.
 #pragma once
 
 #include <utility>
 #include <vector>
 
 #include "box_runs.hpp"
-#include "front.hpp"
 #include "overlap.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {
 
-// Of places in a box, none of which lies farther than `reach` from an axis of either owner.  Where
-// axes of the other lie on those of the leader, to a tenth of a millimetre, the leader's count.
-// The pieces are as seen from the origin; box, places and border are not.
+struct Site {
+  Point point;
+  bool first = true;  // belongs to the first of two owners
+};
+
+// The Voronoi cells of the sites, told apart by owner, as far as a box shows them.  Of sites in one
+// place (10 micrometres) the earlier one counts.
 class NearestOwner {
  public:
-  NearestOwner(const std::vector<Straight>& of_leader, const std::vector<Straight>& of_other,
-               const Point& origin, const Box& within, double reach);
+  NearestOwner(const std::vector<Site>& sites, const Box& within);  // one site or more
 
-  bool leader_owns(const Point& place) const;
-  // The places as near to both, in segments that leave them by a millimetre at most: those that
-  // come near the box.  Those that go on from each other have an end in common.
+  // Of a place in the box.
+  bool first_owns(const Point& place) const;
+  // The edges between cells of different owners that come into the box, and what of them lies up
+  // to a metre outside. Those that go on from each other have an end in common.
   std::vector<std::pair<Point, Point>> border() const;
 
  private:
-  struct Axes {
-    std::vector<Straight> pieces;
-    BoxRuns index;  // of them
+  class Edge;
 
-    explicit Axes(std::vector<Straight> pieces);
-    double square_from(const Point& p) const;
-  };
+  int size() const { return static_cast<int>(sites_.size()); }
+  double square(int site, const Point& p) const;
+  template <class Use>
+  void each_in(const Box& box, Use use) const;
+  int nearest(const Point& p, int end) const;  // of those before `end`
+  // And the sites that are as near at its ends.
+  Edge edge_between(int first, int second, std::vector<int>& neighbours) const;
+  // Pairs on the border, of each of its lines at least one.
+  std::vector<std::pair<int, int>> some_pairs() const;
 
-  void append_border(Front& front, const Box& base,
-                     std::vector<std::pair<Point, Point>>& border) const;
-
-  Point origin_;
   Box within_;  // from the origin, as all below
-  double reach_;
-  Axes leader_, other_;
+  Point origin_;
+  std::vector<Site> sites_;
+  BoxRuns index_;  // of sites
 };
 
 }  // namespace streetgen

@@ -15,6 +15,7 @@ namespace streetgen {
 struct Stretch {
   const Line* line = nullptr;
   double from = 0, to = 0;  // metres along it
+  double abscissa = 0;      // where the line begins, metres along its axis
 };
 
 // A surface that may claim ground.

@@ -15,6 +15,7 @@ namespace streetgen {
 
 namespace {
 
+constexpr double sample_spacing = 1.0;  // metres along the axes
 constexpr double beyond = 1e-3;  // metres: a border goes on so far past the ground's, to meet it
 
 bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -62,17 +63,41 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
-std::vector<Straight> pieces_of(const Claim& claim, const Point& origin) {
-  std::vector<Straight> pieces;
-  for (const Stretch& stretch : claim.skeleton)
-    append_pieces(*stretch.line, stretch.from, stretch.to, origin, pieces);
-  return pieces;
+// Every metre of the axis, wherever it is cut and whatever part of it the stretch is: an edit at
+// one end moves no border at the other. Both ends of an edge, too.
+std::vector<double> sample_places(const Stretch& stretch, double total) {
+  std::vector<double> places;
+  if (stretch.from <= 0) places.push_back(0);
+  for (double k = std::ceil((stretch.abscissa + stretch.from) / sample_spacing);; ++k) {
+    const double at = k * sample_spacing - stretch.abscissa;
+    if (at > stretch.to || at > total - same_place) break;
+    if (at > same_place) places.push_back(at);
+  }
+  if (stretch.to >= total) places.push_back(total);
+  if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
+  return places;
 }
 
-// A section lies within half its width of its axis, an intersection may not.
-double reach_of(const Claim& claim) {
-  constexpr double margin = 1;  // metres
-  return claim.node ? std::numeric_limits<double>::infinity() : claim.width / 2 + margin;
+// Those near the box: a section lies within half its width of its axis, an intersection may not.
+void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
+  const double margin = claim.skeleton.size() > 1 ? std::numeric_limits<double>::infinity()
+                                                  : claim.width / 2 + 2 * sample_spacing;
+  for (const Stretch& stretch : claim.skeleton) {
+    const Line& line = *stretch.line;
+    double walked = 0;
+    std::size_t segment = 1;
+    for (const double at : sample_places(stretch, length(line))) {
+      while (segment + 1 < line.size() &&
+             walked + distance(line[segment - 1], line[segment]) < at) {
+        walked += distance(line[segment - 1], line[segment]);
+        ++segment;
+      }
+      const double size = distance(line[segment - 1], line[segment]);
+      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
+      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+      if (within.holds(p, margin)) sites.push_back({p, first});
+    }
+  }
 }
 
 // The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
@@ -128,21 +153,20 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;
   // Border there is on the ground of both.
-  for (const Ground* ground : {a.ground, b.ground})
+  for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
-  const Point origin{within.min_x, within.min_y, 0};
-  const std::vector<Straight> of_winner = pieces_of(*winner.claim, origin),
-                              of_loser = pieces_of(*loser.claim, origin);
-  if (of_winner.empty() && of_loser.empty()) return;
-  first_leads_ = first_wins;
-  nearest_.emplace(of_winner, of_loser, origin, within,
-                   std::min(reach_of(*winner.claim), reach_of(*loser.claim)));
+  std::vector<Site> sites;
+  // Of sites in one place the claim that comes before keeps it.
+  sample(*winner.claim, within, first_wins, sites);
+  sample(*loser.claim, within, !first_wins, sites);
+  if (sites.empty()) return;
+  nearest_.emplace(sites, within);
   for (const auto& [from, to] : nearest_->border())
     append_shared(*a.ground, *b.ground, from, to, border_);
 }
 
 bool Rivalry::first_owns(const Point& place) const {
-  return nearest_ ? nearest_->leader_owns(place) == first_leads_ : first_owns_all_;
+  return nearest_ ? nearest_->first_owns(place) : first_owns_all_;
 }
 
 }  // namespace streetgen

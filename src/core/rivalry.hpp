@@ -30,7 +30,6 @@ class Rivalry {
  private:
   bool crossed_ = false;
   bool first_owns_all_ = false;
-  bool first_leads_ = false;
   std::optional<NearestOwner> nearest_;
   std::vector<Line> border_;
 };
