@@ -398,9 +398,9 @@ BEGIN
         SELECT * INTO told FROM streetgen.generate_cluster(model);
         EXIT WHEN told.cluster IS NULL;
         COMMIT;
-        RAISE INFO 'cluster %: % axes in % s; % of % done, % axes/s, % left', told.cluster, told.axes, round(told.seconds::numeric, 1), told.ended, told.clusters, round(told.axes_per_second), date_trunc('second', told.time_left);
+        RAISE INFO 'cluster %: % axes in % s; % of % done, % axes/s, % left', told.cluster, told.axes, pg_catalog.round(told.seconds::numeric, 1), told.ended, told.clusters, pg_catalog.round(told.axes_per_second), pg_catalog.date_trunc('second', told.time_left);
         -- Waiting, a session whose server was killed sees it, and ends.
-        PERFORM pg_sleep(0.001);
+        PERFORM pg_catalog.pg_sleep(0.001);
     END LOOP;
     WHILE streetgen.finish_clusters(model) IS NOT NULL LOOP
         COMMIT;

@@ -168,9 +168,11 @@ BEGIN
 END $$;
 CREATE TRIGGER a_sketch AFTER UPDATE ON town.transition_override FOR EACH STATEMENT EXECUTE FUNCTION pg_temp.sketch();
 BEGIN;
+-- Not yet handed in, what the transaction before called is counted too.
+SELECT coalesce(sum(calls), 0) AS calls_before FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert') \gset
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 -3, 100 0)') \g /dev/null
 SELECT 'a decision that moves draws in another model', count(*) > 0 FROM sketch.edge;
-SELECT 'and its own is followed by one computation all the same', calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'and its own is followed by one computation all the same', calls = :calls_before + 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
 SELECT 'both leave nothing for the next edit', streetgen._remapped('town') IS NULL AND streetgen._remapped('sketch') IS NULL;
 COMMIT;
 SELECT 'and both are up to date', streetgen.live('town', true) = 0 AND streetgen.live('sketch', true) = 0;
