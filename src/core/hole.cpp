@@ -14,6 +14,7 @@
 #include "narrow.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
+#include "stretches.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -22,22 +23,8 @@ namespace {
 
 // Square metres: a hole that is smaller, or what filling one leaves, is the noise of coordinates.
 constexpr double least_hole = 1e-7, hairline = 1e-6;
-constexpr double touching = 1e-6;    // metres
-constexpr double about = 1e-3;       // metres, that places are looked at beyond
-
-// The stretches of the surface's rings that come near the place.
-void append_near(const MultiPolygon& surface, const Box& place, std::vector<Line>& lines) {
-  for (const Polygon& polygon : surface)
-    for (const Ring& ring : polygon) {
-      bool goes_on = false;
-      for (std::size_t i = 1; i < ring.size(); ++i) {
-        const bool near = box_of(ring[i - 1], ring[i]).meets(place, 0);
-        if (near && !goes_on) lines.push_back({ring[i - 1]});
-        if (near) lines.back().push_back(ring[i]);
-        goes_on = near;
-      }
-    }
-}
+constexpr double touching = 1e-6;  // metres
+constexpr double about = 1e-3;     // metres, that places are looked at beyond
 
 // Across each gap between lines that nearly touch, so that they close rings.
 void append_bridges(std::vector<Line>& lines) {
@@ -169,7 +156,10 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
   // Faces near the place that no member holds; one that leaves it may be held beyond by others.
   const auto holes_near = [&](const Box& place, const std::vector<int>& members) {
     std::vector<Line> lines;
-    for (const int i : members) append_near(*claims[i].surface, place, lines);
+    const auto near = [&](const Point& from, const Point& to) {
+      return box_of(from, to).meets(place, 0);
+    };
+    for (const int i : members) append_stretches(*claims[i].surface, near, lines);
     append_bridges(lines);
     const Arrangement faces(lines);
     std::vector<bool> open;

@@ -9,6 +9,7 @@
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "rivalry.hpp"
+#include "stretches.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 
@@ -51,20 +52,6 @@ void append_rings(const MultiPolygon& surface, std::vector<Line>& lines) {
   for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
 }
 
-// The stretches of the surface's rings that come near the ground.
-void append_near(const MultiPolygon& surface, const Ground& ground, std::vector<Line>& lines) {
-  for (const Polygon& polygon : surface)
-    for (const Ring& ring : polygon) {
-      bool goes_on = false;
-      for (std::size_t i = 1; i < ring.size(); ++i) {
-        const bool near = ground.comes_near(ring[i - 1], ring[i]);
-        if (near && !goes_on) lines.push_back({ring[i - 1]});
-        if (near) lines.back().push_back(ring[i]);
-        goes_on = near;
-      }
-    }
-}
-
 MultiPolygon without_crumbs(MultiPolygon ground) {
   ground.erase(std::remove_if(ground.begin(), ground.end(),
                               [](const Polygon& part) { return area({part}) <= crumb; }),
@@ -99,7 +86,11 @@ class Settlement {
     const Ground& ground = grounds_[claim];
     std::vector<Line> lines;
     append_rings(surface, lines);
-    for (const int other : opponents_[claim]) append_near(*claims_[other].surface, ground, lines);
+    const auto near = [&](const Point& from, const Point& to) {
+      return ground.comes_near(from, to);
+    };
+    for (const int other : opponents_[claim])
+      append_stretches(*claims_[other].surface, near, lines);
     const auto append_border = [&](std::size_t dispute) {
       for (const Line& line : rivalry(dispute).border())
         if (ground.comes_near(line.front(), line.back())) lines.push_back(line);
