@@ -26,6 +26,7 @@ Line planar(Line line) {
 
 Line distinct(const Line& line) {
   Line out;
+  out.reserve(line.size());
   for (const Point& p : line)
     if (out.empty() || distance(out.back(), p) > 0) out.push_back(p);
   return out;
@@ -55,7 +56,9 @@ Point local_direction(const Line& line, double abscissa) {
 
 Line substring(const Line& line, double u, double v) {
   if (u > v) return reversed(substring(line, v, u));
-  Line out{place_at(line, u).point};
+  Line out;
+  out.reserve(line.size() + 1);
+  out.push_back(place_at(line, u).point);
   double before = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     before += distance(line[i - 1], line[i]);

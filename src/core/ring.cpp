@@ -301,6 +301,7 @@ Line border_across(const Arm& arm, double abscissa) {
 
 Ring closed(Ring ring) {
   Ring out;
+  out.reserve(ring.size() + 1);
   for (const Point& p : ring)
     if (out.empty() || distance(out.back(), p) > 1e-9) out.push_back(p);
   while (out.size() > 1 && distance(out.back(), out.front()) <= 1e-9) out.pop_back();
