@@ -28,7 +28,7 @@ bool cross_each_other(const Point& a, const Point& b, const Point& c, const Poin
 
 // Of segments that do not cross: one's end is nearest to the other.
 bool nearer_than(double reach, const Point& a, const Point& b, const Point& c, const Point& d) {
-  return reach > 0 && box_of(a, b).meets(box_of(c, d), reach) &&
+  return reach > 0 &&
          (distance_to_segment(a, c, d) < reach || distance_to_segment(b, c, d) < reach ||
           distance_to_segment(c, a, b) < reach || distance_to_segment(d, a, b) < reach);
 }
@@ -36,6 +36,10 @@ bool nearer_than(double reach, const Point& a, const Point& b, const Point& c, c
 }  // namespace
 
 Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_lines) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : intersection)
+    for (const Ring& ring : polygon) count += ring.size();
+  pieces_.reserve(count);
   for (const Polygon& polygon : intersection)
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i)
@@ -52,8 +56,9 @@ bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearan
     if (!piece.box.meets(around, apart)) continue;
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Point &from = path[i - 1], &to = path[i];
-      if (cross_each_other(from, to, piece.start, piece.end) ||
-          nearer_than(apart, from, to, piece.start, piece.end))
+      if (box_of(from, to).meets(piece.box, apart) &&
+          (cross_each_other(from, to, piece.start, piece.end) ||
+           nearer_than(apart, from, to, piece.start, piece.end)))
         return true;
     }
   }

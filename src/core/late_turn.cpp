@@ -49,7 +49,7 @@ Trajectory turn_at(const LaneToNode& in, const LaneToNode& out, double reach, Tr
   whole.insert(whole.end(), path.line.begin(), path.line.end());
   const Line rest = reversed(kept(out.line));
   whole.insert(whole.end(), rest.begin(), rest.end());
-  path.line = distinct(whole);
+  path.line = distinct(std::move(whole));
   if (path.line.size() < 2) path.line.push_back(out.end.place);
   return path;
 }

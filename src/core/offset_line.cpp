@@ -78,7 +78,7 @@ Line without_loops(const Raw& raw, double offset) {
     out.push_back(raw.line[i + 1]);
     ++i;
   }
-  return distinct(out);
+  return distinct(std::move(out));
 }
 
 }  // namespace

@@ -31,17 +31,20 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   std::sort(order.begin(), order.end(),
             [&](int i, int j) { return boxes[i].min_x < boxes[j].min_x; });
   std::vector<std::pair<int, int>> pairs;
-  std::vector<int> active;
+  std::vector<std::pair<Box, int>> active;
   for (const int i : order) {
-    std::size_t kept = 0;
-    for (const int j : active) {
-      if (boxes[j].max_x < boxes[i].min_x) continue;
-      active[kept++] = j;
-      if (tile(claims[i], claims[j]) && boxes[i].meets(boxes[j], -1e-6))
+    for (std::size_t k = 0; k < active.size();) {
+      const auto& [box, j] = active[k];
+      if (box.max_x < boxes[i].min_x) {
+        active[k] = active.back();
+        active.pop_back();
+        continue;
+      }
+      if (box.meets(boxes[i], -1e-6) && tile(claims[i], claims[j]))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
+      ++k;
     }
-    active.resize(kept);
-    active.push_back(i);
+    active.emplace_back(boxes[i], i);
     poll_cancel();
   }
   std::sort(pairs.begin(), pairs.end());

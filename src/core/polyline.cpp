@@ -24,12 +24,10 @@ Line planar(Line line) {
   return line;
 }
 
-Line distinct(const Line& line) {
-  Line out;
-  out.reserve(line.size());
-  for (const Point& p : line)
-    if (out.empty() || distance(out.back(), p) > 0) out.push_back(p);
-  return out;
+Line distinct(Line line) {
+  const auto repeats = [](const Point& p, const Point& q) { return distance(p, q) == 0; };
+  line.erase(std::unique(line.begin(), line.end(), repeats), line.end());
+  return line;
 }
 
 Place place_at(const Line& line, double abscissa) {

@@ -39,7 +39,7 @@ double length(const Line& line);
 Line reversed(Line line);
 Line planar(Line line);
 // Without repeated consecutive points.
-Line distinct(const Line& line);
+Line distinct(Line line);
 
 // The segment that holds `abscissa` (clamped), and where in it.
 struct Place {

@@ -238,9 +238,8 @@ bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 // Axis and kerbs of every arm: the arc of two arms may cut a third one that leaves between them,
 // and the kerbs of a short one may end beyond its neighbour's. Where the flat end of an arm reaches
 // past its neighbours' axes, their kerbs hold, but beside an arm that goes on from it.
-bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
-  const MultiPolygon surface{polygon};
   const Ground ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {
     if (ground.holds(p)) return true;
@@ -279,10 +278,13 @@ bool covers(const Polygon& polygon, const std::vector<Arm>& arms, const std::vec
   return true;
 }
 
-bool simple(Geos& geos, const Outline& outline) {
-  const Ring& ring = outline.ring;
-  return outline.whole && ring.size() >= 4 && signed_area(ring) > 0 &&
-         geos.valid(MultiPolygon{{ring}});
+// What a simple outline holds; of any other nothing.
+MultiPolygon held_by(Geos& geos, Outline outline) {
+  MultiPolygon held;
+  if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;
+  held.emplace_back().push_back(std::move(outline.ring));
+  if (!geos.valid(held)) held.clear();
+  return held;
 }
 
 }  // namespace
@@ -300,14 +302,12 @@ Line border_across(const Arm& arm, double abscissa) {
 }
 
 Ring closed(Ring ring) {
-  Ring out;
-  out.reserve(ring.size() + 1);
-  for (const Point& p : ring)
-    if (out.empty() || distance(out.back(), p) > 1e-9) out.push_back(p);
-  while (out.size() > 1 && distance(out.back(), out.front()) <= 1e-9) out.pop_back();
-  if (out.size() < 3) return {};
-  out.push_back(out.front());
-  return out;
+  const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= 1e-9; };
+  ring.erase(std::unique(ring.begin(), ring.end(), together), ring.end());
+  while (ring.size() > 1 && together(ring.back(), ring.front())) ring.pop_back();
+  if (ring.size() < 3) return {};
+  ring.push_back(ring.front());
+  return ring;
 }
 
 Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner) {
@@ -331,7 +331,8 @@ Built build_section(Geos& geos, const Arm& arm, double start, double end, const 
   outline.follow(arm, end, start, +1, false, false);
   outline.reach(start_border[0]);
   outline.ring = closed(std::move(outline.ring));
-  if (simple(geos, outline)) return {{{outline.ring}}, false};
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty()) return {std::move(held), false};
   const MultiPolygon parts = arm_pieces(arm, start, end, start_border, end_border);
   return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
           true};
@@ -354,9 +355,10 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   std::vector<MultiPolygon> parts;
   for (const Gap& gap : gaps)
     if (!gap.beyond.empty()) parts.push_back({gap.beyond});
-  if (simple(geos, outline) && covers({outline.ring}, arms, gaps)) {
-    if (parts.empty()) return {{{outline.ring}}, false};
-    parts.push_back({{outline.ring}});
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty() && covers(held, arms, gaps)) {
+    if (parts.empty()) return {std::move(held), false};
+    parts.push_back(std::move(held));
     return {whole(parts), false};
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
