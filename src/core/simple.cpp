@@ -13,6 +13,7 @@ namespace streetgen {
 namespace {
 
 constexpr double apart = 1e-7;  // metres
+constexpr double onwards = 0.01;  // cosine: a way that turns more may go back
 
 struct Side {
   Point from, to, along;
@@ -40,6 +41,14 @@ bool turn(const Side& s, const Side& t) {
   return std::abs(left_of(s, t.to)) > apart || dot(s.along, t.along) > 0;
 }
 
+// Whether t comes after the side that follows s, and all go on one way, so that however short that
+// side is, no two of them meet but at their ends.
+bool one_way(const std::vector<Side>& sides, const Side& s, const Side& t) {
+  const Side& between = sides[s.follower];
+  return between.follower == t.place && dot(s.along, between.along) > onwards &&
+         dot(s.along, t.along) > onwards;
+}
+
 }  // namespace
 
 std::optional<bool> simple(const MultiPolygon& surface) {
@@ -59,12 +68,14 @@ std::optional<bool> simple(const MultiPolygon& surface) {
   std::vector<std::pair<double, const Side*>> order;  // by their least x
   order.reserve(count);
   for (const Side& side : sides) order.emplace_back(side.box.min_x, &side);
-  std::sort(order.begin(), order.end());
+  std::sort(order.begin(), order.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   struct Active {
     double max_x, min_y, max_y;
     const Side* side;
   };
   std::vector<Active> active;
+  active.reserve(16);
   bool clear = true;
   for (const auto& [min_x, s] : order) {
     poll_cancel();
@@ -84,7 +95,7 @@ std::optional<bool> simple(const MultiPolygon& surface) {
       }
       const std::optional<bool> kept_apart = keep_apart(*s, *t);
       if (!kept_apart.value_or(true)) return false;
-      clear = clear && kept_apart;
+      clear = clear && (kept_apart || one_way(sides, *s, *t) || one_way(sides, *t, *s));
     }
     active.push_back({s->box.max_x, s->box.min_y, s->box.max_y, s});
   }

@@ -34,6 +34,13 @@ TEST(Simple, LeavesTouchesUndecided) {
   EXPECT_EQ(simple({{ring({{0, 0}, {4, 0}, {4, 4}, {2, 1e-8}, {0, 4}})}}), std::nullopt);
 }
 
+TEST(Simple, KnowsTheShortestSideOfAWayThatGoesOn) {
+  EXPECT_EQ(simple({{ring({{0, 0}, {4, 0}, {4, 2}, {4, 2 + 5e-8}, {4, 4}, {0, 4}})}}), true);
+  EXPECT_EQ(simple({{ring({{0, 0}, {4, 0}, {4 + 4e-8, 4e-8}, {6, 4}, {0, 4}})}}), true);
+  // From a side that goes back nearly along the first.
+  EXPECT_EQ(simple({{ring({{0, 0}, {4, 0}, {4, 5e-8}, {1, 1e-8}, {0, 4}})}}), std::nullopt);
+}
+
 TEST(Simple, AgreesWithGeos) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> off(0.2, 1), place(0, 1);
