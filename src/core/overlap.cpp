@@ -22,9 +22,10 @@ bool cross_deeply(const Point& a, const Point& b, const Point& c, const Point& d
   return o3 * o4 < 0 && std::min(std::abs(o3), std::abs(o4)) > depth * nv;
 }
 
-// Whether the segment from a to b passes the height of p on its right.
-bool passes(const Point& p, const Point& a, const Point& b) {
-  return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y);
+// Whether the segment from a to b passes the height of p on its right, or else not there.
+bool passes(const Point& p, const Point& a, const Point& b, bool right = true) {
+  return (a.y > p.y) != (b.y > p.y) &&
+         (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) == right;
 }
 
 }  // namespace
@@ -74,10 +75,12 @@ const Ground::Boundary& Ground::boundary() const {
 bool Ground::holds(const Point& p) const {
   if (!box_.holds(p, 0)) return false;
   bool odd = false;
-  Box right = box_of(p, p);
-  right.max_x = box_.max_x;
-  boundary().any(right, [&](const Point& a, const Point& b, const Box&) {
-    odd ^= passes(p, a, b);
+  // Rings pass a height an even number of times: as odd on one side as on the other.
+  const bool right = box_.max_x - p.x < p.x - box_.min_x;
+  Box way = box_of(p, p);
+  (right ? way.max_x : way.min_x) = right ? box_.max_x : box_.min_x;
+  boundary().any(way, [&](const Point& a, const Point& b, const Box&) {
+    odd ^= passes(p, a, b, right);
     return false;
   });
   return odd;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "offset.hpp"
 #include "overlap.hpp"
@@ -168,18 +169,23 @@ MultiPolygon arm_pieces(const Arm& arm, double start, double end, const Line& fr
 // the ring comes nowhere near.
 bool pass_through(Ring& ring, const Point& p) {
   std::size_t vertex = 0, segment = 0;
+  double to_vertex = distance(ring[0], p), to_segment = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    if (distance(ring[i], p) < distance(ring[vertex], p)) vertex = i;
-    if (segment == 0 || distance_to_segment(p, ring[i - 1], ring[i]) <
-                            distance_to_segment(p, ring[segment - 1], ring[segment]))
+    if (const double off = distance(ring[i], p); off < to_vertex) {
+      to_vertex = off;
+      vertex = i;
+    }
+    if (const double off = distance_to_segment(p, ring[i - 1], ring[i]); off < to_segment) {
+      to_segment = off;
       segment = i;
+    }
   }
-  if (distance(ring[vertex], p) <= same_place) {
+  if (to_vertex <= same_place) {
     ring[vertex] = p;
     if (vertex == 0 || vertex + 1 == ring.size()) ring.front() = ring.back() = p;
     return true;
   }
-  if (distance_to_segment(p, ring[segment - 1], ring[segment]) > same_place) return false;
+  if (to_segment > same_place) return false;
   ring.insert(ring.begin() + segment, p);
   return true;
 }
