@@ -32,6 +32,7 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
                    bool by_hand) {
   const StreetSettings& settings = layout.settings;
   std::vector<const Arm*> arms;
+  arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
   const CornerWish wish{radius, settings.max_arc_distance, settings.radius_minimal, by_hand};
   SolvedCorner solved = solve_corner(arms, i, wish);

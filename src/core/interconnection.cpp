@@ -33,6 +33,14 @@ double rounded(double angle) {
   return steps * angle_step <= -180 + angle_step / 2 ? 180 : steps * angle_step + 0.0;
 }
 
+// From the place of the first point to the next place; zero where there is none.
+template <class At>
+Point leaving(At first, At end) {
+  const auto next =
+      std::find_if(first, end, [&](const Point& p) { return distance(p, *first) > 0; });
+  return next == end ? Point{} : unit(*next - *first);
+}
+
 struct EdgeLanes {
   std::size_t first = 0, count = 0;
 };
@@ -108,11 +116,9 @@ class Builder {
     const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
     const Point along = place_at(axis, end_abscissa(lane, at_front)).direction;
     const Point direction = unit(along + left_normal(along) * (share * widening));
-    const Line line = distinct(planar(lane.line));
-    if (line.size() < 2) return direction;
-    const Point own =
-        at_front ? unit(line[1] - line[0]) : unit(line.back() - line[line.size() - 2]);
-    return norm(own - direction) < same_direction ? direction : own;
+    const Point own = at_front ? leaving(lane.line.begin(), lane.line.end())
+                               : leaving(lane.line.rbegin(), lane.line.rend()) * -1;
+    return norm(own) == 0 || norm(own - direction) < same_direction ? direction : own;
   }
 
   LaneEnd end_of(int index, bool comes_in) const {

@@ -49,18 +49,21 @@ Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_l
 
 bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearance) const {
   Box around;
-  for (const Point& p : path) around.add(p);
+  std::vector<Box> boxes;  // of the path's segments
+  boxes.reserve(path.size());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    boxes.push_back(box_of(path[i - 1], path[i]));
+    around = around.joined_with(boxes.back());
+  }
   for (const Piece& piece : pieces_) {
     if (piece.border >= 0 && (piece.border == border_in || piece.border == border_out)) continue;
     const double apart = piece.border < 0 ? clearance : 0;
     if (!piece.box.meets(around, apart)) continue;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      const Point &from = path[i - 1], &to = path[i];
-      if (box_of(from, to).meets(piece.box, apart) &&
-          (cross_each_other(from, to, piece.start, piece.end) ||
-           nearer_than(apart, from, to, piece.start, piece.end)))
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (boxes[i].meets(piece.box, apart) &&
+          (cross_each_other(path[i], path[i + 1], piece.start, piece.end) ||
+           nearer_than(apart, path[i], path[i + 1], piece.start, piece.end)))
         return true;
-    }
   }
   return false;
 }

@@ -27,16 +27,17 @@ constexpr MarkedTurn marked_turns[] = {
     {turn::slight_right, -35}, {turn::right, -90}, {turn::sharp_right, -135},
 };
 
+// The lanes of one kind of a leg, by their index among all.
+using Group = std::vector<int>;
+
 // One movement as its approach sees it.
 struct Way {
   Movement* movement;
   const Leg* to;
-  double angle;  // of the movement; one that turns back is the outermost on its side
-  double order;  // the greater, the farther to the left: by the angle and by where it leads
+  double angle;   // of the movement; one that turns back is the outermost on its side
+  double order;   // the greater, the farther to the left: by the angle and by where it leads
+  Group goals{};  // where lanes of the kind that is assigned go on
 };
-
-// The lanes of one kind of a leg, by their index among all.
-using Group = std::vector<int>;
 
 Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
   Group group;
@@ -130,18 +131,19 @@ class Choice {
     for (const int i : lanes) marked |= from_lane(open, i).turns;
     const Reason reason = marked ? Reason::turn_lanes : Reason::lane_order;
     for (const Way& way : open) {
-      const Group goals = targets(*way.to, kind);
+      Group goals = targets(*way.to, kind);
       for (const int i : lanes)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
           at(way, i, o).reason =
               std::find(goals.begin(), goals.end(), o) == goals.end() ? Reason::lane_kind : reason;
-      if (!goals.empty()) ways.push_back(way);
+      if (goals.empty()) continue;
+      ways.push_back(way);
+      ways.back().goals = std::move(goals);
     }
     if (ways.empty()) return;
-    const auto served =
-        marked ? serve_marked(lanes, kind, ways) : serve_in_order(lanes, kind, ways);
+    const auto served = marked ? serve_marked(lanes, ways) : serve_in_order(lanes, ways);
     for (std::size_t j = 0; j < ways.size(); ++j)
-      if (!served[j].empty()) connect(ways[j], served[j], targets(*ways[j].to, kind), reason);
+      if (!served[j].empty()) connect(ways[j], served[j], reason);
   }
 
   const LaneEnd& from_lane(const std::vector<Way>& ways, int i) const {
@@ -150,8 +152,7 @@ class Choice {
   }
 
   // For each way, the lanes that take it: by what is marked on them.
-  std::vector<Group> serve_marked(const Group& lanes, LaneKind kind,
-                                  const std::vector<Way>& ways) const {
+  std::vector<Group> serve_marked(const Group& lanes, const std::vector<Way>& ways) const {
     std::vector<double> said;  // angles, from left to right
     std::vector<std::size_t> onwards;
     const auto bears = [&](int lane, double angle) {
@@ -186,7 +187,7 @@ class Choice {
       for (const int i : lanes)
         if (bears(i, said[k])) bearing.push_back(i);
       for (const std::size_t j : meant) subset.push_back(ways[j]);
-      const std::vector<Group> shared = serve_in_order(bearing, kind, subset);
+      const std::vector<Group> shared = serve_in_order(bearing, subset);
       for (std::size_t j = 0; j < meant.size(); ++j) add(served[meant[j]], shared[j]);
     }
     for (std::size_t j = 0; j < ways.size(); ++j)
@@ -218,14 +219,13 @@ class Choice {
   }
 
   // For each way, the lanes that take it: from left to right, the way straight on first.
-  std::vector<Group> serve_in_order(const Group& lanes, LaneKind kind,
-                                    const std::vector<Way>& ways) const {
+  std::vector<Group> serve_in_order(const Group& lanes, const std::vector<Way>& ways) const {
     const int n = static_cast<int>(lanes.size()), k = static_cast<int>(ways.size());
     std::vector<Group> served(k);
     const auto serve = [&](int j, int first, int last) {
       for (int i = first; i < last; ++i) served[j].push_back(lanes[i]);
     };
-    const auto width = [&](int j) { return static_cast<int>(targets(*ways[j].to, kind).size()); };
+    const auto width = [&](int j) { return static_cast<int>(ways[j].goals.size()); };
     const int through = way_through(ways);
     if (through < 0) {
       int total = 0, before = 0;
@@ -269,13 +269,14 @@ class Choice {
   }
 
   // Lane by lane without crossing: lanes[i] goes on to goals[i + shift], the outermost twice.
-  void connect(const Way& way, const Group& lanes, const Group& goals, Reason reason) {
+  void connect(const Way& way, const Group& lanes, Reason reason) {
+    const Group& goals = way.goals;
     const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
     const int low = std::min(0, m - n), high = std::max(0, m - n);
     const auto goal = [&](int i, int shift) { return goals[std::clamp(i + shift, 0, m - 1)]; };
     int shift = 0;
     if (turn_of(way.angle) == Turn::through) {
-      shift = shift_straight_on(way, lanes, goals, low, high);
+      shift = shift_straight_on(way, lanes, low, high);
     } else {
       // Along the kerb that it turns about, or as near to it as the radius allows.
       const int side = turns_back(way) ? (inner_left(way) ? 1 : -1) : (way.angle > 0 ? 1 : -1);
@@ -294,8 +295,8 @@ class Choice {
   }
 
   // Lanes that others enter from one side are left to them; else the least move sideways.
-  int shift_straight_on(const Way& way, const Group& lanes, const Group& goals, int low,
-                        int high) const {
+  int shift_straight_on(const Way& way, const Group& lanes, int low, int high) const {
+    const Group& goals = way.goals;
     if (low == high) return low;
     if (high > 0) {
       bool from_left = false, from_right = false;

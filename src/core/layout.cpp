@@ -55,6 +55,7 @@ void Layout::sort_ends() {
 
 std::vector<Arm> Layout::arms_of(int node) const {
   std::vector<Arm> about;
+  about.reserve(junctions[node].ends.size());
   for (const EdgeEnd& end : junctions[node].ends) about.push_back(arm(end));
   return about;
 }

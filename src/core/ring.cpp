@@ -244,7 +244,8 @@ bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 // Axis and kerbs of every arm: the arc of two arms may cut a third one that leaves between them,
 // and the kerbs of a short one may end beyond its neighbour's. Where the flat end of an arm reaches
 // past its neighbours' axes, their kerbs hold, but beside an arm that goes on from it.
-bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
+            const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
   const Ground ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {

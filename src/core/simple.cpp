@@ -12,7 +12,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double apart = 1e-7;  // metres
+constexpr double apart = 1e-7;    // metres
 constexpr double onwards = 0.01;  // cosine: a way that turns more may go back
 
 struct Side {
