@@ -184,6 +184,7 @@ constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 std::vector<std::vector<int>> apart(const std::vector<int>& ring, std::vector<std::size_t>& at) {
   std::vector<std::vector<int>> rings;
   std::vector<int> open;
+  open.reserve(ring.size());
   for (const int node : ring) {
     if (const std::size_t start = at[node]; start != nowhere) {
       rings.emplace_back(open.begin() + start, open.end());
@@ -375,10 +376,11 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertice
   std::vector<std::size_t> at(nodes_.size(), nowhere);
   std::vector<std::vector<Cell>> shells;
   std::vector<std::pair<Cell, Ring>> holes;  // with a place on the border, in half steps
+  std::vector<int> ring;
   MultiPolygon out;
   for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
     if (used[start] || !borders(start)) continue;
-    std::vector<int> ring;
+    ring.clear();
     for (int h = start; !used[h];) {
       used[h] = true;
       ring.push_back(halves_[h].from);
@@ -390,6 +392,8 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertice
       if (part.size() < 3) continue;
       std::vector<Cell> cells;
       Ring points;
+      cells.reserve(part.size());
+      points.reserve(part.size() + 1);
       for (const int node : part) {
         cells.push_back(nodes_[node].cell);
         points.push_back(vertices == Vertices::own ? nodes_[node].point
