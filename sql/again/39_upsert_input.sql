@@ -4,10 +4,10 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._filled($part$
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
--- The hash only of those that are written.
+-- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it axis by axis.
 used AS MATERIALIZED (
     SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward,
-           turn_forward, turn_backward, speed, importance, radius, estimated, CASE WHEN {whole} OR axis_id = ANY ($1) THEN input_hash END AS input_hash, setting_hash
+           turn_forward, turn_backward, speed, importance, radius, estimated, CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 -- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
@@ -28,7 +28,7 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, radius, importance, speed,
                 lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
-                {whole} OR axis_id = ANY ($3), NOT ({whole} OR axis_id = ANY ($1))
+                {whole} OR axis_id IN (SELECT unnest($3)), input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
         transitions => (

@@ -34,7 +34,7 @@ drawn AS MATERIALIZED (
 left_interconnection AS MATERIALIZED (
     SELECT interconnection_id FROM (
         SELECT k.interconnection_id, k.lane_in, k.lane_out
-        FROM (SELECT node_id FROM new_node WHERE asked UNION ALL SELECT node_id FROM left_node) n,
+        FROM (SELECT node_id FROM new_node WHERE asked AND NOT fresh UNION ALL SELECT node_id FROM left_node) n,
             LATERAL (SELECT * FROM {model}.interconnection k WHERE k.node_id = n.node_id {by_key}) k
         WHERE k.interconnection_id NOT IN (SELECT interconnection_id FROM new_interconnection WHERE NOT fresh) OFFSET 0) k
     WHERE {whole}

@@ -9,18 +9,18 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lanes(places jsonb) RETURNS text
                axis_offset, turn, geom, surface, method
         FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
-        SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked$part$),
+        SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'lane_separator', id => 'lane_separator_id', same => 'edge_id, lane_position',
         columns => 'edge_id, lane_position, kind, dashed, axis_offset, geom, surface', rows => $part$
         SELECT number, edge_id, lane_position, kind, dashed, axis_offset, geom, surface
         FROM streetgen._computed_lane_separator((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT s.lane_separator_id FROM new_edge e, LATERAL (
-            SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s WHERE e.asked$part$),
+            SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s WHERE e.asked AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'marking', id => 'marking_id', same => 'edge_id, kind, lane_position',
         columns => 'edge_id, lane_position, node_id, kind, geom, surface', rows => $part$
         SELECT number, edge_id, kind, lane_position, node_id, geom, surface
         FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM edge_ids))$part$,
         there => $part$
-        SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked$part$)) $$;
+        SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked AND NOT e.fresh$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_lanes(jsonb) IS 'Part of the one statement: lanes, separators and markings at new_edge.';

@@ -15,10 +15,11 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surfaces(places jsonb) RETURNS text
         SELECT number, node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method
         FROM streetgen._computed_corner((SELECT streets FROM computed), (SELECT ids FROM node_ids), (SELECT ids FROM edge_ids))$part$,
         there => $part$
-        SELECT c.corner_id FROM new_node n, LATERAL (SELECT * FROM {model}.corner c WHERE c.node_id = n.node_id {by_key}) c
-        WHERE c.edge_a IN (SELECT edge_id FROM new_edge) AND c.edge_b IN (SELECT edge_id FROM new_edge)$part$),
+        SELECT corner_id FROM (
+            SELECT c.corner_id, c.edge_a, c.edge_b FROM new_node n, LATERAL (SELECT * FROM {model}.corner c WHERE c.node_id = n.node_id {by_key}) c WHERE NOT n.fresh {by_key}) c
+        WHERE edge_a IN (SELECT edge_id FROM new_edge) AND edge_b IN (SELECT edge_id FROM new_edge)$part$),
     streetgen._upsert_rows(places, 'intersection', id => 'node_id', columns => 'level, surface, method, contested_area', rows => $part$
         SELECT number, node_id, level, surface, method, contested_area
         FROM streetgen._computed_intersection((SELECT streets FROM computed), (SELECT ids FROM node_ids))$part$,
-        there => 'SELECT node_id FROM new_node WHERE asked')) $$;
+        there => 'SELECT node_id FROM new_node WHERE asked AND NOT fresh')) $$;
 COMMENT ON FUNCTION streetgen._upsert_surfaces(jsonb) IS 'Part of the one statement: section limits, sections, corners and intersections at new_edge and new_node.';

@@ -189,11 +189,13 @@ around AS MATERIALIZED (
         LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used u WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
     WHERE ST_DWithin(geom, hull, $2 + half + most)),
 beside AS MATERIALIZED (
-    SELECT DISTINCT p.axis_id, p.geom FROM (
-        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, u.geom, $2 + u.half + most) OFFSET 0) o) p
+    SELECT DISTINCT ON (p.axis_id) p.axis_id, p.geom FROM (
+        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE a.geom && ST_Expand(u.geom, $2 + u.half + most) OFFSET 0) o) p
     JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
--- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next.
-met AS MATERIALIZED (SELECT DISTINCT m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m)
+-- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What meets those inside lies beside them.
+met AS MATERIALIZED (
+    SELECT DISTINCT ON (m.axis_id) m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m
+    WHERE m.axis_id <> ALL ($1) AND m.axis_id NOT IN (SELECT axis_id FROM beside))
 SELECT array_agg(axis_id) FROM (
     SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
     UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
