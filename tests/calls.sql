@@ -63,7 +63,7 @@ END $$;
 
 -- What a user calls, and what one writes.
 CREATE VIEW calls.callable AS
-SELECT p.oid, proname AS name, array_agg(format_type(t, NULL) ORDER BY n) AS arguments, p.pronargdefaults AS defaults
+SELECT p.oid, proname AS name, CASE prokind WHEN 'p' THEN 'CALL' ELSE 'SELECT count(*) FROM' END AS verb, array_agg(format_type(t, NULL) ORDER BY n) AS arguments, p.pronargdefaults AS defaults
 FROM pg_proc p LEFT JOIN LATERAL unnest(proargtypes::oid[]) WITH ORDINALITY a(t, n) ON true WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' GROUP BY p.oid;
 CREATE VIEW calls.writable AS
 SELECT c.oid::regclass AS relation, array_agg(attname ORDER BY attnum) AS names, array_agg(format_type(atttypid, NULL) ORDER BY attnum) AS types FROM pg_class c JOIN pg_attribute a ON attrelid = c.oid
@@ -80,7 +80,7 @@ BEGIN
   IF random() < 0.7 THEN
     SELECT * INTO f FROM calls.callable ORDER BY name, arguments OFFSET floor(random() * (SELECT count(*) FROM calls.callable)) LIMIT 1;
     given := cardinality(f.arguments) - CASE WHEN random() < 0.3 THEN f.defaults ELSE 0 END;
-    RETURN format('SELECT count(*) FROM streetgen.%I(%s)', f.name, (SELECT string_agg(calls.value_of(t), ', ' ORDER BY n) FROM unnest(f.arguments) WITH ORDINALITY a(t, n) WHERE t IS NOT NULL AND n <= given));
+    RETURN format('%s streetgen.%I(%s)', f.verb, f.name, (SELECT string_agg(calls.value_of(t), ', ' ORDER BY n) FROM unnest(f.arguments) WITH ORDINALITY a(t, n) WHERE t IS NOT NULL AND n <= given));
   END IF;
   SELECT * INTO w FROM calls.writable ORDER BY relation::text OFFSET floor(random() * (SELECT count(*) FROM calls.writable)) LIMIT 1;
   i := 2 + floor(random() * (cardinality(w.names) - 1));

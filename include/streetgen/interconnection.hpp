@@ -62,8 +62,8 @@ struct Interconnection {
   Line line;
 };
 
-// At asked nodes, by (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the same streets;
-// `axes` as the streets were made from.
+// At asked nodes, by (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the
+// same streets; `axes` as the streets were made from.
 std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,
                                               const std::vector<Lane>& lanes,

@@ -11,6 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._leave_keys(model name) RETURNS void
     AS $$
 DECLARE
     taken_off integer;
+    writer oid;
 BEGIN
     EXECUTE format($sql$
 CREATE TABLE %1$I.missing_key (turn integer NOT NULL, relation name, statement text NOT NULL);
@@ -20,13 +21,17 @@ COMMENT ON COLUMN %1$I.missing_key.relation IS 'table whose indexes and statisti
 COMMENT ON COLUMN %1$I.missing_key.statement IS 'makes them';
 ALTER TABLE %1$I.missing_key OWNER TO %2$s
 $sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
+    -- What it says is done with the owner's rights, whoever may write new tables by default.
+    FOR writer IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = format('%I.missing_key', model)::regclass AND grantee <> relowner LOOP
+        EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.missing_key FROM %s', model, CASE writer WHEN 0 THEN 'PUBLIC' ELSE writer::regrole::text END);
+    END LOOP;
     EXECUTE format('INSERT INTO %I.missing_key SELECT * FROM streetgen._take_off(%L, by_cluster => true)', model, model);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN
         EXECUTE format('DROP TABLE %I.missing_key', model);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._leave_keys(name) IS 'Takes foreign keys and indexes that clusters do not need off the tables of a bare model, for _make_key to make; not where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._leave_keys(name) IS 'Takes foreign keys and indexes that clusters do not need off the tables of a bare model, for _make_key to make; not where somebody uses a table. Only the owner may write what waits there.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_key(model name) RETURNS text
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -23,10 +23,6 @@ double heading(const Arm& arm, double abscissa) {
   return std::atan2(d.y, d.x);
 }
 
-}  // namespace
-
-namespace {
-
 // Each as wide as at its node.
 std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
   return corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius);

@@ -107,7 +107,7 @@ class Axis {
   }
   Axis(const Leg& leg, bool last) : Axis(leg.line, leg.half) {
     start_ = leg.start;
-    end_ = leg.end;
+    if (half_ == 0) share_ = (leg.end - leg.start) / length(leg.line);
     last_ = last;
   }
 
@@ -115,9 +115,7 @@ class Axis {
   double half() const { return half_; }
   bool first() const { return start_ == 0; }
   // On the course, of a place `at` metres along the line.
-  double abscissa(double at) const {
-    return half_ > 0 ? start_ + at : start_ + at * (end_ - start_) / length(line_);
-  }
+  double abscissa(double at) const { return start_ + at * share_; }
 
   // Whether the place on it that is nearest to p is an end where the width changes.
   bool ends_before(const Point& p) const {
@@ -158,7 +156,7 @@ class Axis {
  private:
   const Line& line_;
   double half_;
-  double start_ = 0, end_ = 0;
+  double start_ = 0, share_ = 1;  // metres of the course, and of it a metre of the line
   bool last_ = true;
   std::optional<BoxIndex> segments_;
 };

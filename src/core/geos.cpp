@@ -127,21 +127,10 @@ Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {
       if (!valid(MultiPolygon{one})) geometry = own(GEOSMakeValid_r(handle_, geometry.get()));
       all.push_back(std::move(geometry));
     }
-  return united(std::move(all));
-}
-
-Geos::Geometry Geos::unite_valid(const std::vector<const MultiPolygon*>& surfaces) {
-  std::vector<Geometry> all;
-  for (const MultiPolygon* surface : surfaces)
-    for (const Polygon& one : *surface) all.push_back(polygon(one));
-  return united(std::move(all));
-}
-
-Geos::Geometry Geos::united(std::vector<Geometry> parts) {
-  const Geometry all = collection(GEOS_GEOMETRYCOLLECTION, std::move(parts));
-  if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, all.get())) return own(result);
+  const Geometry together = collection(GEOS_GEOMETRYCOLLECTION, std::move(all));
+  if (GEOSGeometry* result = GEOSUnaryUnion_r(handle_, together.get())) return own(result);
   poll_cancel();
-  return own(GEOSUnaryUnionPrec_r(handle_, all.get(), coarse_grid(handle_, all.get())));
+  return own(GEOSUnaryUnionPrec_r(handle_, together.get(), coarse_grid(handle_, together.get())));
 }
 
 }  // namespace streetgen

@@ -34,11 +34,9 @@ class Geos {
   // Of holes within their polygons and polygons beside each other; GEOS decides where rings touch.
   bool valid(const MultiPolygon& surface);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
-  Geometry unite_valid(const std::vector<const MultiPolygon*>& surfaces);
 
  private:
   Geometry collection(int type, std::vector<Geometry> parts);
-  Geometry united(std::vector<Geometry> parts);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);

@@ -146,7 +146,7 @@ class Fit {
   std::uint64_t key_;
   const CityOptions& options_;
   double area_each_ = 1.45e5;  // m2 for each axis, as far as is known
-  double best_area_ = 0;      // of the nearest number so far
+  double best_area_ = 0;       // of the nearest number so far
   double nearest_ = 0;
   double drawn_ = 0;
 };

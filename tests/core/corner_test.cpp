@@ -26,6 +26,14 @@ TEST(CornerArc, StraightAxesHaveTheDerivedLimit) {
   }
 }
 
+TEST(CornerArc, TouchesAxesWithoutWidth) {
+  const auto corner = corner_arc(ray(0, 100), ray(degrees(90), 100), 0, 0, 5);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(distance(corner->centre, {5, 5, 0}), 0, 1e-9);
+  EXPECT_NEAR(corner->abscissa_a, 5, 1e-9);
+  EXPECT_NEAR(corner->abscissa_b, 5, 1e-9);
+}
+
 TEST(CornerArc, TouchesBothBordersWhateverTheWidthsAndTheAngle) {
   std::mt19937_64 random(20261121);
   const auto between = [&](double low, double high) {

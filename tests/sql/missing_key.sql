@@ -111,7 +111,11 @@ SET ROLE streetgen_key_owner;
 CALL town('owned');
 SELECT streetgen.grant('owned', 'streetgen_key_editor', 'editor') \g /dev/null
 RESET ROLE;
+ALTER DEFAULT PRIVILEGES IN SCHEMA owned GRANT ALL ON TABLES TO streetgen_key_editor;
+ALTER DEFAULT PRIVILEGES IN SCHEMA owned GRANT INSERT ON TABLES TO PUBLIC;
 SELECT streetgen.plan_clusters('owned', 6) \g /dev/null
+SELECT 'what is done with the rights of the owner only he may write', NOT has_table_privilege('streetgen_key_editor', 'owned.missing_key', 'INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER')
+    AND has_table_privilege('streetgen_key_editor', 'owned.missing_key', 'SELECT') AND has_table_privilege('streetgen_key_owner', 'owned.missing_key', 'UPDATE');
 CALL compute('owned', 2);
 SET ROLE streetgen_key_editor;
 UPDATE owned.axis SET width = 12 WHERE axis_id = 5;

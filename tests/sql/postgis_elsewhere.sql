@@ -25,8 +25,8 @@ SELECT 'and the axes follow', width = 5 FROM town.axis WHERE source_ref = '5';
 CREATE TABLE troncon AS SELECT 'T1' AS cleabs, 'Route à 1 chaussée' AS nature, 5.5 AS largeur_de_chaussee, shape FROM lines;
 SELECT 'import_bdtopo works', (SELECT count = 1 FROM streetgen.import_bdtopo('hill', 'troncon') WHERE what = 'new or changed');
 SELECT 'generate works: ' || m, (SELECT sum(inserted) > 0 FROM streetgen.generate(m)) AND (SELECT sum(inserted + updated + deleted) = 0 FROM streetgen.generate(m)) FROM unnest('{town,hill}'::name[]) m;
-SELECT 'the model is sound: ' || m, count(*) = 0 FROM unnest('{town,hill}'::name[]) m, streetgen.check_model(m) WHERE severity = 'error' GROUP BY m
-UNION ALL SELECT 'a model without errors has intersections', count(*) = 2 FROM town.intersection;
+SELECT 'the model is sound: ' || m, NOT EXISTS (SELECT FROM streetgen.check_model(m) WHERE severity = 'error') FROM unnest('{town,hill}'::name[]) m;
+SELECT 'a model without errors has intersections', count(*) = 2 FROM town.intersection;
 UPDATE town.axis SET width = 8 WHERE axis_id = 1;
 SELECT 'an edit is followed', count(*) = 1 FROM town.edge WHERE axis_id = 1 AND width = 8;
 INSERT INTO town.corner_override (axis_a, axis_b, radius, geom) SELECT a.axis_id, b.axis_id, 2, n.geom FROM town.corner c JOIN town.edge a ON a.edge_id = c.edge_a JOIN town.edge b ON b.edge_id = c.edge_b JOIN town.node n USING (node_id) WHERE c.radius > 2 LIMIT 1;
