@@ -103,8 +103,20 @@ COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes sch
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    schema oid;
+    part text;
 BEGIN
     PERFORM streetgen._check_owner(model);
+    schema := (SELECT oid FROM pg_namespace WHERE nspname = model);
+    -- What is named here goes without a notice; what others made of it goes with one.
+    FOR part IN SELECT format('DROP %s %s CASCADE', kind, string_agg(name, ', ')) FROM (
+            SELECT 1 AS turn, 'VIEW' AS kind, oid::regclass::text AS name FROM pg_class WHERE relnamespace = schema AND relkind = 'v'
+            UNION ALL SELECT 2, 'TABLE', oid::regclass::text FROM pg_class WHERE relnamespace = schema AND relkind IN ('r', 'p')
+            UNION ALL SELECT 3, 'ROUTINE', oid::regprocedure::text FROM pg_proc WHERE pronamespace = schema) p GROUP BY turn, kind ORDER BY turn
+    LOOP
+        EXECUTE part;
+    END LOOP;
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
     PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
 END $$;
