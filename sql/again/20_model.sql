@@ -63,6 +63,9 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'source_hash') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
+    END IF;
     PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';

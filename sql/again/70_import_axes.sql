@@ -174,9 +174,10 @@ BEGIN
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.label, i.geom, target_srid)) d;
-    UPDATE _import_part SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
-        source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
+        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, NULL::bigint AS hash, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.label, i.geom, target_srid)) d;
+    UPDATE _import_part p SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
+        source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END,
+        hash = hashtextextended(ROW(p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)::text, 0);
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
     DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
     ANALYZE _import_part (source_ref, line);
@@ -214,17 +215,18 @@ CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean 
 DECLARE
     number bigint;
 BEGIN
+    -- What the source says as before stays as it is, edited by hand or not.
     EXECUTE format($sql$
-DELETE FROM _import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref
-    AND (a.source_geom::bytea, a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
-        IS NOT DISTINCT FROM (p.line::bytea, p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward) $sql$, model) USING source;
+DELETE FROM _import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
+    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
+        IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)) $sql$, model) USING source;
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
     EXECUTE format($sql$
-INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom)
-SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line FROM _import_part p ORDER BY p.source_ref
-ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom $sql$, model) USING source;
+INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
+SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM _import_part p ORDER BY p.source_ref
+ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM _import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;
