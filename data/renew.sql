@@ -3,7 +3,7 @@
 CREATE FUNCTION pg_temp.columns_of(model name) RETURNS SETOF text LANGUAGE sql AS $$
     SELECT format('%s.%s (%s)', c.relname, a.attname, format_type(a.atttypid, a.atttypmod))
     FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid
-    WHERE c.relnamespace = model::text::regnamespace AND c.relkind = 'r' AND a.attnum > 0 AND NOT a.attisdropped $$;
+    WHERE c.relnamespace = quote_ident(model)::regnamespace AND c.relkind = 'r' AND a.attnum > 0 AND NOT a.attisdropped $$;
 DO $$
 DECLARE
     known record;
