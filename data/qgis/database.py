@@ -1,9 +1,11 @@
 """The database of a model, by the connection that its layers are stored with."""
-from qgis.core import QgsDataSourceUri, QgsProviderRegistry, QgsWkbTypes
+import re
+
+from qgis.core import QgsDataSourceUri, QgsException, QgsProviderRegistry, QgsWkbTypes
 
 
 class Refused(Exception):
-    """What a user can put right, in one line."""
+    """What a user can put right, in a line or two."""
 
 
 def identifier(name):
@@ -22,7 +24,12 @@ class Database:
         self.connection = QgsProviderRegistry.instance().providerMetadata('postgres').createConnection(self.uri.uri(False), {})
 
     def ask(self, sql):
-        return self.connection.executeSql(sql)
+        try:
+            return self.connection.executeSql(sql)
+        except QgsException as failed:
+            # Of the statement and the server's answer, message and hint.
+            answer = re.search(r'ERROR:\s*(.*?)\s*(CONTEXT:|LINE \d+:|\]$)', str(failed), re.DOTALL)
+            raise Refused(answer[1] if answer else str(failed)) from failed
 
     def srid(self, model):
         self.ask(f'SELECT count(*) FROM streetgen.setting({literal(model)})')  # An unknown model is an error.

@@ -13,7 +13,7 @@ def set_form(vector, layer, words, class_layer):
         elif (table, column) == ('axis', 'kind'):
             widget = QgsEditorWidgetSetup('ValueRelation', {'Layer': class_layer.id(), 'LayerName': class_layer.name(), 'LayerSource': class_layer.source(),
                                                             'LayerProviderName': 'postgres', 'Key': 'class', 'Value': 'class', 'AllowNull': True, 'OrderByValue': True})
-        elif column == 'source_geom':
+        elif column in ('source_geom', 'source_hash'):
             widget = QgsEditorWidgetSetup('Hidden', {})
         else:
             continue

@@ -46,7 +46,7 @@ CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
@@ -79,7 +79,7 @@ BEGIN
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory' THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$' THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
-        expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit);
+        expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit) || '.';
     ELSE
         expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
         BEGIN

@@ -14,10 +14,23 @@ BEGIN
     END IF;
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_model.model) THEN
         RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
-            HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
+            HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace WHERE nspname = model) AND relname = 'axis_class')
+                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.' ELSE 'SELECT streetgen.create_model(%L, srid => …) makes it.' END, model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_reader(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    IF NOT has_schema_privilege(model, 'USAGE') THEN
+        RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
+            HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_reader(name) IS 'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
@@ -50,6 +63,9 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'source_hash') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
+    END IF;
     PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
@@ -90,8 +106,20 @@ COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes sch
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    schema oid;
+    part text;
 BEGIN
     PERFORM streetgen._check_owner(model);
+    schema := (SELECT oid FROM pg_namespace WHERE nspname = model);
+    -- What is named here goes without a notice; what others made of it goes with one.
+    FOR part IN SELECT format('DROP %s %s CASCADE', kind, string_agg(name, ', ')) FROM (
+            SELECT 1 AS turn, 'VIEW' AS kind, oid::regclass::text AS name FROM pg_class WHERE relnamespace = schema AND relkind = 'v'
+            UNION ALL SELECT 2, 'TABLE', oid::regclass::text FROM pg_class WHERE relnamespace = schema AND relkind IN ('r', 'p')
+            UNION ALL SELECT 3, 'ROUTINE', oid::regprocedure::text FROM pg_proc WHERE pronamespace = schema) p GROUP BY turn, kind ORDER BY turn
+    LOOP
+        EXECUTE part;
+    END LOOP;
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
     PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
 END $$;

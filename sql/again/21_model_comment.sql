@@ -41,6 +41,7 @@ BEGIN
         ('axis', 'source', 'table or prefix that it was imported from'),
         ('axis', 'source_ref', 'its identity in the source'),
         ('axis', 'source_geom', 'its line as the source has it, before cleaning'),
+        ('axis', 'source_hash', 'hash of its values as the source has them: an import that finds line and values as before leaves what was edited by hand'),
         ('turn_restriction', 'turn_restriction_id', 'key'),
         ('turn_restriction', 'from_axis', 'the axis that traffic comes by'),
         ('turn_restriction', 'to_axis', 'the axis that it may not, or only may, go on by'),

@@ -27,7 +27,7 @@ BEGIN
         UPDATE town.setting s SET value = d.value FROM streetgen._default_setting() d WHERE d.name = s.name AND s.name = w.name;
     END LOOP;
 END $$;
-SELECT format('generate refuses %s = %s', name, coalesce(value, 'NULL')), state = wanted AND said LIKE '%"' || name || '"%' AND hint <> '' FROM tried;
+SELECT format('generate refuses %s = %s', name, coalesce(value, 'NULL')), state = wanted AND said LIKE '%"' || name || '"%' AND hint LIKE '%.' FROM tried;
 SELECT 'a refused setting changes no row', bool_and(untouched) FROM tried;
 
 DELETE FROM town.setting WHERE name = 'tolerance';
