@@ -46,7 +46,7 @@ CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';

@@ -14,10 +14,23 @@ BEGIN
     END IF;
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_model.model) THEN
         RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
-            HINT = format('SELECT streetgen.create_model(%L, srid => …) makes it.', model);
+            HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace WHERE nspname = model) AND relname = 'axis_class')
+                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.' ELSE 'SELECT streetgen.create_model(%L, srid => …) makes it.' END, model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_reader(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    IF NOT has_schema_privilege(model, 'USAGE') THEN
+        RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
+            HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_reader(name) IS 'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public

@@ -22,7 +22,7 @@ DECLARE
     x float8[];
     y float8[];
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     IF k IS NULL THEN
         RAISE EXCEPTION 'the number of clusters of model "%" is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
     END IF;
@@ -294,7 +294,7 @@ CREATE OR REPLACE FUNCTION streetgen.progress(model name)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format($sql$
 SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
 FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended, coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,

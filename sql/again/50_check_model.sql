@@ -3,7 +3,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format($sql$
 WITH used AS MATERIALIZED (SELECT * FROM %1$I.axis_used),
 surface AS MATERIALIZED (

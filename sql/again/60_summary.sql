@@ -2,7 +2,7 @@ CREATE OR REPLACE FUNCTION streetgen.summary(model name) RETURNS TABLE(subject t
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format($sql$
 SELECT 'axes', count(*)::numeric, NULL::text FROM %1$I.axis
 UNION ALL SELECT 'axes, length', round((sum(ST_Length(geom)) / 1000)::numeric, 3), 'km' FROM %1$I.axis

@@ -49,13 +49,13 @@ SELECT 'height without data, taken from the same line or 0', NULL::text, count(*
 $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
 
-CREATE OR REPLACE FUNCTION streetgen._transformed(source_ref text, geom geometry, srid integer) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._transformed(label text, geom geometry, srid integer) RETURNS geometry
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     RETURN ST_Transform(geom, srid);
 EXCEPTION WHEN internal_error THEN
-    RAISE EXCEPTION 'source row % cannot be transformed from SRID % to %', coalesce(source_ref, '?'), ST_SRID(geom), srid USING ERRCODE = '22023',
+    RAISE EXCEPTION 'source row % cannot be transformed from SRID % to %', label, ST_SRID(geom), srid USING ERRCODE = '22023',
         DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID in the source.';
 END $$;
 COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS 'The geometry of a source row in another reference; 22023 naming the row where the projection is not defined.';
@@ -114,51 +114,51 @@ BEGIN
     END LOOP;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM _import i WHERE i.left_out IS NOT NULL;
-    SELECT i.source_ref, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
+    SELECT i.label, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'the geometry of source row % is NULL', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
+        RAISE EXCEPTION 'the geometry of source row % is NULL', bad.label USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
     END IF;
-    SELECT i.source_ref, GeometryType(i.geom) AS type INTO bad FROM _import i
+    SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM _import i
         WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') OR ST_IsEmpty(i.geom) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source row % is an empty line or a %, expected a line', coalesce(bad.source_ref, '?'), bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
+        RAISE EXCEPTION 'source row % is an empty line or a %, expected a line', bad.label, bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
     END IF;
     IF flat THEN
         UPDATE _import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
     ELSE
         RETURN QUERY SELECT * FROM streetgen._mend_heights();
     END IF;
-    SELECT i.source_ref INTO bad FROM _import i, ST_DumpPoints(i.geom) d
+    SELECT i.label INTO bad FROM _import i, ST_DumpPoints(i.geom) d
         WHERE NOT (ST_X(d.geom) BETWEEN -1e12 AND 1e12 AND ST_Y(d.geom) BETWEEN -1e12 AND 1e12) OR NOT (coalesce(ST_Z(d.geom), 0) BETWEEN -1e12 AND 1e12) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source row % has a vertex that is not finite', coalesce(bad.source_ref, '?') USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
+        RAISE EXCEPTION 'source row % has a vertex that is not finite', bad.label USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.source_ref, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE NOT EXISTS (SELECT FROM spatial_ref_sys s WHERE s.srid = ST_SRID(i.geom)) LIMIT 1;
+    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE NOT EXISTS (SELECT FROM spatial_ref_sys s WHERE s.srid = ST_SRID(i.geom)) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source row % has %', coalesce(bad.source_ref, '?'), CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
+        RAISE EXCEPTION 'source row % has %', bad.label, CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
-    SELECT i.source_ref, v.name AS name, v.value AS value INTO bad FROM _import i,
+    SELECT i.label, v.name AS name, v.value AS value INTO bad FROM _import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200),
             ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30), ('lanes_backward', i.lanes_backward, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, coalesce(bad.source_ref, '?'), bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
+        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
     END IF;
-    SELECT i.source_ref, v.name AS name, v.list AS list INTO bad FROM _import i,
+    SELECT i.label, v.name AS name, v.list AS list INTO bad FROM _import i,
         LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'), ('lane_width_forward', i.lane_width_forward, 'width'), ('lane_width_backward', i.lane_width_backward, 'width'),
             ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn')) v(name, list, kind)
         WHERE NOT streetgen.is_lane_list(v.list, v.kind) LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION '% of source row % is "%"', bad.name, coalesce(bad.source_ref, '?'), bad.list USING ERRCODE = '22023', HINT = 'Expected a list such as general|bus, 3.5|3 or left;through|right, one entry a lane; NULL is unknown.';
+        RAISE EXCEPTION '% of source row % is "%"', bad.name, bad.label, bad.list USING ERRCODE = '22023', HINT = 'Expected a list such as general|bus, 3.5|3 or left;through|right, one entry a lane; NULL is unknown.';
     END IF;
-    SELECT i.source_ref, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
+    SELECT i.label, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'direction of source row % is "%"', coalesce(bad.source_ref, '?'), bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
+        RAISE EXCEPTION 'direction of source row % is "%"', bad.label, bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
     END IF;
-    SELECT i.source_ref, i.level INTO bad FROM _import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
+    SELECT i.label, i.level INTO bad FROM _import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'level of source row % is %, out of range', coalesce(bad.source_ref, '?'), bad.level USING ERRCODE = '22023', HINT = 'Levels go from -50 to 50; NULL is 0.';
+        RAISE EXCEPTION 'level of source row % is %, out of range', bad.label, bad.level USING ERRCODE = '22023', HINT = 'Levels go from -50 to 50; NULL is 0.';
     END IF;
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL THEN 'not taken: unknown class' ELSE 'not taken: class' END,
@@ -174,7 +174,7 @@ BEGIN
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.source_ref, i.geom, target_srid)) d;
+        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.label, i.geom, target_srid)) d;
     UPDATE _import_part SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
         source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
@@ -185,7 +185,7 @@ BEGIN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
 
-    PERFORM streetgen._check_scale('SELECT ''source row '' || coalesce(source_ref, ''?'') AS label, line AS geom FROM _import_part');
+    PERFORM streetgen._check_scale('SELECT ''source row '' || label AS label, line AS geom FROM _import_part');
 END $$;
 COMMENT ON FUNCTION streetgen._take_rows(name) IS 'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 
@@ -250,7 +250,7 @@ BEGIN
     DROP TABLE _import, _import_part, _import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
-COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. left_out says why a row is not wanted, unread names its values that mean nothing. Bad rows: 22023, and the model as it was.';
+COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. label names a row, left_out says why it is not wanted, unread names its values that mean nothing. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -270,11 +270,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._take_classes(name) IS 'Begins the import of this transaction: the streets wait for generate, the classes of the model are copied.';
 
-CREATE OR REPLACE FUNCTION streetgen._refuse_number(source_ref text, value text, column_name text, target text) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._refuse_number(label text, value text, column_name text, target text) RETURNS float8
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', coalesce(source_ref, '?'), value, column_name,
+    RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', label, value, column_name,
         CASE WHEN target IN ('lane_count', 'importance', 'level', 'lanes_forward', 'lanes_backward') THEN 'whole number' ELSE 'number' END, target USING ERRCODE = '22023',
         HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
 END $$;
@@ -291,7 +291,7 @@ DECLARE
     number_pattern constant text := '^\s*([-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?|nan|[-+]?inf(inity)?)\s*$';
     whole_pattern constant text := '^\s*[-+]?\d{1,9}(\.0*)?\s*$';
     pattern text;
-    reference text;
+    label text;
     expression text;
     expressions text[] := '{}';
 BEGIN
@@ -304,7 +304,8 @@ BEGIN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name USING ERRCODE = '22023',
             HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward or source_ref';
     END IF;
-    reference := CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' THEN format('%I::text', mapping ->> 'source_ref') ELSE 'NULL::text' END;
+    -- A row without a source_ref is known by its place.
+    label := CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' THEN format('coalesce(%I::text, ''number '' || row_number() OVER ())', mapping ->> 'source_ref') ELSE '''number '' || row_number() OVER ()' END;
     FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
             ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'), ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'), ('source_ref', 'text')) t(name, type)
     LOOP
@@ -336,11 +337,11 @@ BEGIN
         expression := format(CASE target.type WHEN 'geometry' THEN '%I' WHEN 'text' THEN '%I::text' WHEN 'integer' THEN '%I::text::float8::integer' ELSE '%I::text::float8' END, column_name);
         IF pattern IS NOT NULL THEN
             expression := format('CASE WHEN %1$I::text !~* %2$L THEN streetgen._refuse_number(%3$s, %1$I::text, %1$L, %4$L)::%5$s ELSE %6$s END',
-                column_name, pattern, reference, target.name, target.type, expression);
+                column_name, pattern, label, target.name, target.type, expression);
         END IF;
         expressions := expressions || format('%s AS %I', expression, CASE target.name WHEN 'kind' THEN 'class' ELSE target.name END);
     END LOOP;
-    RETURN array_to_string(expressions, ', ') || ', NULL::text AS left_out, NULL::text[] AS unread';
+    RETURN array_to_string(expressions, ', ') || ', ' || label || ' AS label, NULL::text AS left_out, NULL::text[] AS unread';
 END $$;
 COMMENT ON FUNCTION streetgen._mapped(regclass, jsonb) IS 'The columns of the import from those of a source, as SQL, by a checked mapping; a number that is none is refused when it is read.';
 

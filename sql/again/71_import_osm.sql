@@ -136,7 +136,7 @@ FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
                      streetgen._osm_kerb(busway_%3$s, busway_both, busway, NULL, direction, '%3$s', '%3$s') AS bus_near, streetgen._osm_kerb(busway_%4$s, busway_both, busway, NULL, direction, '%4$s', '%3$s') AS bus_far,
                      CASE WHEN coalesce(parking_%3$s, parking_both) = 'lane' OR coalesce(parking_lane_%3$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_near,
                      CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane' OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_far) kerb)
-SELECT geom, name, way_id::text AS source_ref, meaning.*, NULL::text AS left_out FROM line JOIN meaning USING (wording)$sql$,
+SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*, NULL::text AS left_out FROM line JOIN meaning USING (wording)$sql$,
         source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END, array_to_string(named, ', ')));
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source, streetgen._osm_table('_restriction', prefix, schemas));
 END $$;

@@ -36,7 +36,7 @@ SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 A
        s.class, NULL::float8 AS radius,
        streetgen.lane_kinds(forward, NULL, bus_forward, '%13$s', cycle_forward, false, false, false) AS kind_forward,
        streetgen.lane_kinds(backward, NULL, bus_backward, '%13$s', cycle_backward, false, false, false) AS kind_backward,
-       s.id AS source_ref, CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END AS left_out,
+       s.id AS source_ref, coalesce(s.id, 'number ' || row_number() OVER ()) AS label, CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END AS left_out,
        array_remove(ARRAY[CASE WHEN s.width <> '' AND streetgen._number(s.width, 0, 200) IS NULL THEN 'width' END,
                           CASE WHEN s.lane_count <> '' AND streetgen._number(s.lane_count, 0, 30) IS NULL THEN 'lane_count' END,
                           CASE WHEN s.sens <> '' AND s.sens !~* 'double|direct|inverse|^sens unique$|^sans objet$|^nc$' THEN 'direction' END,

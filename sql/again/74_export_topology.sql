@@ -35,7 +35,7 @@ DECLARE
     wanted text;
 BEGIN
     PERFORM streetgen._check_topology();
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     SELECT srid, dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
     FOR level IN EXECUTE format('SELECT DISTINCT level FROM %I.edge ORDER BY level', model) LOOP
         wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;

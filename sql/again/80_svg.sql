@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NUL
 DECLARE
     drawing text;
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_reader(model);
     IF width IS NULL OR width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', coalesce(width::text, 'NULL') USING ERRCODE = '22023', HINT = 'The default is 1200.';
     END IF;

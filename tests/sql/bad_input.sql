@@ -137,7 +137,7 @@ SELECT 'every axis has edges or a report', NOT EXISTS (SELECT FROM town.axis a W
 SELECT 'all together are sound', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
 
 -- import_axes: what tests/sql/import_axes.sql leaves open.
-CREATE TABLE source (id integer, width float8, speed float8, radius float8, level integer, geom geometry);
+CREATE TABLE source (id integer, width float8, speed float8, radius float8, level integer, label text, geom geometry);
 CREATE FUNCTION pg_temp.import_of(line text, number text, value text) RETURNS text LANGUAGE sql AS $$
     SELECT format('SELECT streetgen.import_axes(''town'', pg_temp.source_of(%L, %L, %L), ''{"source_ref": "id", "width": "width", "speed": "speed", "radius": "radius", "level": "level"}'')', line, number, value) $$;
 CREATE FUNCTION pg_temp.source_of(line text, number text, value text) RETURNS regclass LANGUAGE plpgsql AS $$
@@ -154,4 +154,8 @@ SELECT format('import_axes names the row with %s = %s', number, value), state = 
 SELECT 'import_axes names the row with ' || line, state = '22023' AND said LIKE '%77%' FROM (VALUES
     ('SRID=4326;LINESTRING(200 100,300 400)'), ('SRID=2154;MULTIPOINT(0 0,1 1)'), ('SRID=2154;GEOMETRYCOLLECTION(LINESTRING(0 0,1 1))'), ('SRID=54321;LINESTRING(0 0,1 1)')) v(line),
     LATERAL test.refusal(pg_temp.import_of(line, 'id', '77')) r;
+SELECT 'without a source_ref it names the row by its place: ' || coalesce(line, number), state = '22023' AND said ~ 'row number 2\M' FROM (VALUES
+    (NULL, 'id', '77'), ('SRID=4326;LINESTRING(200 100,300 400)', 'id', '77'), ('SRID=2154;POINT(1 1)', 'id', '77'), ('LINESTRING(0 0,1 1)', 'id', '77'), ('SRID=2154;LINESTRING(0 0,NaN 1)', 'id', '77'),
+    ('SRID=2154;LINESTRING(0 0,5 5)', 'width', '-1'), ('SRID=2154;LINESTRING(0 0,5 5)', 'level', '51'), ('SRID=2154;LINESTRING(0 0,5 5)', 'label', 'wide')) v(line, number, value),
+    LATERAL test.refusal(replace(pg_temp.import_of(line, number, value), '{"source_ref": "id", ', CASE number WHEN 'label' THEN '{"lane_count": "label", ' ELSE '{' END)) r;
 SELECT 'what import_axes refused changed no axis', count(*) = (SELECT count(*) FROM imported) AND bool_and(a.xmin = i.written) FROM town.axis a LEFT JOIN imported i USING (axis_id);

@@ -148,11 +148,17 @@ SELECT 'nor takes models out of it', count(*) = 1 FROM streetgen.model WHERE nam
 SET ROLE streetgen_test_reader;
 SELECT 'a reader reads an axis', test.state('SELECT count(*) FROM model_a.axis') = 'none';
 SELECT 'a reader deletes none', test.state('DELETE FROM model_a.axis') = '42501';
+SELECT 'who was granted nothing is told so, not what was tried: ' || call, (r).state = '42501' AND (r).said = 'role "streetgen_test_reader" may not read model "model_utm"' AND (r).hint LIKE '%grant(''model_utm'', ''streetgen_test_reader'', ''reader'')%'
+  FROM unnest(ARRAY['setting(''model_utm'')', 'summary(''model_utm'')', 'check_model(''model_utm'')', 'svg(''model_utm'')', 'cluster(''model_utm'', 1)', 'progress(''model_utm'')', 'set_transition(''model_utm'', 1)']) call,
+  LATERAL (SELECT test.refusal('SELECT * FROM streetgen.' || call) AS r) s;
 RESET ROLE;
 
 -- Adopt and drop.
 DO $$ BEGIN
   ALTER SCHEMA model_utm RENAME TO model_renamed;
+END $$;
+SELECT 'a renamed model is to be adopted', (r).state = '3F000' AND (r).hint LIKE '%adopt_model(''model_renamed'')%' FROM (SELECT test.refusal($q$SELECT streetgen.summary('model_renamed')$q$) AS r) s;
+DO $$ BEGIN
   PERFORM streetgen.adopt_model('model_renamed');
 END $$;
 SELECT 'a renamed model is adopted', EXISTS (SELECT FROM streetgen.model WHERE name = 'model_renamed' AND srid = 32631 AND dimension = 2);
