@@ -54,7 +54,7 @@ CROSS JOIN LATERAL (SELECT least(0.5, length_a / 2, length_b / 2) AS away) w
 WHERE k.method = 'no_arc' AND phi < radians(160);
 CREATE TEMPORARY TABLE block AS
 SELECT level, (ST_Dump(ST_Polygonize(line))).geom AS block
-FROM (SELECT level, (ST_Dump(ST_Node(ST_Collect(ST_Force2D(geom))))).geom AS line FROM :"model".edge WHERE level IN (SELECT level FROM arcless) GROUP BY level) l GROUP BY level;
+FROM (SELECT level, (ST_Dump(ST_UnaryUnion(ST_Collect(ST_Force2D(geom))))).geom AS line FROM :"model".edge WHERE level IN (SELECT level FROM arcless) GROUP BY level) l GROUP BY level;
 CREATE INDEX ON block USING gist (block);
 CREATE TEMPORARY TABLE groundless AS
 SELECT node_id, edge_a, end_a, edge_b, end_b FROM arcless c WHERE ST_HausdorffDistance(line_a, line_b) < 1e-3

@@ -13,7 +13,7 @@ DECLARE
     part geometry;
 BEGIN
     FOREACH part IN ARRAY taken LOOP
-        EXIT WHEN ST_IsEmpty(geom);
+        CONTINUE WHEN NOT ST_Intersects(geom, part);
         geom := ST_CollectionExtract(ST_Difference(geom, part, 1e-6), ST_Dimension(geom) + 1);
     END LOOP;
     RETURN geom;
