@@ -1,5 +1,5 @@
 -- Corners, kerbs and limits of one model against the laws that they must keep: each failure is a row of `finding`.
--- Reads the temporary table `surface` of quality.sql.
+-- Reads the temporary table `surface` of quality.sql, and calls its `remainder`.
 CREATE TEMPORARY TABLE finding (measure text, relation text, id bigint, value float8, geom geometry);
 
 -- Edge ends, counter-clockwise about their node, each oriented away from it.
@@ -54,7 +54,7 @@ CROSS JOIN LATERAL (SELECT least(0.5, length_a / 2, length_b / 2) AS away) w
 WHERE k.method = 'no_arc' AND phi < radians(160);
 CREATE TEMPORARY TABLE block AS
 SELECT level, (ST_Dump(ST_Polygonize(line))).geom AS block
-FROM (SELECT level, (ST_Dump(ST_Node(ST_Collect(ST_Force2D(geom))))).geom AS line FROM :"model".edge WHERE level IN (SELECT level FROM arcless) GROUP BY level) l GROUP BY level;
+FROM (SELECT level, (ST_Dump(ST_UnaryUnion(ST_Collect(ST_Force2D(geom))))).geom AS line FROM :"model".edge WHERE level IN (SELECT level FROM arcless) GROUP BY level) l GROUP BY level;
 CREATE INDEX ON block USING gist (block);
 CREATE TEMPORARY TABLE groundless AS
 SELECT node_id, edge_a, end_a, edge_b, end_b FROM arcless c WHERE ST_HausdorffDistance(line_a, line_b) < 1e-3
@@ -101,16 +101,15 @@ SELECT node_id, ST_Buffer(ST_StartPoint(line_a), least(half_a, half_b), 64) FROM
 CREATE INDEX ON fillet USING gist (ground);
 ANALYZE axis_buffer; ANALYZE fillet;
 
--- Noded at a micrometre: without a grid GEOS loses whole streets of a union whose surfaces touch in points.
 CREATE TEMPORARY TABLE uncovered AS
-SELECT axis_id, ST_Area(buffer) AS area, coalesce(ST_Area(missing), 0) AS missing_area, missing
-FROM axis_buffer CROSS JOIN LATERAL (SELECT ST_Difference(buffer, (SELECT ST_Union(surface, 1e-6) FROM surface s WHERE s.surface && buffer)) AS missing) m;
+SELECT axis_id, ST_Area(buffer) AS area, ST_Area(missing) AS missing_area, missing
+FROM axis_buffer CROSS JOIN LATERAL (SELECT pg_temp.remainder(buffer, ARRAY(SELECT surface FROM surface s WHERE s.surface && buffer)) AS missing) m;
 INSERT INTO finding SELECT 'buffer outside roadway', 'axis', axis_id, missing_area, missing FROM uncovered WHERE missing_area > 0.0005 * area;
 
 CREATE TEMPORARY TABLE excess AS
-SELECT kind, id, ST_Area(surface) AS area, coalesce(ST_Area(beyond), 0) AS excess_area, beyond
-FROM surface s CROSS JOIN LATERAL (SELECT ST_Difference(surface, (SELECT ST_Union(ground) FROM (
-    SELECT buffer AS ground FROM axis_buffer WHERE buffer && surface UNION ALL SELECT ground FROM fillet WHERE ground && surface) g)) AS beyond) d
+SELECT kind, id, ST_Area(surface) AS area, ST_Area(beyond) AS excess_area, beyond
+FROM surface s CROSS JOIN LATERAL (SELECT pg_temp.remainder(surface, ARRAY(
+    SELECT buffer FROM axis_buffer WHERE buffer && surface UNION ALL SELECT ground FROM fillet WHERE ground && surface)) AS beyond) d
 WHERE NOT (kind = 'intersection' AND EXISTS (SELECT FROM change WHERE node_id = id))
   AND NOT (kind = 'section' AND EXISTS (SELECT FROM :"model".edge e WHERE e.edge_id = s.id AND abs(width - width_end) >= 1e-9));
 INSERT INTO finding SELECT 'roadway outside buffers and fillets', kind, id, excess_area, beyond FROM excess WHERE excess_area > greatest(0.01, 0.001 * area);

@@ -128,12 +128,13 @@ BEGIN
     ELSE
         RETURN QUERY SELECT * FROM streetgen._mend_heights();
     END IF;
-    SELECT i.label INTO bad FROM _import i, ST_DumpPoints(i.geom) d
-        WHERE NOT (ST_X(d.geom) BETWEEN -1e12 AND 1e12 AND ST_Y(d.geom) BETWEEN -1e12 AND 1e12) OR NOT (coalesce(ST_Z(d.geom), 0) BETWEEN -1e12 AND 1e12) LIMIT 1;
+    -- A box leaves NaN out, a length does not: NaN is greater than infinity.
+    SELECT i.label INTO bad FROM _import i, Box3D(i.geom) AS box
+        WHERE NOT (ST_3DLength(i.geom) < 'Infinity' AND least(ST_XMin(box), ST_YMin(box), ST_ZMin(box)) >= -1e12 AND greatest(ST_XMax(box), ST_YMax(box), ST_ZMax(box)) <= 1e12) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', bad.label USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE NOT EXISTS (SELECT FROM spatial_ref_sys s WHERE s.srid = ST_SRID(i.geom)) LIMIT 1;
+    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', bad.label, CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
@@ -168,16 +169,17 @@ BEGIN
     RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM _import i,
         LATERAL (VALUES ('width', i.width), ('width_end', i.width_end), ('speed', i.speed), ('lane_count', i.lane_count), ('importance', i.importance)) v(name, value)
         WHERE v.value = 0 GROUP BY v.name ORDER BY v.name;
-    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = nullif(lane_count, 0), importance = nullif(importance, 0);
+    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = nullif(lane_count, 0), importance = nullif(importance, 0)
+        WHERE 0 IN (width, width_end, speed, lane_count, importance);
     RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref)
         FROM _import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, d.geom AS line, NULL::geometry AS cleaned, NULL::bigint AS hash, count(*) OVER (PARTITION BY i.ctid) AS parts, coalesce((d.path)[1], 1) AS nth FROM _import i, ST_Dump(streetgen._transformed(i.label, i.geom, target_srid)) d;
-    UPDATE _import_part p SET line = CASE WHEN flat THEN ST_Force2D(line) ELSE ST_Force3DZ(line) END,
-        source_ref = CASE WHEN parts > 1 THEN source_ref || '/' || nth ELSE source_ref END,
-        hash = hashtextextended(ROW(p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)::text, 0);
+        SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line, NULL::geometry AS cleaned, (d.path)[1] AS nth,
+            hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed, i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward, i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward, i.turn_backward), 0) AS hash
+        FROM _import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
+    UPDATE _import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
     DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
     ANALYZE _import_part (source_ref, line);

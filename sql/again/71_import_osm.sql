@@ -1,29 +1,29 @@
 CREATE OR REPLACE FUNCTION streetgen._osm_metres(value text) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
         WHEN value ~ '^\s*\d+(\.\d+)?\s*m?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
         WHEN value ~ '^\s*\d+(\.\d+)?\s*(ft|'')\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 0.3048
         WHEN value ~ '^\s*\d+''\s*\d+(\.\d+)?"\s*$' THEN substring(value FROM '^\s*(\d+)')::float8 * 0.3048 + substring(value FROM '''\s*(\d+(?:\.\d+)?)')::float8 * 0.0254
-    END $$;
+    END;
 COMMENT ON FUNCTION streetgen._osm_metres(text) IS 'An OSM length in metres: 7, 7.5 m, 23 ft, 12''6"; NULL where it is no length.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_speed(value text) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
         WHEN value ~ '^\s*\d+(\.\d+)?\s*(km/h|kph)?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
         WHEN value ~ '^\s*\d+(\.\d+)?\s*mph\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 1.609344
         WHEN value ~ ':urban$' THEN 50 WHEN value ~ ':rural$' THEN 80 WHEN value ~ ':motorway$' THEN 120 WHEN value ~ '(:living_street|^walk)$' THEN 10
-    END $$;
+    END;
 COMMENT ON FUNCTION streetgen._osm_speed(text) IS 'An OSM maxspeed in km/h: 50, 30 mph, FR:urban; NULL where it is no speed.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_count(value text) RETURNS integer
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN value ~ '^\s*\d{1,2}(\.0+)?\s*$' THEN substring(value FROM '\d+')::integer END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN value ~ '^\s*\d{1,2}(\.0+)?\s*$' THEN substring(value FROM '\d+')::integer END;
 COMMENT ON FUNCTION streetgen._osm_count(text) IS 'An OSM number of lanes; NULL where it is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_length(list text) RETURNS integer
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT cardinality(string_to_array(list, '|')) $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(string_to_array(list, '|'));
 COMMENT ON FUNCTION streetgen._osm_length(text) IS 'How many lanes a :lanes tag of OSM speaks of.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS text
@@ -32,25 +32,25 @@ CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS tex
 COMMENT ON FUNCTION streetgen._osm_list(text, text) IS 'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn or width.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_with_centre(list text, centre integer, driving_side text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE driving_side WHEN 'right' THEN repeat('|', coalesce(centre, 0)) || list ELSE list || repeat('|', coalesce(centre, 0)) END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE driving_side WHEN 'right' THEN repeat('|', coalesce(centre, 0)) || list ELSE list || repeat('|', coalesce(centre, 0)) END;
 COMMENT ON FUNCTION streetgen._osm_with_centre(text, integer, text) IS 'An OSM :lanes:forward tag with so many lanes more at the middle of the street, of which it says nothing.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_kerb(of_side text, of_both text, of_way text, against text, direction text, side text, driving_side text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
         WHEN coalesce(of_side, of_both) = 'lane' THEN CASE against WHEN '-1' THEN 'opposite' ELSE 'lane' END
         WHEN coalesce(of_side, of_both) = 'opposite_lane' THEN 'opposite'
         WHEN of_way = 'lane' AND (direction = 'both' OR (direction = 'direct') = (side = driving_side)) THEN 'lane'
-        WHEN of_way = 'opposite_lane' AND direction <> 'both' AND (direction = 'direct') <> (side = driving_side) THEN 'opposite' END $$;
+        WHEN of_way = 'opposite_lane' AND direction <> 'both' AND (direction = 'direct') <> (side = driving_side) THEN 'opposite' END;
 COMMENT ON FUNCTION streetgen._osm_kerb(text, text, text, text, text, text, text) IS 'What the tags of one kind (cycleway, busway) say of the left or right kerb of a way: lane, opposite (against the direction of the street) or NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_beside(kerb text, way text, direction text, near text, far text) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT coalesce(CASE
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(CASE
         WHEN direction = 'both' THEN kerb = 'near' AND near = 'lane'
         WHEN direction = way THEN CASE kerb WHEN 'near' THEN near ELSE far END = 'lane'
-        ELSE kerb = 'near' AND near = 'opposite' END, false) $$;
+        ELSE kerb = 'near' AND near = 'opposite' END, false);
 COMMENT ON FUNCTION streetgen._osm_beside(text, text, text, text, text) IS 'Does a lane of a way (direct or reverse) of a street run at its near or far kerb, near and far seen by who drives that way.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_table(suffix text, prefix text, schemas name[]) RETURNS regclass
@@ -86,7 +86,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
 -- A city's ways have few wordings of tags, and each is read once.
 WITH line AS MATERIALIZED (
-    SELECT *, dense_rank() OVER (ORDER BY class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %5$s) AS wording
+    SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %5$s)::text COLLATE "C" AS wording
     FROM (SELECT geom, way_id, name, class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
 meaning AS MATERIALIZED (
 SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end, coalesce(lanes_both, lanes_sum) AS lane_count, direction,
