@@ -96,10 +96,11 @@ class Borders {
     const Piece& longest =
         *std::max_element(run.pieces.begin(), run.pieces.end(),
                           [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
-    if (free_beside(longest, radius)) return false;
+    if (free_beside(longest, run.surface, radius)) return false;
     if (covered(place_beside(longest, beside), run.surface)) return false;
-    return std::none_of(run.pieces.begin(), run.pieces.end(),
-                        [&](const Piece& piece) { return free_beside(piece, radius); });
+    return std::none_of(run.pieces.begin(), run.pieces.end(), [&](const Piece& piece) {
+      return free_beside(piece, run.surface, radius);
+    });
   }
 
  private:
@@ -185,12 +186,15 @@ class Borders {
     return (piece.from + piece.to) * 0.5 + outwards;
   }
 
-  bool free_beside(const Piece& piece, double radius) const {
+  // Beyond a crack in its own surface, however narrow, there is no room.
+  bool free_beside(const Piece& piece, int surface, double radius) const {
     if (radius > largest_disc) return false;
-    constexpr double slack = 1e-6;
-    const Point centre = place_beside(piece, radius * (1 + slack));
-    return !index_.any_near(box_of(centre, centre), radius, [&](std::size_t i) {
-      return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
+    const Point centre = place_beside(piece, radius + beside), along = piece.to - piece.from;
+    return !index_.any_near(box_of(centre, centre), radius + touching, [&](std::size_t i) {
+      const Side& side = sides_[i];
+      const double away = distance_to_segment(centre, side.from, side.to);
+      return away < radius || (away < radius + touching && side.surface == surface &&
+                               dot(side.to - side.from, along) < 0);
     });
   }
 
