@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "box_index.hpp"
 #include "box_runs.hpp"
@@ -77,7 +79,7 @@ class Borders {
         if (other < r) meet_rings(other, r, ring_boxes[r].shared_with(ring_boxes[other]), boxes);
       });
     }
-    std::sort(met_.begin(), met_.end());
+    sort_met();
     index_ = BoxRuns(std::move(boxes));
     surface_index_ = BoxIndex(surface_boxes);
   }
@@ -107,9 +109,6 @@ class Borders {
   struct Meeting {
     int side;
     double share;  // of the side
-    bool operator<(const Meeting& o) const {
-      return side == o.side ? share < o.share : side < o.side;
-    }
   };
 
   // What they share lies in the box.
@@ -139,6 +138,21 @@ class Borders {
     if (const auto at = crossing(s.from, s.to, t.from, t.to)) {
       met_.push_back({i, share_of(s, *at)});
       met_.push_back({j, share_of(t, *at)});
+    }
+  }
+
+  // By side, and by share of it: a side has few.
+  void sort_met() {
+    std::vector<int> last(sides_.size() + 1);
+    for (const Meeting& meeting : met_) ++last[meeting.side + 1];
+    std::partial_sum(last.begin(), last.end(), last.begin());
+    std::vector<Meeting> sorted(met_.size());
+    for (const Meeting& meeting : met_) sorted[last[meeting.side]++] = meeting;
+    met_ = std::move(sorted);
+    for (auto first = met_.begin(); first != met_.end();) {
+      const auto end = met_.begin() + last[first->side];
+      std::sort(first, end, [](const Meeting& a, const Meeting& b) { return a.share < b.share; });
+      first = end;
     }
   }
 
