@@ -16,6 +16,7 @@
 #include "polyline.hpp"
 #include "stretches.hpp"
 #include "streetgen/cancel.hpp"
+#include "union.hpp"
 
 namespace streetgen {
 
@@ -266,7 +267,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
       owner = claims[i].surface;
     }
     if (owner == nullptr) continue;
-    *owner = geos.polygons(geos.unite({*owner, {{on_vertices(hole.ring, *owner)}}}).get());
+    *owner = united(geos, {*owner, {{on_vertices(hole.ring, *owner)}}});
     fill_holes(*owner, hairline);
   }
 }
