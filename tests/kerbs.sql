@@ -45,11 +45,11 @@ WHERE NOT coalesce(abs(radius - r) <= 1e-3 AND ST_Distance(k.centre, l.centre) <
     AND abs(cos(ST_Azimuth(ST_EndPoint(arc), k.centre) - azimuth_b)) <= sin(radians(0.1)), false);
 
 -- No arc below 160 degrees, and why. Between two axes lies a block, a face of the network of their level; no ground is between them
--- where they are one line drawn twice, or where their block is wholly roadway.
+-- where they are one line drawn twice, be it on two levels, or where their block is wholly roadway.
 CREATE TEMPORARY TABLE arcless AS
-SELECT p.*, a.level, ST_Translate(ST_StartPoint(line_a), away * sin(azimuth_a - phi / 2), away * cos(azimuth_a - phi / 2)) AS place
+SELECT p.*, CASE a.level WHEN b.level THEN a.level END AS level, ST_Translate(ST_StartPoint(line_a), away * sin(azimuth_a - phi / 2), away * cos(azimuth_a - phi / 2)) AS place
 FROM pair p JOIN :"model".corner k USING (node_id, edge_a, end_a, edge_b, end_b)
-JOIN :"model".edge a ON a.edge_id = edge_a JOIN :"model".edge b ON b.edge_id = edge_b AND b.level = a.level
+JOIN :"model".edge a ON a.edge_id = edge_a JOIN :"model".edge b ON b.edge_id = edge_b
 CROSS JOIN LATERAL (SELECT least(0.5, length_a / 2, length_b / 2) AS away) w
 WHERE k.method = 'no_arc' AND phi < radians(160);
 CREATE TEMPORARY TABLE block AS

@@ -16,6 +16,7 @@
 #include "polyline.hpp"
 #include "stretches.hpp"
 #include "streetgen/cancel.hpp"
+#include "union.hpp"
 
 namespace streetgen {
 
@@ -231,9 +232,12 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
 
 namespace {
 
-// Each vertex is the nearest of the surface's where it lies on one: settling may have moved that.
-Ring on_vertices(Ring ring, const MultiPolygon& surface) {
-  for (Point& p : ring) {
+// Settling may have moved the surface's vertices: each takes along the nearest of the ring's, but
+// no other, since the two sides of a hairline lie as near.
+Ring on_vertices(const Ring& ring, const MultiPolygon& surface) {
+  Ring moved = ring;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point p = ring[i];
     Point nearest = p;
     double away = touching;
     for (const Polygon& polygon : surface)
@@ -243,9 +247,11 @@ Ring on_vertices(Ring ring, const MultiPolygon& surface) {
             nearest = vertex;
             away = off;
           }
-    p = nearest;
+    if (std::none_of(ring.begin(), ring.end(),
+                     [&](const Point& other) { return distance(other, nearest) < away; }))
+      moved[i] = nearest;
   }
-  return ring;
+  return moved;
 }
 
 }  // namespace
@@ -261,7 +267,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
       owner = claims[i].surface;
     }
     if (owner == nullptr) continue;
-    *owner = geos.polygons(geos.unite({*owner, {{on_vertices(hole.ring, *owner)}}}).get());
+    *owner = united(geos, {*owner, {{on_vertices(hole.ring, *owner)}}});
     fill_holes(*owner, hairline);
   }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "box_index.hpp"
 #include "box_runs.hpp"
@@ -77,7 +79,7 @@ class Borders {
         if (other < r) meet_rings(other, r, ring_boxes[r].shared_with(ring_boxes[other]), boxes);
       });
     }
-    std::sort(met_.begin(), met_.end());
+    sort_met();
     index_ = BoxRuns(std::move(boxes));
     surface_index_ = BoxIndex(surface_boxes);
   }
@@ -96,19 +98,17 @@ class Borders {
     const Piece& longest =
         *std::max_element(run.pieces.begin(), run.pieces.end(),
                           [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
-    if (free_beside(longest, radius)) return false;
+    if (free_beside(longest, run.surface, radius)) return false;
     if (covered(place_beside(longest, beside), run.surface)) return false;
-    return std::none_of(run.pieces.begin(), run.pieces.end(),
-                        [&](const Piece& piece) { return free_beside(piece, radius); });
+    return std::none_of(run.pieces.begin(), run.pieces.end(), [&](const Piece& piece) {
+      return free_beside(piece, run.surface, radius);
+    });
   }
 
  private:
   struct Meeting {
     int side;
     double share;  // of the side
-    bool operator<(const Meeting& o) const {
-      return side == o.side ? share < o.share : side < o.side;
-    }
   };
 
   // What they share lies in the box.
@@ -138,6 +138,21 @@ class Borders {
     if (const auto at = crossing(s.from, s.to, t.from, t.to)) {
       met_.push_back({i, share_of(s, *at)});
       met_.push_back({j, share_of(t, *at)});
+    }
+  }
+
+  // By side, and by share of it: a side has few.
+  void sort_met() {
+    std::vector<int> last(sides_.size() + 1);
+    for (const Meeting& meeting : met_) ++last[meeting.side + 1];
+    std::partial_sum(last.begin(), last.end(), last.begin());
+    std::vector<Meeting> sorted(met_.size());
+    for (const Meeting& meeting : met_) sorted[last[meeting.side]++] = meeting;
+    met_ = std::move(sorted);
+    for (auto first = met_.begin(); first != met_.end();) {
+      const auto end = met_.begin() + last[first->side];
+      std::sort(first, end, [](const Meeting& a, const Meeting& b) { return a.share < b.share; });
+      first = end;
     }
   }
 
@@ -185,12 +200,15 @@ class Borders {
     return (piece.from + piece.to) * 0.5 + outwards;
   }
 
-  bool free_beside(const Piece& piece, double radius) const {
+  // Beyond a crack in its own surface, however narrow, there is no room.
+  bool free_beside(const Piece& piece, int surface, double radius) const {
     if (radius > largest_disc) return false;
-    constexpr double slack = 1e-6;
-    const Point centre = place_beside(piece, radius * (1 + slack));
-    return !index_.any_near(box_of(centre, centre), radius, [&](std::size_t i) {
-      return distance_to_segment(centre, sides_[i].from, sides_[i].to) < radius;
+    const Point centre = place_beside(piece, radius + beside), along = piece.to - piece.from;
+    return !index_.any_near(box_of(centre, centre), radius + touching, [&](std::size_t i) {
+      const Side& side = sides_[i];
+      const double away = distance_to_segment(centre, side.from, side.to);
+      return away < radius || (away < radius + touching && side.surface == surface &&
+                               dot(side.to - side.from, along) < 0);
     });
   }
 

@@ -35,13 +35,40 @@ TEST(Narrow, AHoleSmallerThanAskedForIsAPlace) {
   EXPECT_TRUE(places[0].holds({10.7, 10.7, 0}, 1e-9));
 }
 
-// A fifth of a millimetre wide.
+// A fifth of a millimetre wide, and a quarter of a micrometre.
 TEST(Narrow, AHairIsAPlace) {
   const auto surfaces = about_a_block(0.0);
-  std::vector<MultiPolygon> hair{rectangle(0, 0, 30, 10), rectangle(0, 10.0002, 30, 10),
-                                 rectangle(0, 0, 10, 20), rectangle(11, 0, 10, 20)};
   EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
-  EXPECT_EQ(narrow_places(all(hair), 0.5).size(), 1u);
+  for (const double wide : {2e-4, 2.5e-7}) {
+    std::vector<MultiPolygon> hair{rectangle(0, 0, 30, 10), rectangle(0, 10 + wide, 30, 10),
+                                   rectangle(0, 0, 10, 20), rectangle(11, 0, 19, 20)};
+    EXPECT_EQ(narrow_places(all(hair), 0.5).size(), 1u) << wide;
+  }
+}
+
+// A crack in the lower surface, longer than the rest of the hole's border, ends at the hole.
+TEST(Narrow, AHoleMayEndInACrackOfASurface) {
+  const MultiPolygon upper{{{{0, 10, 0},
+                             {4.9, 10, 0},
+                             {5, 10.1, 0},
+                             {5.1, 10, 0},
+                             {10, 10, 0},
+                             {5, 20, 0},
+                             {0, 10, 0}}}};
+  for (const double wide : {1e-9, 1e-7}) {
+    const MultiPolygon lower{{{{0, 0, 0},
+                               {10, 0, 0},
+                               {10, 10, 0},
+                               {5 + wide, 10, 0},
+                               {5, 2, 0},
+                               {5, 10, 0},
+                               {0, 10, 0},
+                               {0, 0, 0}}}};
+    const std::vector<MultiPolygon> surfaces{lower, upper};
+    const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+    ASSERT_EQ(places.size(), 1u) << wide;
+    EXPECT_TRUE(places[0].holds({5, 10.1, 0}, 1e-9));
+  }
 }
 
 TEST(Narrow, AWideHoleIsNone) {

@@ -192,6 +192,18 @@ TEST(Holes, AreFilledToTheirNarrowestCorner) {
   EXPECT_EQ(frame[0].size(), 1u);
 }
 
+// Its far side has a corner nearer to one of the surface's than settling may move that.
+TEST(Holes, AreFilledUpToTheirFarSide) {
+  Geos geos;
+  const Point bend{4, -4e-7, 0};
+  MultiPolygon below{{{{0, -5, 0}, {10, -5, 0}, {10, 0, 0}, bend, {0, 0, 0}, {0, -5, 0}}}};
+  Claim claim;
+  claim.surface = &below;
+  std::vector<Claim> claims{claim};
+  give_holes(geos, claims, {{{{0, 0, 0}, bend, {10, 0, 0}, {4, 0, 0}, {0, 0, 0}}, {0}}});
+  EXPECT_NEAR(area(below), 50, 1e-9);
+}
+
 // The union that finds a hole may move its corners by the noise of coordinates.
 TEST(Holes, LeaveNoHairlineAroundWhatWasFilled) {
   Geos geos;
