@@ -19,11 +19,11 @@ BEGIN
         EXIT WHEN held;
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
     END LOOP;
-    -- Triggers of others may see rows as they come.
-    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
+    -- Triggers of others may see rows as they come; ids that others step by are asked for one by one.
+    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_sequence JOIN pg_class c ON c.oid = seqrelid WHERE relnamespace = quote_ident(model)::regnamespace AND seqincrement <> 1) AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
         WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables()) AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
 END $$;
-COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, and its tables the caller''s and without triggers of others?';
+COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, its tables the caller''s and without triggers of others, and its ids in steps of one?';
 
 CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -69,6 +69,11 @@ BEGIN;
 SELECT streetgen.generate('parts') \g /dev/null
 ROLLBACK;
 SELECT 'a run rolled back leaves all as it was', NOT EXISTS (SELECT * FROM parts_before EXCEPT SELECT * FROM made_of('parts')) AND NOT EXISTS (SELECT FROM parts.node);
+BEGIN;
+ALTER TABLE parts.node ALTER node_id SET INCREMENT 2;
+SELECT streetgen.generate('parts') \g /dev/null
+SELECT 'ids step as their sequence does', count(DISTINCT node_id % 2) = 1 AND count(*) > 500 FROM parts.node;
+ROLLBACK;
 -- TRUNCATE would refuse.
 CREATE TABLE noted (node_id bigint REFERENCES parts.node, word text);
 SELECT 'a table of others may refer to one of the model', sum(inserted) > 0 FROM streetgen.generate('parts');
