@@ -160,14 +160,36 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
   return solved;
 }
 
+namespace {
+
+double widest_half(const Course& course) {
+  return std::max_element(course.begin(), course.end(), [](const Leg& l, const Leg& m) {
+           return l.half < m.half;
+         })->half;
+}
+
+// Up to the arc its circle fits nowhere between the two: farther apart, one comes back there.
+bool beside_each_other(const Course& a, const Course& b, const CornerArc& corner) {
+  const Line on_a = walked(a, corner.abscissa_a), on_b = walked(b, corner.abscissa_b);
+  const double apart = widest_half(a) + widest_half(b) + 2 * corner.radius + 1e-3;
+  const auto all_near = [&](const Line& line, const Line& other) {
+    return std::all_of(line.begin(), line.end(), [&](const Point& p) {
+      return distance_to_line(p, other) <= apart;
+    });
+  };
+  return all_near(on_a, on_b) && all_near(on_b, on_a);
+}
+
+}  // namespace
+
 bool may_follow(const Arm& a, const Arm& b) { return angle_between(a, b) < nearly_straight; }
 
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,
                                           const Course& onwards_b, const CornerWish& wish) {
   auto solved = solve_arc(onwards_a, onwards_b, angle_between(a, b), wish);
-  if (!solved) return std::nullopt;
+  if (!solved || !beside_each_other(onwards_a, onwards_b, solved->gap.corner)) return std::nullopt;
   const auto crossing = corner_arc(onwards_a, onwards_b, 0);
-  if (!crossing) return std::nullopt;
+  if (!crossing || !beside_each_other(onwards_a, onwards_b, *crossing)) return std::nullopt;
   solved->gap.angle = angle_between(a, b);
   solved->gap.beyond = cusp(onwards_a, onwards_b, *crossing, solved->gap.corner);
   solved->gap.meets = false;

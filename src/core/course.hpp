@@ -22,6 +22,9 @@ using Course = std::vector<Leg>;  // starts at the node
 std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius);
 std::optional<double> max_corner_radius(const Course& a, const Course& b, double radius_limit);
 
+// The line as far as an abscissa.
+Line walked(const Course& course, double until);
+
 // The kerb between two abscissas, backwards when u > v.
 Kerb kerb_line(const Course& course, double u, double v, int side);
 

@@ -290,6 +290,25 @@ TEST(Streets, AnAxisIsFollowedIntoAnotherWidth) {
   }
 }
 
+// A link that leaves a road, and the loop it goes on to, which comes back to the road.
+TEST(Streets, NoAxisIsFollowedToWhereItComesBack) {
+  Line loop{{22, 2, 0}};
+  double heading = std::atan2(2, 22);
+  for (int step = 0; step < 22; ++step) {
+    heading += M_PI / 12;
+    loop.push_back(loop.back() +
+                   Point{std::cos(heading), std::sin(heading), 0} * (25 * M_PI / 12));
+  }
+  const Streets town = streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 7, 7, 6, 2},
+                                {2, {{0, 0, 0}, {20, -2, 0}}, 0, 7, 7, 6, 2},
+                                {3, {{20, -2, 0}, {120, -12, 0}}, 0, 7, 7, 6, 2},
+                                {4, {{0, 0, 0}, {22, 2, 0}}, 0, 7, 7, 6, 2},
+                                {5, loop, 0, 7, 7, 6, 2}},
+                               {});
+  for (const Intersection& intersection : town.intersections)
+    EXPECT_FALSE(holds(intersection.surface, {20, 27, 0})) << intersection.node;
+}
+
 TEST(Streets, NoAxisIsFollowedIntoAnotherWidthPastAStreetBetween) {
   for (const double side : {1.0, -1.0}) {
     std::vector<StreetAxis> axes = going_on(12, 0);
