@@ -67,13 +67,16 @@ SELECT format('%s, SQLSTATE %s, grows by %s kB', name, state, bytes / 1024), byt
 
 -- Whole runs, good ones and then bad ones, after as many as fill the caches.  What a run gives back leaves holes that
 -- would hide what another one keeps, so that what counts is what PostgreSQL's memory contexts hold; _streets alone is above.
-CREATE TABLE soaked (nth bigint GENERATED ALWAYS AS IDENTITY, bad boolean, state text, bytes bigint);
+CREATE TABLE soaked (nth bigint GENERATED ALWAYS AS IDENTITY, turn integer, bad boolean, state text, bytes bigint);
 SELECT format('DO $do$ BEGIN PERFORM pg_temp.soak(%L); END $do$', i > 10) FROM generate_series(1, 12) i \gexec
-SELECT format('INSERT INTO soaked (bad, state) SELECT %L, pg_temp.soak(%1$L)', bad), 'UPDATE soaked SET bytes = pg_temp.in_contexts() WHERE bytes IS NULL'
-  FROM (VALUES (false), (true)) b(bad), generate_series(1, :calls / 10) ORDER BY bad \gexec
+SELECT format('INSERT INTO soaked (turn, bad, state) SELECT %s, %L, pg_temp.soak(%2$L)', turn, bad), 'UPDATE soaked SET bytes = pg_temp.in_contexts() WHERE bytes IS NULL'
+  FROM generate_series(1, 2) turn, (VALUES (false), (true)) b(bad), generate_series(1, :calls / 10) ORDER BY turn, bad \gexec
 -- A plan is made anew every few runs, and a cache grows in one: what counts is how the least of six runs moves on within five, most of the time.
-SELECT format('generate, SQLSTATE %s, grows by %s bytes a run', CASE WHEN bad THEN '22023' ELSE 'none' END, percentile_disc(0.5) WITHIN GROUP (ORDER BY growth)),
-       percentile_disc(0.5) WITHIN GROUP (ORDER BY growth) < 500 AND bool_and(state = CASE WHEN bad THEN '22023' ELSE 'none' END)
-FROM (SELECT *, (least_bytes - lag(least_bytes, 5) OVER (PARTITION BY bad ORDER BY nth)) / 5 AS growth
-      FROM (SELECT *, min(bytes) OVER (PARTITION BY bad ORDER BY nth ROWS 5 PRECEDING) AS least_bytes FROM soaked) s) g
+-- Other sessions on the server make caches grow too; what a run keeps, it keeps in both turns.
+SELECT format('generate, SQLSTATE %s, grows by %s bytes a run', CASE WHEN bad THEN '22023' ELSE 'none' END, min(usual)),
+       min(usual) < 500 AND bool_and(as_wanted)
+FROM (SELECT bad, percentile_disc(0.5) WITHIN GROUP (ORDER BY growth) AS usual, bool_and(state = CASE WHEN bad THEN '22023' ELSE 'none' END) AS as_wanted
+      FROM (SELECT *, (least_bytes - lag(least_bytes, 5) OVER (PARTITION BY bad, turn ORDER BY nth)) / 5 AS growth
+            FROM (SELECT *, min(bytes) OVER (PARTITION BY bad, turn ORDER BY nth ROWS 5 PRECEDING) AS least_bytes FROM soaked) s) g
+      GROUP BY bad, turn) t
 GROUP BY bad ORDER BY bad;
