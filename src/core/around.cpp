@@ -163,9 +163,9 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
 namespace {
 
 double widest_half(const Course& course) {
-  return std::max_element(course.begin(), course.end(), [](const Leg& l, const Leg& m) {
-           return l.half < m.half;
-         })->half;
+  return std::max_element(course.begin(), course.end(),
+                          [](const Leg& l, const Leg& m) { return l.half < m.half; })
+      ->half;
 }
 
 // Up to the arc its circle fits nowhere between the two: farther apart, one comes back there.
@@ -173,9 +173,8 @@ bool beside_each_other(const Course& a, const Course& b, const CornerArc& corner
   const Line on_a = walked(a, corner.abscissa_a), on_b = walked(b, corner.abscissa_b);
   const double apart = widest_half(a) + widest_half(b) + 2 * corner.radius + 1e-3;
   const auto all_near = [&](const Line& line, const Line& other) {
-    return std::all_of(line.begin(), line.end(), [&](const Point& p) {
-      return distance_to_line(p, other) <= apart;
-    });
+    return std::all_of(line.begin(), line.end(),
+                       [&](const Point& p) { return distance_to_line(p, other) <= apart; });
   };
   return all_near(on_a, on_b) && all_near(on_b, on_a);
 }

@@ -14,8 +14,8 @@
 #include "narrow.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
-#include "stretches.hpp"
 #include "streetgen/cancel.hpp"
+#include "stretches.hpp"
 #include "union.hpp"
 
 namespace streetgen {

@@ -9,9 +9,9 @@
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "rivalry.hpp"
-#include "stretches.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
+#include "stretches.hpp"
 
 namespace streetgen {
 

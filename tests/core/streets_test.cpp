@@ -296,8 +296,7 @@ TEST(Streets, NoAxisIsFollowedToWhereItComesBack) {
   double heading = std::atan2(2, 22);
   for (int step = 0; step < 22; ++step) {
     heading += M_PI / 12;
-    loop.push_back(loop.back() +
-                   Point{std::cos(heading), std::sin(heading), 0} * (25 * M_PI / 12));
+    loop.push_back(loop.back() + Point{std::cos(heading), std::sin(heading), 0} * (25 * M_PI / 12));
   }
   const Streets town = streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 7, 7, 6, 2},
                                 {2, {{0, 0, 0}, {20, -2, 0}}, 0, 7, 7, 6, 2},
