@@ -22,6 +22,7 @@ constexpr double touching = 1e-6;      // metres
 constexpr double beside = 2e-8;        // metres, to the outside of a border
 constexpr double least_run = 1e-4;     // metres: no hole has shorter runs only
 constexpr double largest_disc = 1000;  // metres, of its radius
+constexpr std::size_t few = 4096;  // pairs of sides that are looked at one by one
 
 // A segment of a ring, the surface on its left.
 struct Side {
@@ -113,14 +114,29 @@ class Borders {
 
   // What they share lies in the box.
   void meet_rings(int r, int s, const Box& shared, const std::vector<Box>& boxes) {
+    const std::vector<int> ours = sides_in(shared, r, boxes);
+    if (ours.empty()) return;
+    const std::vector<int> theirs = sides_in(shared, s, boxes);
+    if (ours.size() * theirs.size() <= few) {
+      for (const int j : theirs)
+        for (const int i : ours)
+          if (boxes[i].meets(boxes[j], touching)) meet(i, j);
+      return;
+    }
+    std::vector<Box> our_boxes;
+    for (const int i : ours) our_boxes.push_back(boxes[i]);
+    const BoxIndex index(our_boxes);
+    for (const int j : theirs) {
+      poll_cancel();
+      index.each_near(boxes[j], touching, [&](int k) { meet(ours[k], j); });
+    }
+  }
+
+  std::vector<int> sides_in(const Box& box, int r, const std::vector<Box>& boxes) const {
     std::vector<int> there;
     for (int i = rings_[r]; i < rings_[r + 1]; ++i)
-      if (boxes[i].meets(shared, touching)) there.push_back(i);
-    if (there.empty()) return;
-    for (int j = rings_[s]; j < rings_[s + 1]; ++j)
-      if (boxes[j].meets(shared, touching))
-        for (const int i : there)
-          if (boxes[i].meets(boxes[j], touching)) meet(i, j);
+      if (boxes[i].meets(box, touching)) there.push_back(i);
+    return there;
   }
 
   void meet(int i, int j) {

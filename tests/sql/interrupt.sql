@@ -8,10 +8,18 @@ CREATE TABLE before AS SELECT m AS model, test.rows(m) AS rows FROM unnest(ARRAY
 SELECT count(pg_temp.run(statement)) FROM long_call \g /dev/null
 CREATE TABLE whole AS SELECT c.*, r.* FROM long_call c, pg_temp.run(statement) r;
 CREATE TABLE tried (name text, timeout float8, ms float8, state text, said text, kept boolean);
-SELECT format('SET statement_timeout = %s', timeout),
-       format('INSERT INTO tried SELECT %L, %s, r.*, NOT EXISTS (SELECT FROM before WHERE rows <> test.rows(model)) FROM pg_temp.run(%L) r', name, timeout, statement),
-       'RESET statement_timeout' FROM whole, LATERAL (SELECT greatest(1, round(ms / 4)) AS timeout) t WHERE ms > 10 \gexec
+-- Each within a quarter of the least that it took. One that ended before was measured at a bad moment, and is tried again.
+CREATE VIEW attempt AS
+  SELECT format('SET statement_timeout = %s', timeout) AS before,
+         format('INSERT INTO tried SELECT %L, %s, r.*, NOT EXISTS (SELECT FROM before WHERE rows <> test.rows(model)) FROM pg_temp.run(%L) r', name, timeout, statement) AS call,
+         'RESET statement_timeout' AS after
+    FROM whole w LEFT JOIN (SELECT name, min(ms) AS ms, count(state) AS interrupted FROM tried GROUP BY name) t USING (name),
+         LATERAL (SELECT greatest(1, round(least(w.ms, t.ms) / 4)) AS timeout) o
+    WHERE w.ms > 10 AND coalesce(t.interrupted, 0) = 0;
+TABLE attempt \gexec
+TABLE attempt \gexec
+TABLE attempt \gexec
 SELECT format('%s gives a result: %s', name, said), state IS NULL FROM whole;
-SELECT format('%s is interrupted, %s ms late: %s', name, round(ms - timeout), said), state = '57014' AND ms - timeout < 2000 FROM tried;
-SELECT name || ' interrupted changes no row', kept FROM tried;
-SELECT 'enough calls are long enough to be interrupted', count(*) > 10 FROM tried;
+SELECT format('%s is interrupted: %s', name, string_agg(format('%s ms late, %s', round(ms - timeout), said), '; ')), bool_or(state = '57014' AND ms - timeout < 2000) FROM tried GROUP BY name;
+SELECT name || ' interrupted changes no row', bool_and(kept) FROM tried GROUP BY name;
+SELECT 'enough calls are long enough to be interrupted', count(DISTINCT name) > 10 FROM tried;
