@@ -199,6 +199,7 @@ std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
   Point asked;
   double apart = 0;  // metres: no site of the other owner lies nearer to the place asked last
   for (int next = 1; next < size(); ++next) {
+    poll_cancel();
     const Point& to = sites_[next].point;
     const bool goes_on = distance(sites_[next - 1].point, to) <= stride;
     const int before = goes_on ? next - 1 : nearest(to, next);

@@ -90,13 +90,14 @@ class Settlement {
     std::vector<Line> lines;
     append_rings(surface, lines);
     const auto near = [&](const Point& from, const Point& to) {
+      poll_cancel();
       return ground.comes_near(from, to);
     };
     for (const int other : opponents_[claim])
       append_stretches(*claims_[other].surface, near, lines);
     const auto append_border = [&](std::size_t dispute) {
       for (const Line& line : rivalry(dispute).border())
-        if (ground.comes_near(line.front(), line.back())) lines.push_back(line);
+        if (near(line.front(), line.back())) lines.push_back(line);
     };
     const bool levels_meet =
         std::any_of(opponents_[claim].begin(), opponents_[claim].end(),
@@ -211,8 +212,10 @@ class Settlement {
     const Ground& ground = grounds_[claim];
     std::vector<Contest> contests;
     contests.reserve(faces.places().size());
-    for (const Point& place : faces.places())
+    for (const Point& place : faces.places()) {
+      poll_cancel();
       contests.push_back(ground.holds(place) ? contest_at(claim, place) : Contest{});
+    }
     return contests;
   }
 

@@ -161,8 +161,10 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   sample(*loser.claim, within, !first_wins, sites);
   if (sites.empty()) return;
   nearest_.emplace(sites, within);
-  for (const auto& [from, to] : nearest_->border())
+  for (const auto& [from, to] : nearest_->border()) {
+    poll_cancel();
     append_shared(*a.ground, *b.ground, from, to, border_);
+  }
 }
 
 bool Rivalry::first_owns(const Point& place) const {
