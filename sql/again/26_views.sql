@@ -16,7 +16,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
-       streetgen._wanted_radius(radius, importance_known, speed_used, width_used, radius_by_importance, turning_mode) AS radius,
+       streetgen._wanted_radius(radius, importance_known, speed_used, width_used, radii, turning_mode) AS radius,
        array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
@@ -33,8 +33,8 @@ LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width, (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default, (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width, (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
-           (max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb AS speed_by_importance, (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
-           nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb AS radius_by_importance, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds, (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
+           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb) AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
 LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
@@ -52,7 +52,7 @@ LEFT JOIN LATERAL (
                + CASE WHEN lanes_stated IS NULL THEN 0 ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
                                                             + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0) END)) AS width_used HAVING true) w ON true
 LEFT JOIN LATERAL (
-    SELECT coalesce(speed, class_speed, streetgen.estimated_speed(importance_known, width_used, speed_by_importance, speed_per_width)) AS speed_used HAVING true) p ON true
+    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds, speed_per_width)) AS speed_used HAVING true) p ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(lane_count, greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1 ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END,
                CASE direction WHEN 'both' THEN 2 ELSE 1 END)) AS count_used HAVING true) n ON true

@@ -10,28 +10,39 @@ CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_w
     RETURN least(coalesce(lane_count * lane_width, class_width, width_default), 200);
 COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
 
-CREATE OR REPLACE FUNCTION streetgen._by_importance(importance integer, table_of jsonb) RETURNS float8
-    -- Planned once a session, unlike a query in SQL that cannot be inlined.
+CREATE OR REPLACE FUNCTION streetgen._by_importance(entries jsonb) RETURNS float8[]
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
+DECLARE
+    list float8[];
+    entry float8;
 BEGIN
-    FOR entry IN REVERSE least(importance, 99) .. 1 LOOP
-        IF table_of ? entry::text THEN
-            RETURN table_of ->> entry::text;
+    FOR importance IN 1 .. coalesce((SELECT max(key::integer) FROM jsonb_object_keys(entries) key WHERE key ~ '^[1-9]\d?$'), 0) LOOP
+        IF entries ? importance::text THEN
+            entry := entries ->> importance::text;
+            list := coalesce(list, array_fill(entry, ARRAY[importance - 1]));
+        END IF;
+        IF list IS NOT NULL THEN
+            list := list || entry;
         END IF;
     END LOOP;
-    FOR entry IN 1 .. 99 LOOP
-        IF table_of ? entry::text THEN
-            RETURN table_of ->> entry::text;
-        END IF;
-    END LOOP;
-    RETURN NULL;
+    RETURN list;
 END $$;
-COMMENT ON FUNCTION streetgen._by_importance(integer, jsonb) IS 'Entry of an object of importance (1 to 99) to number: the last at or before the importance, before the first entry the first; NULL for none.';
+COMMENT ON FUNCTION streetgen._by_importance(jsonb) IS 'What each importance from 1 to the last of an object of importance (1 to 99) to number has: the last entry at or before it, before the first entry the first; NULL for no entry.';
+
+CREATE OR REPLACE FUNCTION streetgen._of_importance(importance integer, list float8[]) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN list[CASE WHEN importance < 1 THEN 1 WHEN importance > cardinality(list) THEN cardinality(list) ELSE importance END];
+COMMENT ON FUNCTION streetgen._of_importance(integer, float8[]) IS 'What an importance has by the list of streetgen._by_importance; one beyond it what the nearest has.';
+
+CREATE OR REPLACE FUNCTION streetgen._estimated_speed(importance integer, width float8, speeds float8[], speed_per_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(streetgen._of_importance(importance, speeds), greatest(20, least(110, width * speed_per_width)));
+COMMENT ON FUNCTION streetgen._estimated_speed(integer, float8, float8[], float8) IS 'streetgen.estimated_speed by a list that is read already.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(streetgen._by_importance(importance, speed_by_importance), greatest(20, least(110, width * speed_per_width)));
+    RETURN streetgen._estimated_speed(importance, width, streetgen._by_importance(speed_by_importance), speed_per_width);
 COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
@@ -82,15 +93,15 @@ CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS 
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
 COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
 
-CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance jsonb, mode text) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8, radii float8[], mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(radius, CASE WHEN importance IS NOT NULL AND radius_by_importance <> '{}' THEN coalesce(streetgen._by_importance(importance, radius_by_importance), 0) END,
+    RETURN coalesce(radius, CASE WHEN importance IS NOT NULL AND radii IS NOT NULL THEN coalesce(streetgen._of_importance(importance, radii), 0) END,
         streetgen.turning_radius(least(speed, 400), width, mode));
-COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, jsonb, text) IS 'streetgen.wanted_radius of a table by importance that is read already.';
+COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, float8[], text) IS 'streetgen.wanted_radius by a list that is read already.';
 
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN streetgen._wanted_radius(radius, importance, speed, width, nullif(radius_by_importance, '')::jsonb, mode);
+    RETURN streetgen._wanted_radius(radius, importance, speed, width, streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode);
 COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()

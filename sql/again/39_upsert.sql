@@ -47,10 +47,14 @@ new_{relation} AS MATERIALIZED (
     SELECT {stored} FROM (
         SELECT old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed, {id_there}n.*
         FROM ({rows}
-            ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{as_one}) r),
+            ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {bare} AND ({same_there}) = ({same_new}){there_before} {by_key}) old ON true{as_one}) r{by_number}),
 set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
-    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{order}{on_conflict})$part$ END
+    SELECT {id_new}, {written} FROM new_{relation} WHERE changed{of_fresh}{if_any}{order}{on_conflict})$part$ END
+    || $part$,
+count_{relation} AS MATERIALIZED (
+    SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated, count(*) FILTER (WHERE NOT changed) AS unchanged,
+           {hard} AS hard FROM new_{relation})$part$
     || CASE WHEN (places ->> 'first')::boolean THEN $part$,
 -- Those that can meet no row need not look for one.
 add_{relation} AS (
@@ -61,7 +65,7 @@ add_{relation} AS (
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
     -- Of a whole model every row is looked at only where one is too many.
-    DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT count(*) FROM new_{relation} WHERE NOT fresh)) AND {id} = ANY (ARRAY(
+    DELETE FROM {model}.{relation} WHERE NOT {bare} AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT updated + unchanged FROM count_{relation})) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh))) RETURNING 1)$part$ END,
         places || jsonb_build_object('relation', relation, 'id', id, 'written', columns,
             'rows', streetgen._filled(rows, places || jsonb_build_object('next_id', next_id)), 'there', streetgen._filled(there, places),
@@ -74,14 +78,19 @@ gone_{relation} AS (
             -- Of a whole model what stays as it is need not be stored.
             'stored', CASE WHEN named OR NOT whole THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id, regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
             'of_fresh', CASE WHEN (places ->> 'first')::boolean THEN ' AND NOT fresh' ELSE '' END,
-            'order', CASE WHEN bare THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
+            -- Of a whole model what changed is not looked for where nothing did.
+            'if_any', CASE WHEN whole AND NOT bare THEN format(' AND (SELECT inserted + updated > 0 FROM count_%s)', relation) ELSE '' END,
+            'hard', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END,
+            'order', CASE WHEN whole THEN '' ELSE ' ORDER BY number' END, 'as_one', CASE WHEN named AND NOT bare THEN ' ORDER BY number' WHEN whole AND NOT named THEN ' OFFSET 0' ELSE '' END,
+            -- A sort forms each row for the store; else it would be formed for the store and for its first reader.
+            'by_number', CASE WHEN whole AND NOT named THEN ' ORDER BY number' ELSE '' END,
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, others, streetgen._columns_of('excluded', others)) END,
             'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
     FROM (SELECT (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c WHERE c <> ALL (string_to_array(coalesce(same, ''), ', '))) AS others, (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent,
         -- In a bare model from where the sequence stands, which streetgen._pass_ids moves on.
         format(CASE WHEN (places ->> 'bare')::boolean THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)' ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: those of the columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), gone_relation a row for each that is gone.';
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: those of the columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), count_relation says how many, and of how many method is other than hypothesis (hard), gone_relation has a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

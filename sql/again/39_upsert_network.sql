@@ -28,7 +28,7 @@ old_edge AS MATERIALIZED (
                             FROM (SELECT *, min(start_abscissa) OVER (PARTITION BY axis_id) AS first, max(end_abscissa) OVER (PARTITION BY axis_id) AS last FROM old_edge) e) o
                       JOIN (SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2 ELSE round(abscissa * 100) END AS place
                             FROM (SELECT number, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa FROM written_node WHERE NOT {bare}) a
-                            LEFT JOIN (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM computed_edge GROUP BY axis_id) s USING (axis_id)) n USING (axis_id, place)
+                            LEFT JOIN (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last FROM computed_edge GROUP BY axis_id) s USING (axis_id) OFFSET 0) n USING (axis_id, place)
                       ORDER BY o.node_id, axis_id, n.number) heir GROUP BY number) k USING (number) ORDER BY n.number OFFSET 0) c$part$,
         there => 'SELECT node_id FROM left_node'),
     streetgen._filled($part$

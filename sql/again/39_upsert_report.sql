@@ -23,12 +23,11 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_counts() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT string_agg(format(
-        'SELECT %1$L, count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh), (SELECT %2$s * count(*) FROM gone_%3$s), count(*) FILTER (WHERE NOT changed), %4$s FROM new_%1$s',
-        relation, each, gone_with, CASE WHEN has_method THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')' ELSE '0::bigint' END), E' UNION ALL\n' ORDER BY array_position(streetgen._derived_tables(), relation::name))
+        'SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, hard FROM count_%1$s', relation, each, gone_with), E' UNION ALL\n' ORDER BY array_position(streetgen._derived_tables(), relation::name))
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report), (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
     -- Limits and sections go with their edge.
-    FROM (VALUES ('node', 1, 'node', false), ('edge', 1, 'edge', false), ('section_limit', 2, 'edge', true), ('section', 1, 'edge', true), ('corner', 1, 'corner', true),
-        ('intersection', 1, 'intersection', true), ('lane', 1, 'lane', true), ('lane_separator', 1, 'lane_separator', false), ('marking', 1, 'marking', false),
-        ('interconnection', 1, 'interconnection', true)) t(relation, each, gone_with, has_method) $$;
+    FROM (VALUES ('node', 1, 'node'), ('edge', 1, 'edge'), ('section_limit', 2, 'edge'), ('section', 1, 'edge'), ('corner', 1, 'corner'),
+        ('intersection', 1, 'intersection'), ('lane', 1, 'lane'), ('lane_separator', 1, 'lane_separator'), ('marking', 1, 'marking'),
+        ('interconnection', 1, 'interconnection')) t(relation, each, gone_with) $$;
 COMMENT ON FUNCTION streetgen._upsert_counts() IS 'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those computed have a method other than hypothesis.';

@@ -58,7 +58,7 @@ Slot<T>* make_slot(MemoryContext owner) {
 
 // How the compute step ended: plain bytes, so that a longjmp may step over them.
 struct Outcome {
-  int sqlstate;  // 0: it went well
+  int sqlstate = 0;  // 0: it went well, and nothing else is said
   char message[512];
   char hint[1024];  // empty: none
 };
@@ -69,7 +69,7 @@ bool cancel_requested() noexcept;
 
 template <class Work>
 Outcome compute(Work&& work) noexcept {
-  Outcome outcome{};
+  Outcome outcome;
   const auto failed = [&](int sqlstate, const char* message, const char* hint = "") {
     outcome.sqlstate = sqlstate;
     strlcpy(outcome.message, message, sizeof outcome.message);

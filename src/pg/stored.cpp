@@ -38,14 +38,17 @@ struct Extent {
   }
 };
 
+constexpr std::size_t bytes_of_point(bool has_z) { return (has_z ? 3 : 2) * sizeof(double); }
+
 class Writer {
  public:
   // So many bytes come after the head; a point, two points and what is empty have no box.
   Writer(Form form, std::size_t bytes, const Extent* extent) : has_z_(form.has_z) {
     const std::size_t box = extent == nullptr ? 0 : (has_z_ ? 6 : 4) * sizeof(float);
-    out_.resize(VARHDRSZ + 4 + box + bytes);
-    at_ = out_.data() + VARHDRSZ;
-    SET_VARSIZE(out_.data(), out_.size());
+    const std::size_t all = VARHDRSZ + 4 + box + bytes;
+    out_.reset(new char[all]);
+    at_ = out_.get() + VARHDRSZ;
+    SET_VARSIZE(out_.get(), all);
     for (const int shift : {16, 8, 0}) put(static_cast<std::uint8_t>(form.srid >> shift));
     put<std::uint8_t>(version_flag | (box > 0 ? box_flag : 0) | (has_z_ ? z_flag : 0));
     if (extent == nullptr) return;
@@ -63,11 +66,12 @@ class Writer {
     at_ += bytes;
   }
   void put(const Line& line) {
-    for (const Point& p : line) put(p, bytes_of_point(has_z_));
+    if (has_z_)
+      put_points<bytes_of_point(true)>(line);
+    else
+      put_points<bytes_of_point(false)>(line);
   }
-  std::string take() { return std::move(out_); }
-
-  static std::size_t bytes_of_point(bool has_z) { return (has_z ? 3 : 2) * sizeof(double); }
+  Stored take() { return std::move(out_); }
 
  private:
   void put_range(double low, double high) {
@@ -75,8 +79,18 @@ class Writer {
     put(at_least(high));
   }
 
+  template <std::size_t bytes>
+  void put_points(const Line& line) {
+    char* at = at_;
+    for (const Point& p : line) {
+      std::memcpy(at, &p, bytes);
+      at += bytes;
+    }
+    at_ = at;
+  }
+
   bool has_z_;
-  std::string out_;
+  Stored out_;
   char* at_;
 };
 
@@ -87,31 +101,31 @@ std::size_t padded(std::size_t rings) { return rings + rings % 2; }
 
 }  // namespace
 
-std::string stored_point(const Point& point, Form form) {
-  Writer writer(form, head_bytes + Writer::bytes_of_point(form.has_z), nullptr);
+Stored stored_point(const Point& point, Form form) {
+  Writer writer(form, head_bytes + bytes_of_point(form.has_z), nullptr);
   writer.head(point_type, 1);
-  writer.put(point, Writer::bytes_of_point(form.has_z));
+  writer.put(point, bytes_of_point(form.has_z));
   return writer.take();
 }
 
-std::string stored_line(const Line& line, Form form) {
+Stored stored_line(const Line& line, Form form) {
   Extent extent;
   extent.hold(line);
-  Writer writer(form, head_bytes + line.size() * Writer::bytes_of_point(form.has_z),
+  Writer writer(form, head_bytes + line.size() * bytes_of_point(form.has_z),
                 line.size() > 2 ? &extent : nullptr);
   writer.head(line_type, line.size());
   writer.put(line);
   return writer.take();
 }
 
-std::string stored_surface(const MultiPolygon& surface, Form form) {
+Stored stored_surface(const MultiPolygon& surface, Form form) {
   Extent extent;
   std::size_t bytes = head_bytes;
   for (const Polygon& polygon : surface) {
     bytes += head_bytes + padded(polygon.size()) * sizeof(std::uint32_t);
     for (const Ring& ring : polygon) {
       extent.hold(ring);
-      bytes += ring.size() * Writer::bytes_of_point(form.has_z);
+      bytes += ring.size() * bytes_of_point(form.has_z);
     }
   }
   Writer writer(form, bytes, surface.empty() ? nullptr : &extent);

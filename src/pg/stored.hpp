@@ -2,15 +2,17 @@
 // is written so is a geometry, and nothing has to read it first.
 #pragma once
 
-#include <string>
+#include <memory>
 
 #include "streetgen/geometry.hpp"
 #include "wkb.hpp"
 
 namespace streetgen::pg {
 
-std::string stored_point(const Point& point, Form form);
-std::string stored_line(const Line& line, Form form);
-std::string stored_surface(const MultiPolygon& surface, Form form);  // MULTIPOLYGON
+using Stored = std::unique_ptr<char[]>;
+
+Stored stored_point(const Point& point, Form form);
+Stored stored_line(const Line& line, Form form);
+Stored stored_surface(const MultiPolygon& surface, Form form);  // MULTIPOLYGON
 
 }  // namespace streetgen::pg

@@ -51,6 +51,10 @@ Datum doubles(const std::vector<double>& numbers) {
   return PointerGetDatum(construct_array(datums, count, FLOAT8OID, 8, true, TYPALIGN_DOUBLE));
 }
 
+Datum text_datum(std::string_view text) {
+  return PointerGetDatum(cstring_to_text_with_len(text.data(), static_cast<int>(text.size())));
+}
+
 // The value of a column, which is of its type: else an error, not a wild read.
 Datum datum_of(const Value& value, GivenColumn* column) {
   switch (column->type) {
@@ -67,9 +71,8 @@ Datum datum_of(const Value& value, GivenColumn* column) {
       if (const double* given = std::get_if<double>(&value)) return Float8GetDatum(*given);
       break;
     case TEXTOID:
-      if (const auto* given = std::get_if<std::string>(&value))
-        return PointerGetDatum(
-            cstring_to_text_with_len(given->data(), static_cast<int>(given->size())));
+      if (const auto* given = std::get_if<std::string_view>(&value)) return text_datum(*given);
+      if (const auto* given = std::get_if<std::string>(&value)) return text_datum(*given);
       break;
     case INT8ARRAYOID:
       if (const auto* given = std::get_if<std::vector<std::int64_t>>(&value))
@@ -80,7 +83,7 @@ Datum datum_of(const Value& value, GivenColumn* column) {
       break;
     default:
       if (const auto* given = std::get_if<Geometry>(&value))
-        return PointerGetDatum(given->bytes.data());
+        return PointerGetDatum(given->bytes.get());
       // The cast takes no type modifier.
       if (const auto* given = std::get_if<Ewkb>(&value))
         return FunctionCall1(&column->cast, bytes_datum(given->bytes));

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "lane_text.hpp"
-#include "stored.hpp"
 
 namespace streetgen::pg {
 
@@ -14,8 +13,8 @@ Form with_z(const ComputedStreets& computed) { return {computed.srid, computed.h
 
 // Before they have ids, nodes and edges refer to each other by numbers from 1 on.
 std::int32_t number(std::size_t index) { return static_cast<std::int32_t>(index) + 1; }
-Value end_name(bool at_start) { return std::string(at_start ? "start" : "end"); }
-Value name(const char* text) { return std::string(text); }
+std::string_view end_name(bool at_start) { return at_start ? "start" : "end"; }
+std::string_view name(const char* text) { return text; }
 
 const char* issue_name(NetworkIssue issue) {
   switch (issue) {

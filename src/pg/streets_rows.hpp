@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "stored.hpp"
 #include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/streets.hpp"
@@ -32,17 +34,17 @@ struct Named {
   Ids nodes, edges, lanes;
 };
 
-// As PostGIS stores it.
 struct Geometry {
-  std::string bytes;
+  Stored bytes;
 };
 // An arc: PostGIS knows its box.
 struct Ewkb {
   std::string bytes;
 };
-// monostate: NULL.
-using Value = std::variant<std::monostate, bool, std::int32_t, std::int64_t, double, std::string,
-                           Geometry, Ewkb, std::vector<std::int64_t>, std::vector<double>>;
+// monostate: NULL. string_view: a word of the code.
+using Value =
+    std::variant<std::monostate, bool, std::int32_t, std::int64_t, double, std::string_view,
+                 std::string, Geometry, Ewkb, std::vector<std::int64_t>, std::vector<double>>;
 using Row = std::vector<Value>;
 
 // The rows of a table, made one by one in the order of its columns in SQL after the first, the
