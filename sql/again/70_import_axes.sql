@@ -242,7 +242,10 @@ DECLARE
     changed bigint;
 BEGIN
     PERFORM streetgen._check_settings(model);
-    EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
+    -- What fails within it shows the name of a view, and not all of the query.
+    EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
+    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM _import_query;
+    DROP VIEW _import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model);
     IF EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL) THEN
         RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
@@ -353,8 +356,11 @@ CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, ma
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    query text;
 BEGIN
     PERFORM streetgen._take_classes(model);
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source));
+    query := format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;
 COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class and what was not believed. A missing column: 42703; bad rows: 22023; then the model stays as it was.';
