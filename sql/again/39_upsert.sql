@@ -112,8 +112,11 @@ DECLARE
     work_mem_before text := current_setting('work_mem');
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    RETURN QUERY EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare, first => first))
-        USING written, gathered, changed, onwards;
+    -- What fails within a loop's query does not show it whole, a thousand lines of CONTEXT.
+    FOR relation, inserted, updated, deleted, unchanged, hard IN EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, whole => written IS NULL, bare => bare, first => first))
+            USING written, gathered, changed, onwards LOOP
+        RETURN NEXT;
+    END LOOP;
     PERFORM set_config('work_mem', work_mem_before, true);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_set(name, bigint[], bigint[], bigint[], boolean, boolean, boolean) IS 'Computes and upserts many streets, planned for the sizes of the tables: all axes of a model (NULL; leftovers of deleted ones go), or what changed axes can change of those written, with those gathered around them. bare: nothing was derived yet, so that rows are inserted, and nothing else; first: not of the changed axes, and what lies around them is right; onwards as for streetgen._upsert_part.';
@@ -131,7 +134,9 @@ CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], cha
     AS $body$
 #variable_conflict use_column
 BEGIN
-    RETURN QUERY %2$s;
+    FOR relation, inserted, updated, deleted, unchanged, hard IN %2$s LOOP
+        RETURN NEXT;
+    END LOOP;
 END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, whole => false)));
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._leading_on(axes bigint[]) RETURNS bigint[]

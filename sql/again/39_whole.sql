@@ -111,10 +111,9 @@ BEGIN
     END LOOP;
     RETURN QUERY SELECT * FROM unnest(turns, relations, statements);
 EXCEPTION WHEN lock_not_available OR object_in_use THEN
-    -- Somebody reads them.
-    RETURN;
+    RAISE WARNING 'tables of model "%" are in use: their keys and indexes stay on, and its first run takes longer', model USING DETAIL = SQLERRM;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, and nothing is changed, where somebody uses a table.';
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, nothing changed and a warning where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -302,12 +302,13 @@ SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(s
 FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended, coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
              coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended, min(k.began) AS began,
              sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)), 0)::float8 AS rate_of_one FROM %I.cluster k) c,
-     -- Keys of blocks are negative.
-     (SELECT count(DISTINCT pid)::integer AS sessions FROM pg_locks l WHERE locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
-          AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid AND objid::bigint BETWEEN 2147483648 AND 4294967294) s,
+     -- Keys of blocks are negative; who waits does not compute.
+     (SELECT count(*)::integer AS sessions FROM (SELECT FROM pg_locks GROUP BY pid HAVING bool_and(granted)
+          AND bool_or(locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
+              AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid AND objid::bigint BETWEEN 2147483648 AND 4294967294)) l) s,
      LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
 END $$;
-COMMENT ON FUNCTION streetgen.progress(name) IS 'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';
+COMMENT ON FUNCTION streetgen.progress(name) IS 'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do not wait, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer DEFAULT NULL)
     RETURNS TABLE(cluster integer, axes integer, seconds float8, ended integer, clusters integer, axes_per_second float8, time_left interval)

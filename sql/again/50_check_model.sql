@@ -4,31 +4,36 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     AS $$
 BEGIN
     PERFORM streetgen._check_reader(model);
-    RETURN QUERY EXECUTE format($sql$
+    -- A loop: what fails within its query does not show it whole.
+    FOR severity, rule, relation, id, measure, geom IN EXECUTE format($sql$
 WITH used AS MATERIALIZED (SELECT * FROM %1$I.axis_used),
-surface AS MATERIALIZED (
-    SELECT 'section' AS relation, edge_id AS id, level, surface FROM %1$I.section WHERE NOT ST_IsEmpty(surface)
-    UNION ALL SELECT 'intersection', node_id, level, surface FROM %1$I.intersection WHERE NOT ST_IsEmpty(surface)),
+invalid AS MATERIALIZED (
+    SELECT 'section' AS relation, edge_id AS id, surface FROM %1$I.section WHERE NOT ST_IsValid(surface)
+    UNION ALL SELECT 'intersection', node_id, surface FROM %1$I.intersection WHERE NOT ST_IsValid(surface)),
+-- By lists, so that each is left out before its surface meets another.
+valid_section AS NOT MATERIALIZED (SELECT * FROM %1$I.section WHERE edge_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'section'))),
+valid_intersection AS NOT MATERIALIZED (SELECT * FROM %1$I.intersection WHERE node_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'intersection'))),
 -- Neighbours share their border vertex for vertex, so that a relation without a grid would stumble over rounding.
+-- It costs as much again, so that only what shares ground without one is looked at.
 -- Levels are compared by difference, since a hash join of a whole level would pass over the spatial index.
 overlap AS MATERIALIZED (
     SELECT relation, id, ST_CollectionExtract(ST_Intersection(a, b, 1e-5), 3) AS shared FROM (
         SELECT 'section' AS relation, a.edge_id AS id, a.surface AS a, b.surface AS b
-        FROM %1$I.section a JOIN %1$I.section b ON a.surface && b.surface AND a.level - b.level = 0 AND a.edge_id < b.edge_id
+        FROM valid_section a JOIN valid_section b ON a.surface && b.surface AND a.level - b.level = 0 AND a.edge_id < b.edge_id
         UNION ALL SELECT 'section', a.edge_id, a.surface, b.surface
-        FROM %1$I.section a JOIN %1$I.intersection b ON a.surface && b.surface AND a.level - b.level = 0
+        FROM valid_section a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0
         UNION ALL SELECT 'intersection', a.node_id, a.surface, b.surface
-        FROM %1$I.intersection a JOIN %1$I.intersection b ON a.surface && b.surface AND a.level - b.level = 0 AND a.node_id < b.node_id) pair
-    WHERE ST_IsValid(a) AND ST_IsValid(b)),
+        FROM valid_intersection a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0 AND a.node_id < b.node_id) pair
+    WHERE ST_Area(ST_Intersection(a, b)) > 1e-6),
 -- What of an edge lies on neither its section nor its nodes' intersections, nor, where ground was contested, on other roadway.
 -- Borders may run along the edge, so that a piece is bare only where its middle is off all of them; contested ground is shared out on a grid of 10 micrometres.
 bare AS MATERIALIZED (
     SELECT edge_id, piece.geom, ST_Length(piece.geom) AS length
     FROM (SELECT e.edge_id, from_node, to_node, s.contested_area + coalesce(a.contested_area, 0) + coalesce(b.contested_area, 0) > 0 AS contested,
                  ST_Difference(ST_Difference(ST_Difference(ST_Force2D(e.geom), s.surface), coalesce(a.surface, s.surface)), coalesce(b.surface, s.surface)) AS rest
-          FROM %1$I.edge e JOIN %1$I.section s USING (edge_id)
+          FROM %1$I.edge e JOIN valid_section s USING (edge_id)
           LEFT JOIN %1$I.intersection a ON a.node_id = from_node LEFT JOIN %1$I.intersection b ON b.node_id = to_node
-          WHERE ST_IsValid(s.surface) AND (a.node_id IS NULL OR ST_IsValid(a.surface)) AND (b.node_id IS NULL OR ST_IsValid(b.surface))) e, ST_Dump(rest) piece,
+          WHERE NOT ARRAY[from_node, to_node] && ARRAY(SELECT id FROM invalid WHERE relation = 'intersection')) e, ST_Dump(rest) piece,
          LATERAL (SELECT ST_LineInterpolatePoint(piece.geom, 0.5) AS middle, CASE WHEN contested THEN 1e-5 ELSE 1e-6 END AS off) p
     WHERE ST_Length(piece.geom) > 1e-6
       AND NOT EXISTS (SELECT FROM %1$I.section r WHERE ST_DWithin(surface, middle, off) AND (contested OR r.edge_id = e.edge_id))
@@ -47,15 +52,15 @@ decided AS MATERIALIZED (
     WHERE ST_DWithin(d.geom, n.geom, 3 * t.value) ORDER BY c.interconnection_id, d.interconnection_override_id DESC),
 -- What of a lane lies outside its section, where nothing was contested.
 astray AS MATERIALIZED (
-    SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN %1$I.section s USING (edge_id)
-    WHERE s.contested_area = 0 AND s.method <> 'crossed_limits' AND ST_IsValid(s.surface)),
+    SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN valid_section s USING (edge_id)
+    WHERE s.contested_area = 0 AND s.method <> 'crossed_limits'),
 listed AS MATERIALIZED (
     SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u JOIN %1$I.axis a USING (axis_id),
     LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward, a.direction = 'reverse'),
                     (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward, a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
     WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL),
 degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
-SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM surface WHERE NOT ST_IsValid(surface)
+SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM invalid
 UNION ALL SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap WHERE ST_Area(shared) > 0.001
 UNION ALL SELECT 'error', 'node of degree three and more without an intersection', 'node', n.node_id, d.degree, n.geom
     FROM %1$I.node n JOIN degree d USING (node_id) LEFT JOIN %1$I.intersection i USING (node_id) WHERE d.degree >= 3 AND (i.node_id IS NULL OR ST_IsEmpty(i.surface) AND i.contested_area = 0)
@@ -119,7 +124,9 @@ UNION ALL SELECT 'notice', 'number of lanes is not that of their kinds, which co
 UNION ALL SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(list, '|')), geom FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
     WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')), used))
 UNION ALL SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report
-$sql$, model);
+$sql$, model) LOOP
+        RETURN NEXT;
+    END LOOP;
 EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call ends as 57014.
     RAISE;

@@ -114,14 +114,12 @@ BEGIN
     END LOOP;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM _import i WHERE i.left_out IS NOT NULL;
-    SELECT i.label, i.geom INTO bad FROM _import i WHERE i.geom IS NULL LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'the geometry of source row % is NULL', bad.label USING ERRCODE = '22023', HINT = 'Import from a view that leaves it out.';
-    END IF;
+    RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(i.label ORDER BY i.label) FROM _import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) HAVING count(*) > 0;
+    DELETE FROM _import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
     SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM _import i
-        WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') OR ST_IsEmpty(i.geom) LIMIT 1;
+        WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') LIMIT 1;
     IF FOUND THEN
-        RAISE EXCEPTION 'source row % is an empty line or a %, expected a line', bad.label, bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
+        RAISE EXCEPTION 'source row % is a %, expected a line', bad.label, bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
     END IF;
     IF flat THEN
         UPDATE _import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
@@ -242,7 +240,10 @@ DECLARE
     changed bigint;
 BEGIN
     PERFORM streetgen._check_settings(model);
-    EXECUTE format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS %s', query);
+    -- What fails within it shows the name of a view, and not all of the query.
+    EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
+    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM _import_query;
+    DROP VIEW _import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model);
     IF EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL) THEN
         RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
@@ -353,8 +354,11 @@ CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, ma
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    query text;
 BEGIN
     PERFORM streetgen._take_classes(model);
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source));
+    query := format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;
-COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class and what was not believed. A missing column: 42703; bad rows: 22023; then the model stays as it was.';
+COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS 'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by class, what was not believed, and rows without geometry (NULL or empty), which are left out. A missing column: 42703; bad rows: 22023; then the model stays as it was.';

@@ -76,6 +76,7 @@ DECLARE
         SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ') FROM unnest(named) tag
         LEFT JOIN pg_attribute ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
     driving_side text;
+    query text;
 BEGIN
     IF source IS NULL THEN
         RAISE EXCEPTION 'there is no table %', quote_ident(prefix || '_line') USING ERRCODE = '42P01',
@@ -83,7 +84,7 @@ BEGIN
     END IF;
     PERFORM streetgen._take_classes(model);
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
+    query := format($sql$
 -- A city's ways have few wordings of tags, and each is read once.
 WITH line AS MATERIALIZED (
     SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel, maxspeed, %5$s)::text COLLATE "C" AS wording
@@ -137,7 +138,8 @@ FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
                      CASE WHEN coalesce(parking_%3$s, parking_both) = 'lane' OR coalesce(parking_lane_%3$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_near,
                      CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane' OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked') THEN 'lane' END AS parking_far) kerb)
 SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*, NULL::text AS left_out FROM line JOIN meaning USING (wording)$sql$,
-        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END, array_to_string(named, ', ')));
+        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END, array_to_string(named, ', '));
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source, streetgen._osm_table('_restriction', prefix, schemas));
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS 'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of search_path or named with its schema (gis.osm): lanes (lanes:both_ways, a centre turn lane, counts as the innermost forward lane), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported by way.';

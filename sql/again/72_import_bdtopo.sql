@@ -19,6 +19,7 @@ DECLARE
     present text[] := (SELECT array_agg(attname::text) FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source AND t.typname = 'geometry' AND NOT attisdropped ORDER BY attnum LIMIT 1);
     found jsonb;
+    query text;
 BEGIN
     PERFORM streetgen._take_classes(model);
     SELECT jsonb_object_agg(key, (SELECT quote_ident(n) || '::text' FROM jsonb_array_elements_text(value) WITH ORDINALITY AS c(n, i) WHERE n = ANY (present) ORDER BY i LIMIT 1)) INTO found FROM jsonb_each(known);
@@ -27,7 +28,7 @@ BEGIN
             HINT = 'Its columns nature and largeur or largeur_de_chaussee are missing; streetgen.import_axes takes any line table with a mapping.';
     END IF;
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format($sql$
+    query := format($sql$
 SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 AS width_end, streetgen._number(s.lane_count, 0, 30)::integer AS lane_count,
        direction,
        streetgen._number(s.speed, 0, 400) AS speed,
@@ -51,6 +52,7 @@ FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, 
                      CASE direction WHEN 'both' THEN greatest(lanes / 2, 1) WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS backward) n$sql$, shape, coalesce(found ->> 'id', 'NULL::text'), coalesce(found ->> 'width', 'NULL::text'), coalesce(found ->> 'lane_count', 'NULL::text'),
         coalesce(found ->> 'sens', 'NULL::text'), coalesce(found ->> 'speed', 'NULL::text'), coalesce(found ->> 'importance', 'NULL::text'), coalesce(found ->> 'level', 'NULL::text'),
         found ->> 'class', coalesce(found ->> 'name', 'NULL::text'), coalesce(found ->> 'fictif', 'NULL::text'), source,
-        driving_side, coalesce(found ->> 'bus', 'NULL::text'), coalesce(found ->> 'cycle', 'NULL::text')));
+        driving_side, coalesce(found ->> 'bus', 'NULL::text'), coalesce(found ->> 'cycle', 'NULL::text'));
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;
 COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS 'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, position against the ground, nature, street name, bus and cycle lanes. Fictitious axes are left out and counted; a width, speed or number of lanes that means nothing is unknown, and reported.';

@@ -29,10 +29,13 @@ CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, amo
     SET jit = off SET enable_seqscan = off
     AS $$
 DECLARE
+    told record;
     bad record;
 BEGIN
     PERFORM streetgen._copy_classes(model);
-    PERFORM streetgen._take_rows(model);
+    FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
+        RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
+    END LOOP;
     SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023', HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';

@@ -34,8 +34,9 @@ SELECT 'in step after: ' || statement, pg_temp.step(statement) FROM (VALUES (1, 
   (10, $$UPDATE lines SET geom = ST_Transform(geom, 4326) WHERE id = 11$$), (11, $$UPDATE lines SET id = id + 100 WHERE id < 6$$),
   (12, $$UPDATE lines a SET geom = b.geom FROM lines b WHERE (a.id, b.id) IN ((101, 102), (102, 101))$$), (13, $$UPDATE lines SET breite = '150' WHERE id = 12$$), (14, $$UPDATE lines SET breite = '0' WHERE id = 13$$),
   (15, $$INSERT INTO lines SELECT 200, 6, NULL, 'point', NULL, 'SRID=2154;LINESTRING(650000 6860000, 650000 6860000)'$$),
-  (16, $$INSERT INTO lines VALUES (12, 4, NULL, 'again', NULL, pg_temp.street(40)) ON CONFLICT (id) DO UPDATE SET breite = 4$$),
-  (17, $$MERGE INTO lines l USING (VALUES (15), (300)) v(n) ON id = n WHEN MATCHED THEN DELETE WHEN NOT MATCHED THEN INSERT VALUES (300, 7, NULL, 'merged', NULL, pg_temp.street(41, 2))$$)) v(nth, statement);
+  (16, $$UPDATE lines SET geom = NULL WHERE id = 9$$), (17, $$UPDATE lines SET geom = 'SRID=2154;LINESTRING EMPTY' WHERE id = 10$$),
+  (18, $$INSERT INTO lines VALUES (12, 4, NULL, 'again', NULL, pg_temp.street(40)) ON CONFLICT (id) DO UPDATE SET breite = 4$$),
+  (19, $$MERGE INTO lines l USING (VALUES (15), (300)) v(n) ON id = n WHEN MATCHED THEN DELETE WHEN NOT MATCHED THEN INSERT VALUES (300, 7, NULL, 'merged', NULL, pg_temp.street(41, 2))$$)) v(nth, statement);
 
 -- Random scripts.
 CREATE FUNCTION pg_temp.edit() RETURNS text LANGUAGE sql AS $$
@@ -74,7 +75,7 @@ CREATE TABLE copy AS TABLE lines;
 SELECT 'refused as import_axes does it: ' || what, (refused).state = '22023' AND (refused) = (imported) AND NOT EXISTS (SELECT * FROM lines EXCEPT SELECT * FROM copy)
 FROM (SELECT what, test.refusal('UPDATE lines SET ' || what || ' WHERE id = 8') AS refused,
         test.refusal('UPDATE copy SET ' || what || $$ WHERE id = 8; SELECT FROM mapping, streetgen.import_axes('twin', 'copy', mapping)$$) AS imported
-      FROM unnest(ARRAY['breite = ''wide''', 'breite = 300', 'breite = ''NaN''', 'geom = NULL', 'geom = ST_StartPoint(geom)', 'geom = ''SRID=2154;LINESTRING EMPTY''', 'geom = ST_SetSRID(geom, 0)',
+      FROM unnest(ARRAY['breite = ''wide''', 'breite = 300', 'breite = ''NaN''', 'geom = ST_StartPoint(geom)', 'geom = ST_SetSRID(geom, 0)',
         'geom = ''SRID=2154;LINESTRING(0 0, NaN 1)''', 'geom = ''SRID=2154;LINESTRING(0 0, 1 1)''', 'geom = ST_SetSRID(''LINESTRING(500 500, 501 500)''::geometry, 4326)']) what) r;
 SELECT 'the model is still in step', pg_temp.step('UPDATE lines SET breite = 5.5 WHERE id = 8');
 ALTER TABLE lines DROP CONSTRAINT lines_pkey;

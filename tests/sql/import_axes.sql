@@ -105,10 +105,19 @@ SELECT 'an axis that is NULL: 22004', test.state($$SELECT streetgen._doubled('{N
 SELECT 'an axis that is no line: 22023', test.state($$SELECT streetgen._doubled(ARRAY['POINT(0 0)'::geometry::bytea], '{1}', 0.3)$$) = '22023';
 SELECT 'a model that does not exist is 3F000',
        test.state($$SELECT streetgen.import_axes('import_none', 'import_source', '{}')$$) = '3F000';
-SELECT 'bad geometry is 22023 and names its row: ' || coalesce(line::text, 'NULL'), test.state(pg_temp.with_line(line)) = '22023' AND test.said(pg_temp.with_line(line)) LIKE '%77%'
-  FROM unnest(ARRAY[NULL, 'SRID=32631;LINESTRING EMPTY', 'SRID=32631;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
+SELECT 'bad geometry is 22023 and names its row: ' || line, test.state(pg_temp.with_line(line)) = '22023' AND test.said(pg_temp.with_line(line)) LIKE '%77%'
+  FROM unnest(ARRAY['SRID=32631;POINT(0 0)', 'LINESTRING(0 0, 1 1)',
                     'SRID=32631;LINESTRING(0 0, NaN 1)',
                     'SRID=32631;LINESTRING(0 0, 1e13 1)', 'SRID=32631;CIRCULARSTRING(0 0, 1 1, 2 0)']) AS line;
+CREATE TABLE bare (id integer, geom geometry);
+INSERT INTO bare VALUES (1, NULL), (2, 'SRID=32631;LINESTRING(0 0, 100 0)'), (3, 'SRID=32631;LINESTRING EMPTY'), (NULL, 'GEOMETRYCOLLECTION EMPTY'), (5, 'SRID=32631;LINESTRING(0 50, 100 50)');
+SELECT 'rows without geometry are told, and left out', array_agg(ROW (what, count, source_refs)::text ORDER BY what) = ARRAY[ROW ('generate is due', 2, NULL)::text, ROW ('new or changed', 2, NULL)::text,
+    ROW ('row without geometry, left out', 3, ARRAY['1', '3', 'number 4'])::text, ROW ('taken', 2, NULL)::text] FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}');
+SELECT 'and all others are axes', array_agg(source_ref ORDER BY source_ref) = '{2,5}' FROM import_b.axis;
+UPDATE bare SET geom = NULL WHERE id = 5;
+SELECT 'a row that lost its geometry has vanished', source_refs = '{5}' FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}') WHERE what LIKE 'vanished%';
+SELECT 'and is no axis', array_agg(source_ref) = '{2}' FROM import_b.axis;
+DELETE FROM import_b.axis;
 SELECT 'a refused import leaves no axis', (SELECT count(*) = 0 FROM import_b.axis);
 SELECT 'the source is as it was', (SELECT count(*) = 9 FROM import_source);
 DROP TABLE import_source, import_report, import_before;

@@ -7,7 +7,11 @@
 SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.resident() RETURNS bigint LANGUAGE sql AS $$
   SELECT 1024 * substring(pg_read_file('/proc/self/status') FROM 'RssAnon:\s+(\d+)')::bigint $$;
-CREATE FUNCTION pg_temp.in_contexts() RETURNS bigint LANGUAGE sql AS $$ SELECT sum(used_bytes) FROM pg_backend_memory_contexts $$;
+-- What a session holds, but for PostgreSQL's caches of catalogs and plans: they grow whenever another session changes statistics.  Of plans, how many.
+CREATE FUNCTION pg_temp.held(OUT bytes bigint, OUT plans bigint) LANGUAGE sql AS $$
+  WITH RECURSIVE context AS MATERIALIZED (SELECT name, parent, used_bytes FROM pg_backend_memory_contexts),
+  cache AS (SELECT 'CacheMemoryContext' AS name UNION SELECT c.name FROM context c JOIN cache ON c.parent = cache.name)
+  SELECT sum(used_bytes) FILTER (WHERE name NOT IN (SELECT name FROM cache)), count(*) FILTER (WHERE name = 'CachedPlanSource') FROM context $$;
 CREATE FUNCTION pg_temp.repeat(expression text, times bigint) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
   last text := 'none';
@@ -67,16 +71,22 @@ SELECT format('%s, SQLSTATE %s, grows by %s kB', name, state, bytes / 1024), byt
 
 -- Whole runs, good ones and then bad ones, after as many as fill the caches.  What a run gives back leaves holes that
 -- would hide what another one keeps, so that what counts is what PostgreSQL's memory contexts hold; _streets alone is above.
-CREATE TABLE soaked (nth bigint GENERATED ALWAYS AS IDENTITY, turn integer, bad boolean, state text, bytes bigint);
+-- Counts for statistics, which a session hands on once a second, are handed on first.
+-- Runs that keep a plan or a kilobyte, each an open cursor, tell that the measure sees it.
+CREATE FUNCTION pg_temp.keep(what text, nth bigint) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE format(CASE what WHEN 'plan' THEN 'PREPARE kept_%s AS SELECT 1' ELSE 'DECLARE kept_%s CURSOR WITH HOLD FOR SELECT 1' END, nth);
+  RETURN 'none';
+END $$;
+CREATE TABLE soaked (nth bigint GENERATED ALWAYS AS IDENTITY, run text, turn integer, late boolean, state text, bytes bigint, plans bigint);
 SELECT format('DO $do$ BEGIN PERFORM pg_temp.soak(%L); END $do$', i > 10) FROM generate_series(1, 12) i \gexec
-SELECT format('INSERT INTO soaked (turn, bad, state) SELECT %s, %L, pg_temp.soak(%2$L)', turn, bad), 'UPDATE soaked SET bytes = pg_temp.in_contexts() WHERE bytes IS NULL'
-  FROM generate_series(1, 2) turn, (VALUES (false), (true)) b(bad), generate_series(1, :calls / 10) ORDER BY turn, bad \gexec
--- A plan is made anew every few runs, and a cache grows in one: what counts is how the least of six runs moves on within five, most of the time.
--- Other sessions on the server make caches grow too; what a run keeps, it keeps in both turns.
-SELECT format('generate, SQLSTATE %s, grows by %s bytes a run', CASE WHEN bad THEN '22023' ELSE 'none' END, min(usual)),
-       min(usual) < 500 AND bool_and(as_wanted)
-FROM (SELECT bad, percentile_disc(0.5) WITHIN GROUP (ORDER BY growth) AS usual, bool_and(state = CASE WHEN bad THEN '22023' ELSE 'none' END) AS as_wanted
-      FROM (SELECT *, (least_bytes - lag(least_bytes, 5) OVER (PARTITION BY bad, turn ORDER BY nth)) / 5 AS growth
-            FROM (SELECT *, min(bytes) OVER (PARTITION BY bad, turn ORDER BY nth ROWS 5 PRECEDING) AS least_bytes FROM soaked) s) g
-      GROUP BY bad, turn) t
-GROUP BY bad ORDER BY bad;
+SELECT format('INSERT INTO soaked (run, turn, late, state) SELECT %L, %s, %L, %s', run, turn, half = 2, call), 'SELECT FROM pg_stat_force_next_flush()', 'UPDATE soaked SET (bytes, plans) = (SELECT bytes, plans FROM pg_temp.held()) WHERE bytes IS NULL'
+  FROM generate_series(1, 3) turn, (VALUES (1, 'good', 'pg_temp.soak(false)'), (2, 'bad', 'pg_temp.soak(true)'), (3, 'plan', 'pg_temp.keep(''plan'', lastval())'), (4, 'cursor', 'pg_temp.keep(''cursor'', lastval())')) r(place, run, call),
+    generate_series(1, 2) half, generate_series(1, :calls / 30) ORDER BY turn, place, half \gexec
+-- What a run keeps it keeps in every turn, and the least of the second half tells; a table of the server grows in one of them.
+CREATE TABLE kept AS SELECT run, min(state) AS state, max(state) AS another_state, min(bytes) AS bytes, min(plans) AS plans
+FROM (SELECT run, turn, min(state) AS state, max(state) AS another_state, (min(bytes) FILTER (WHERE late) - min(bytes) FILTER (WHERE NOT late)) / (:calls / 30) AS bytes,
+        (min(plans) FILTER (WHERE late) - min(plans) FILTER (WHERE NOT late))::float8 / (:calls / 30) AS plans FROM soaked GROUP BY run, turn) t GROUP BY run;
+SELECT format('generate, SQLSTATE %s, keeps %s bytes and %s plans a run', state, bytes, plans), bytes < 500 AND plans < 0.5 AND (state, another_state) = (wanted, wanted)
+FROM kept JOIN (VALUES ('good', 'none'), ('bad', '22023')) w(run, wanted) USING (run) ORDER BY run DESC;
+SELECT format('a %s that each run keeps is seen', run), CASE run WHEN 'plan' THEN plans >= 0.9 ELSE bytes >= 500 END FROM kept WHERE run IN ('plan', 'cursor') ORDER BY run;
