@@ -92,7 +92,7 @@ std::vector<std::vector<int>> groups_of(const std::vector<Claim>& claims,
     for (const int claim : {i, j})
       for (const int edge : claims[claim].edges)
         for (const int neighbour : on_edge.at(edge))
-          if (boxes[neighbour].meets(place, 0)) join(claim, neighbour);
+          if (boxes[neighbour].meets(place)) join(claim, neighbour);
   }
   for (int i = 0; i < count; ++i) {
     const auto join_all_on = [&](int edge) {
@@ -158,7 +158,7 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
   const auto holes_near = [&](const Box& place, const std::vector<int>& members) {
     std::vector<Line> lines;
     const auto near = [&](const Point& from, const Point& to) {
-      return box_of(from, to).meets(place, 0);
+      return box_of(from, to).meets(place);
     };
     for (const int i : members) append_stretches(*claims[i].surface, near, lines);
     append_bridges(lines);

@@ -301,7 +301,7 @@ std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
       for (const int next : rivals[all[k]])
         if (claims[next].level != claims[i].level &&
             std::find(all.begin(), all.end(), next) == all.end() &&
-            box_of(*claims[next].surface).meets(box_of(*claims[i].surface), 0))
+            box_of(*claims[next].surface).meets(box_of(*claims[i].surface)))
           all.push_back(next);
     std::sort(all.begin(), all.end());
   }
