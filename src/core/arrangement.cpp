@@ -110,9 +110,7 @@ class Meetings {
   const std::vector<Meeting>& all() const { return meetings_; }
 
  private:
-  void come(int segment, int place) {
-    const Segment& s = segments_[segment];
-    const Cell& cell = places_[place];
+  void come(int segment, const Segment& s, int place, const Cell& cell) {
     if (s.in_box(cell) && !s.ends_at(place) && passes(s, cell))
       meetings_.push_back({segment, place});
   }
@@ -122,10 +120,10 @@ class Meetings {
     near_.emplace_back(i, j);
     const bool joined = t.ends_at(s.first) || t.ends_at(s.last);
     if (!joined && (lies_off(s, t) || lies_off(t, s))) return;
-    come(i, t.first);
-    come(i, t.last);
-    come(j, s.first);
-    come(j, s.last);
+    come(i, s, t.first, t.from);
+    come(i, s, t.last, t.to);
+    come(j, t, s.first, s.from);
+    come(j, t, s.last, s.to);
     Cell cell;
     if (joined || !crossing(s, t, cell)) return;
     const int place = static_cast<int>(places_.size());
@@ -142,11 +140,14 @@ class Meetings {
     std::vector<int> first(segments_.size() + 1);  // of each segment's in these
     for (const Meeting& own : crossed_) {
       ++first[own.segment + 1];
-      come(own.segment, own.place);
+      come(own.segment, segments_[own.segment], own.place, places_[own.place]);
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
-    const auto come_of = [&](int other, int segment) {
-      for (int k = first[other]; k < first[other + 1]; ++k) come(segment, crossed_[k].place);
+    const auto come_of = [&, first = first.data()](int other, int segment) {
+      for (int k = first[other], end = first[other + 1]; k < end; ++k) {
+        const int place = crossed_[k].place;
+        come(segment, segments_[segment], place, places_[place]);
+      }
     };
     for (const auto& [i, j] : near_) {
       come_of(i, j);
