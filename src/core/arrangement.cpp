@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -35,9 +36,21 @@ struct Segment {
   bool ends_at(int place) const { return place == first || place == last; }
 };
 
-void sort_distinct(std::vector<std::pair<int, int>>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+// Pairs of numbers below `end`, few of which have their first in common.
+void sort_distinct(std::vector<std::pair<int, int>>& pairs, std::size_t end) {
+  std::vector<int> last(end + 1);  // of each first, in the order
+  for (const auto& pair : pairs) ++last[pair.first + 1];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  std::vector<std::pair<int, int>> order(pairs.size());
+  for (const auto& pair : pairs) order[last[pair.first]++] = pair;
+  pairs.clear();
+  auto first = order.begin();
+  for (std::size_t number = 0; number < end; ++number) {
+    const auto next = order.begin() + last[number];
+    if (next - first > 1) std::sort(first, next);
+    std::unique_copy(first, next, std::back_inserter(pairs));
+    first = next;
+  }
 }
 
 // The cell where two segments without a common end cross inside of both.
@@ -202,7 +215,7 @@ std::vector<std::vector<int>> apart(const std::vector<int>& ring, std::vector<st
 
 }  // namespace
 
-Arrangement::Arrangement(const std::vector<Line>& lines) {
+Arrangement::Arrangement(const std::vector<LineView>& lines) {
   node(lines);
   connect();
   walk();
@@ -213,9 +226,9 @@ Point Arrangement::on_grid(const GridCell& cell) const {
   return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
 }
 
-void Arrangement::node(const std::vector<Line>& lines) {
+void Arrangement::node(const std::vector<LineView>& lines) {
   Box box;
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (const Point& p : line) box.add(p);
   const double farthest = std::max(
       {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y), 1.0});
@@ -223,7 +236,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
   step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
   origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
   std::size_t count = 0;
-  for (const Line& line : lines) count += line.size();
+  for (const LineView& line : lines) count += line.size();
   struct Vertex {
     Cell cell;
     int number;  // line by line
@@ -234,7 +247,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
   };
   std::vector<Vertex> vertices;
   vertices.reserve(count);
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (const Point& p : line)
       vertices.push_back(
           {{std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)},
@@ -256,10 +269,10 @@ void Arrangement::node(const std::vector<Line>& lines) {
   std::vector<std::pair<int, int>> ends;
   ends.reserve(count);
   auto place = place_of.begin();
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i, ++place)
       if (i > 0) ends.push_back(std::minmax(place[-1], place[0]));
-  sort_distinct(ends);
+  sort_distinct(ends, places.size());
   std::vector<Segment> segments;
   segments.reserve(ends.size());
   for (const auto& [first, last] : ends) segments.emplace_back(places, first, last);
@@ -291,7 +304,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
     for (const auto& [where, node] : along) go_on(node);
     go_on(node_of[s.last]);
   }
-  sort_distinct(edges);
+  sort_distinct(edges, nodes_.size());
   halves_.reserve(2 * edges.size());
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});

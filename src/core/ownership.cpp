@@ -51,7 +51,7 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-void append_rings(const MultiPolygon& surface, std::vector<Line>& lines) {
+void append_rings(const MultiPolygon& surface, std::vector<LineView>& lines) {
   for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
 }
 
@@ -87,7 +87,7 @@ class Settlement {
     poll_cancel();
     const MultiPolygon& surface = *claims_[claim].surface;
     const Ground& ground = grounds_[claim];
-    std::vector<Line> lines;
+    std::vector<LineView> lines;
     append_rings(surface, lines);
     const auto near = [&](const Point& from, const Point& to) {
       return ground.comes_near(from, to);
