@@ -385,21 +385,22 @@ Ring Arrangement::border(int walk) const {
 }
 
 MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
-  const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
-  std::vector<bool> used(halves_.size());
+  std::vector<char> borders(halves_.size()), used(halves_.size());  // by half
+  for (std::size_t h = 0; h < halves_.size(); ++h)
+    borders[h] = kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk];
   std::vector<std::size_t> at(nodes_.size(), nowhere);
   std::vector<std::vector<Cell>> shells;
   std::vector<std::pair<Cell, Ring>> holes;  // with a place on the border, in half steps
   std::vector<int> ring;
   MultiPolygon out;
   for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
-    if (used[start] || !borders(start)) continue;
+    if (used[start] || !borders[start]) continue;
     ring.clear();
     for (int h = start; !used[h];) {
       used[h] = true;
       ring.push_back(halves_[h].from);
       int next = halves_[h].next;
-      while (!borders(next)) next = around_[next];
+      while (!borders[next]) next = around_[next];
       h = next;
     }
     for (const std::vector<int>& part : apart(ring, at)) {

@@ -20,7 +20,7 @@ struct Box {
     max_y = std::max(max_y, p.y);
   }
   bool meets(const Box& o) const {
-    return min_x <= o.max_x && o.min_x <= max_x && min_y <= o.max_y && o.min_y <= max_y;
+    return min_y <= o.max_y && o.min_y <= max_y && min_x <= o.max_x && o.min_x <= max_x;
   }
   bool meets(const Box& o, double margin) const {
     return min_x <= o.max_x + margin && o.min_x <= max_x + margin && min_y <= o.max_y + margin &&
