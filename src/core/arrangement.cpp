@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -35,9 +36,21 @@ struct Segment {
   bool ends_at(int place) const { return place == first || place == last; }
 };
 
-void sort_distinct(std::vector<std::pair<int, int>>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+// Pairs of numbers below `end`, few of which have their first in common.
+void sort_distinct(std::vector<std::pair<int, int>>& pairs, std::size_t end) {
+  std::vector<int> last(end + 1);  // of each first, in the order
+  for (const auto& pair : pairs) ++last[pair.first + 1];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  std::vector<std::pair<int, int>> order(pairs.size());
+  for (const auto& pair : pairs) order[last[pair.first]++] = pair;
+  pairs.clear();
+  auto first = order.begin();
+  for (std::size_t number = 0; number < end; ++number) {
+    const auto next = order.begin() + last[number];
+    if (next - first > 1) std::sort(first, next);
+    std::unique_copy(first, next, std::back_inserter(pairs));
+    first = next;
+  }
 }
 
 // The cell where two segments without a common end cross inside of both.
@@ -110,9 +123,7 @@ class Meetings {
   const std::vector<Meeting>& all() const { return meetings_; }
 
  private:
-  void come(int segment, int place) {
-    const Segment& s = segments_[segment];
-    const Cell& cell = places_[place];
+  void come(int segment, const Segment& s, int place, const Cell& cell) {
     if (s.in_box(cell) && !s.ends_at(place) && passes(s, cell))
       meetings_.push_back({segment, place});
   }
@@ -122,10 +133,10 @@ class Meetings {
     near_.emplace_back(i, j);
     const bool joined = t.ends_at(s.first) || t.ends_at(s.last);
     if (!joined && (lies_off(s, t) || lies_off(t, s))) return;
-    come(i, t.first);
-    come(i, t.last);
-    come(j, s.first);
-    come(j, s.last);
+    come(i, s, t.first, t.from);
+    come(i, s, t.last, t.to);
+    come(j, t, s.first, s.from);
+    come(j, t, s.last, s.to);
     Cell cell;
     if (joined || !crossing(s, t, cell)) return;
     const int place = static_cast<int>(places_.size());
@@ -142,11 +153,14 @@ class Meetings {
     std::vector<int> first(segments_.size() + 1);  // of each segment's in these
     for (const Meeting& own : crossed_) {
       ++first[own.segment + 1];
-      come(own.segment, own.place);
+      come(own.segment, segments_[own.segment], own.place, places_[own.place]);
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
-    const auto come_of = [&](int other, int segment) {
-      for (int k = first[other]; k < first[other + 1]; ++k) come(segment, crossed_[k].place);
+    const auto come_of = [&, first = first.data()](int other, int segment) {
+      for (int k = first[other], end = first[other + 1]; k < end; ++k) {
+        const int place = crossed_[k].place;
+        come(segment, segments_[segment], place, places_[place]);
+      }
     };
     for (const auto& [i, j] : near_) {
       come_of(i, j);
@@ -201,7 +215,7 @@ std::vector<std::vector<int>> apart(const std::vector<int>& ring, std::vector<st
 
 }  // namespace
 
-Arrangement::Arrangement(const std::vector<Line>& lines) {
+Arrangement::Arrangement(const std::vector<LineView>& lines) {
   node(lines);
   connect();
   walk();
@@ -212,9 +226,9 @@ Point Arrangement::on_grid(const GridCell& cell) const {
   return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
 }
 
-void Arrangement::node(const std::vector<Line>& lines) {
+void Arrangement::node(const std::vector<LineView>& lines) {
   Box box;
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (const Point& p : line) box.add(p);
   const double farthest = std::max(
       {std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y), 1.0});
@@ -222,7 +236,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
   step_ = std::ldexp(1, std::max(-24, std::ilogb(farthest) - 51));
   origin_ = {std::floor(box.min_x), std::floor(box.min_y), 0};
   std::size_t count = 0;
-  for (const Line& line : lines) count += line.size();
+  for (const LineView& line : lines) count += line.size();
   struct Vertex {
     Cell cell;
     int number;  // line by line
@@ -233,7 +247,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
   };
   std::vector<Vertex> vertices;
   vertices.reserve(count);
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (const Point& p : line)
       vertices.push_back(
           {{std::llround((p.x - origin_.x) / step_), std::llround((p.y - origin_.y) / step_)},
@@ -255,10 +269,10 @@ void Arrangement::node(const std::vector<Line>& lines) {
   std::vector<std::pair<int, int>> ends;
   ends.reserve(count);
   auto place = place_of.begin();
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i, ++place)
       if (i > 0) ends.push_back(std::minmax(place[-1], place[0]));
-  sort_distinct(ends);
+  sort_distinct(ends, places.size());
   std::vector<Segment> segments;
   segments.reserve(ends.size());
   for (const auto& [first, last] : ends) segments.emplace_back(places, first, last);
@@ -290,7 +304,7 @@ void Arrangement::node(const std::vector<Line>& lines) {
     for (const auto& [where, node] : along) go_on(node);
     go_on(node_of[s.last]);
   }
-  sort_distinct(edges);
+  sort_distinct(edges, nodes_.size());
   halves_.reserve(2 * edges.size());
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});
@@ -371,21 +385,22 @@ Ring Arrangement::border(int walk) const {
 }
 
 MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertices) const {
-  const auto borders = [&](int h) { return kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk]; };
-  std::vector<bool> used(halves_.size());
+  std::vector<char> borders(halves_.size()), used(halves_.size());  // by half
+  for (std::size_t h = 0; h < halves_.size(); ++h)
+    borders[h] = kept[halves_[h].walk] && !kept[halves_[h ^ 1].walk];
   std::vector<std::size_t> at(nodes_.size(), nowhere);
   std::vector<std::vector<Cell>> shells;
   std::vector<std::pair<Cell, Ring>> holes;  // with a place on the border, in half steps
   std::vector<int> ring;
   MultiPolygon out;
   for (int start = 0; start < static_cast<int>(halves_.size()); ++start) {
-    if (used[start] || !borders(start)) continue;
+    if (used[start] || !borders[start]) continue;
     ring.clear();
     for (int h = start; !used[h];) {
       used[h] = true;
       ring.push_back(halves_[h].from);
       int next = halves_[h].next;
-      while (!borders(next)) next = around_[next];
+      while (!borders[next]) next = around_[next];
       h = next;
     }
     for (const std::vector<int>& part : apart(ring, at)) {

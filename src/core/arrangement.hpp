@@ -1,6 +1,7 @@
 // The faces that lines make where they cross or touch.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "grid_cell.hpp"
@@ -8,13 +9,28 @@
 
 namespace streetgen {
 
+// A line that lies elsewhere, or part of one.
+class LineView {
+ public:
+  LineView(const Line& line) : LineView(line.data(), line.size()) {}
+  LineView(const Point* first, std::size_t size) : first_(first), size_(size) {}
+  const Point* begin() const { return first_; }
+  const Point* end() const { return first_ + size_; }
+  std::size_t size() const { return size_; }
+  const Point& operator[](std::size_t i) const { return first_[i]; }
+
+ private:
+  const Point* first_;
+  std::size_t size_;
+};
+
 // Lines are noded once, by snap rounding on a grid finer than a micrometre with exact predicates:
 // what comes out crosses nowhere, and the same crossing is the same point in every arrangement. The
 // lines' own vertices stay where they are; of two in one place of the grid the first holds for
 // both. Hobby, Practical segment intersection with finite precision output, 1999.
 class Arrangement {
  public:
-  explicit Arrangement(const std::vector<Line>& lines);
+  explicit Arrangement(const std::vector<LineView>& lines);
 
   // A place in the face beside each walk along its border; a face with islands has several.
   const std::vector<Point>& places() const { return places_; }
@@ -39,7 +55,7 @@ class Arrangement {
     int walk = -1;
   };
 
-  void node(const std::vector<Line>& lines);
+  void node(const std::vector<LineView>& lines);
   std::vector<int> number(const std::vector<GridCell>& places,
                           const std::vector<const Point*>& points);
   void connect();

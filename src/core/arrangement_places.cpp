@@ -80,11 +80,7 @@ void Arrangement::place_walks() {
   std::vector<Box> boxes(islands ? count : 0);  // of walks
   if (islands)
     for (const int h : walked_) boxes[halves_[h].walk].add(positions[halves_[h].from]);
-  struct Part {
-    double size;
-    int half;
-  };
-  std::vector<Part> parts;
+  std::vector<int> tried;  // halves of a walk
   places_.reserve(count);
   for (int w = 0, first = 0; w < count; first = walks_[w++]) {
     poll_cancel();
@@ -92,18 +88,24 @@ void Arrangement::place_walks() {
       places_.push_back(origin_ - Point{1, 1, 0});
       continue;
     }
-    parts.clear();
-    for (int i = first; i < walks_[w]; ++i) {
-      const Half& half = halves_[walked_[i]];
-      parts.push_back({distance(positions[half.from], positions[half.to]), walked_[i]});
-    }
+    const auto longest = [&, first] {
+      int part = -1;
+      double size = -1;
+      for (int i = first; i < walks_[w]; ++i) {
+        const Half& half = halves_[walked_[i]];
+        const double own = distance(positions[half.from], positions[half.to]);
+        if (own <= size || std::find(tried.begin(), tried.end(), walked_[i]) != tried.end())
+          continue;
+        size = own;
+        part = walked_[i];
+      }
+      return part;
+    };
+    tried.clear();
     Point place;
     double widest = 0;
-    for (std::size_t tries = 0; tries < most_tries && !parts.empty(); ++tries) {
-      const auto longest = std::max_element(
-          parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size < q.size; });
-      const int part = longest->half;
-      parts.erase(longest);
+    for (int part = longest(); part >= 0 && tried.size() < most_tries; part = longest()) {
+      tried.push_back(part);
       WayAcross way(positions[halves_[part].from], positions[halves_[part].to]);
       const auto meet = [&](int start, int end) {
         WayAcross::End from = way.end(positions[halves_[walked_[start]].from]);

@@ -89,9 +89,10 @@ class BoxRuns {
   template <class Holds>
   bool any_of_run(const Box& box, std::size_t level, std::size_t first, std::size_t last,
                   Holds& holds) const {
-    const std::size_t size = levels_[level + 1] - levels_[level];
-    for (std::size_t i = first; i < last && i < size; ++i) {
-      if (!boxes_[levels_[level] + i].meets(box, 0)) continue;
+    const Box* const boxes = boxes_.data() + levels_[level];
+    last = std::min(last, levels_[level + 1] - levels_[level]);
+    for (std::size_t i = first; i < last; ++i) {
+      if (!boxes[i].meets(box)) continue;
       if (level == 0 ? holds(i) : any_of_run(box, level - 1, run * i, run * i + run, holds))
         return true;
     }

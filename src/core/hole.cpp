@@ -28,23 +28,25 @@ constexpr double touching = 1e-6;  // metres
 constexpr double about = 1e-3;     // metres, that places are looked at beyond
 
 // Across each gap between lines that nearly touch, so that they close rings.
-void append_bridges(std::vector<Line>& lines) {
+std::vector<Line> bridges_between(const std::vector<LineView>& lines) {
   std::vector<std::pair<Point, Point>> sides;
   std::vector<Box> boxes;
-  for (const Line& line : lines)
+  for (const LineView& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) {
       sides.emplace_back(line[i - 1], line[i]);
       boxes.push_back(box_of(line[i - 1], line[i]));
     }
   const BoxRuns near(std::move(boxes));
-  for (std::size_t k = 0, count = lines.size(); k < count; ++k)
-    for (const Point p : Line(lines[k]))
+  std::vector<Line> bridges;
+  for (const LineView& line : lines)
+    for (const Point& p : line)
       near.any_near(box_of(p, p), touching, [&](std::size_t i) {
         const Point across = nearest_on_segment(p, sides[i].first, sides[i].second);
         const double gap = distance(p, across);
-        if (gap > 0 && gap <= touching) lines.push_back({p, across});
+        if (gap > 0 && gap <= touching) bridges.push_back({p, across});
         return false;
       });
+  return bridges;
 }
 
 // Metres of the hole's ring that run along the surface.
@@ -92,7 +94,7 @@ std::vector<std::vector<int>> groups_of(const std::vector<Claim>& claims,
     for (const int claim : {i, j})
       for (const int edge : claims[claim].edges)
         for (const int neighbour : on_edge.at(edge))
-          if (boxes[neighbour].meets(place, 0)) join(claim, neighbour);
+          if (boxes[neighbour].meets(place)) join(claim, neighbour);
   }
   for (int i = 0; i < count; ++i) {
     const auto join_all_on = [&](int edge) {
@@ -156,12 +158,13 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
   const BoxIndex index(solid_boxes);
   // Faces near the place that no member holds; one that leaves it may be held beyond by others.
   const auto holes_near = [&](const Box& place, const std::vector<int>& members) {
-    std::vector<Line> lines;
+    std::vector<LineView> lines;
     const auto near = [&](const Point& from, const Point& to) {
-      return box_of(from, to).meets(place, 0);
+      return box_of(from, to).meets(place);
     };
     for (const int i : members) append_stretches(*claims[i].surface, near, lines);
-    append_bridges(lines);
+    const std::vector<Line> bridges = bridges_between(lines);
+    lines.insert(lines.end(), bridges.begin(), bridges.end());
     const Arrangement faces(lines);
     std::vector<bool> open;
     for (int walk = 0; walk < static_cast<int>(faces.places().size()); ++walk) {

@@ -40,8 +40,24 @@ struct Piece {
 // all of it borders on the outside of the union, or nothing.
 struct Run {
   int surface;
-  std::vector<Piece> pieces;
+  int first, last;  // of the pieces, and the end
 };
+
+// The boxes in an order in which those that follow each other lie close: halves of halves.
+void order_by_place(const std::vector<Box>& boxes, std::vector<int>::iterator first,
+                    std::vector<int>::iterator last) {
+  if (last - first <= 2) return;
+  Box all;
+  for (auto i = first; i != last; ++i) all = all.joined_with(boxes[*i]);
+  const bool wide = all.max_x - all.min_x > all.max_y - all.min_y;
+  const auto middle = first + (last - first) / 2;
+  std::nth_element(first, middle, last, [&](int i, int j) {
+    const Box &a = boxes[i], &b = boxes[j];
+    return wide ? a.min_x + a.max_x < b.min_x + b.max_x : a.min_y + a.max_y < b.min_y + b.max_y;
+  });
+  order_by_place(boxes, first, middle);
+  order_by_place(boxes, middle, last);
+}
 
 double share_of(const Side& side, const Point& p) {
   const Point along = side.to - side.from;
@@ -81,27 +97,41 @@ class Borders {
       });
     }
     sort_met();
-    index_ = BoxRuns(std::move(boxes));
+    std::vector<int> order(ring_boxes.size());
+    std::iota(order.begin(), order.end(), 0);
+    order_by_place(ring_boxes, order.begin(), order.end());
+    std::vector<Box> ordered;
+    ordered.reserve(count + count / 4);
+    indexed_.reserve(count);
+    for (const int r : order)
+      for (int i = rings_[r]; i < rings_[r + 1]; ++i) {
+        ordered.push_back(boxes[i]);
+        indexed_.push_back(i);
+      }
+    index_ = BoxRuns(std::move(ordered));
     surface_index_ = BoxIndex(surface_boxes);
+    auto met = met_.cbegin();
+    for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], met);
   }
 
-  std::vector<Run> runs() const {
-    std::vector<Run> all;
-    auto met = met_.begin();
-    for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], met, all);
-    return all;
+  const std::vector<Run>& runs() const { return runs_; }
+  const Piece& first_piece(const Run& run) const { return pieces_[run.first]; }
+  const Piece& last_piece(const Run& run) const { return pieces_[run.last - 1]; }
+  template <class Use>
+  void each_piece(const Run& run, Use use) const {
+    std::for_each(pieces_.begin() + run.first, pieces_.begin() + run.last, use);
   }
 
   // Whether the run may border on a hole in which no disc of the radius has room.
   bool narrow(const Run& run, double radius) const {
     poll_cancel();
     const auto size = [](const Piece& p) { return distance(p.from, p.to); };
-    const Piece& longest =
-        *std::max_element(run.pieces.begin(), run.pieces.end(),
-                          [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
+    const auto first = pieces_.begin() + run.first, last = pieces_.begin() + run.last;
+    const Piece& longest = *std::max_element(
+        first, last, [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
     if (free_beside(longest, run.surface, radius)) return false;
     if (covered(place_beside(longest, beside), run.surface)) return false;
-    return std::none_of(run.pieces.begin(), run.pieces.end(), [&](const Piece& piece) {
+    return std::none_of(first, last, [&](const Piece& piece) {
       return free_beside(piece, run.surface, radius);
     });
   }
@@ -173,13 +203,19 @@ class Borders {
   }
 
   // `met` is the first meeting of the ring, and then of the next.
-  void add_runs(int first, int last, std::vector<Meeting>::const_iterator& met,
-                std::vector<Run>& all) const {
+  void add_runs(int first, int last, std::vector<Meeting>::const_iterator& met) {
     const auto first_met = met;
     while (met != met_.end() && met->side < last) ++met;
     if (met == first_met) return;
-    std::vector<Run> of_ring;
-    Run begun{sides_[first].surface, {}};  // before the first meeting; its end is the last run
+    const int surface = sides_[first].surface;
+    const std::size_t first_run = runs_.size();
+    const int first_piece = static_cast<int>(pieces_.size());
+    int begun = first_piece;  // before the first meeting; its end is the last run
+    const auto end_run = [&] {
+      const int end = static_cast<int>(pieces_.size());
+      if (begun < end) runs_.push_back({surface, begun, end});
+      begun = end;
+    };
     auto next = first_met;
     for (int i = first; i < last; ++i) {
       const Side& side = sides_[i];
@@ -187,28 +223,23 @@ class Borders {
       double at = 0;
       const auto go_on = [&](double share) {
         if ((share - at) * size <= touching) return;
-        begun.pieces.push_back({side.at(at), side.at(share)});
+        pieces_.push_back({side.at(at), side.at(share)});
         at = share;
       };
       for (; next != met && next->side == i; ++next) {
         go_on(next->share);
-        if (begun.pieces.empty()) continue;
-        of_ring.push_back({begun.surface, std::move(begun.pieces)});
-        begun.pieces.clear();
+        end_run();
       }
       go_on(1);
     }
-    if (!begun.pieces.empty()) {
-      if (of_ring.empty()) {
-        of_ring.push_back(std::move(begun));
-      } else if (first_met->side > first || first_met->share > 0) {
-        auto& pieces = of_ring.front().pieces;
-        pieces.insert(pieces.begin(), begun.pieces.begin(), begun.pieces.end());
-      } else {
-        of_ring.push_back(std::move(begun));
-      }
+    const int left = static_cast<int>(pieces_.size()) - begun;
+    const bool starts_at_meeting = first_met->side == first && first_met->share <= 0;
+    if (left == 0 || runs_.size() == first_run || starts_at_meeting) return end_run();
+    std::rotate(pieces_.begin() + first_piece, pieces_.begin() + begun, pieces_.end());
+    for (std::size_t r = first_run; r < runs_.size(); ++r) {
+      runs_[r].last += left;
+      if (r > first_run) runs_[r].first += left;
     }
-    std::move(of_ring.begin(), of_ring.end(), std::back_inserter(all));
   }
 
   static Point place_beside(const Piece& piece, double off) {
@@ -221,7 +252,7 @@ class Borders {
     if (radius > largest_disc) return false;
     const Point centre = place_beside(piece, radius + beside), along = piece.to - piece.from;
     return !index_.any_near(box_of(centre, centre), radius + touching, [&](std::size_t i) {
-      const Side& side = sides_[i];
+      const Side& side = sides_[indexed_[i]];
       const double away = distance_to_segment(centre, side.from, side.to);
       return away < radius || (away < radius + touching && side.surface == surface &&
                                dot(side.to - side.from, along) < 0);
@@ -238,14 +269,18 @@ class Borders {
   std::vector<Side> sides_;
   std::vector<int> rings_;    // their first sides, and the end
   std::vector<Meeting> met_;  // where sides of different rings meet, by side
-  BoxRuns index_;             // of sides
+  std::vector<int> indexed_;  // sides, by place
+  BoxRuns index_;             // of these
+  std::vector<Piece> pieces_;
+  std::vector<Run> runs_;
 };
 
 // Of each run the places where it starts and ends, told apart by number.
-std::vector<std::array<int, 2>> places_of_ends(const std::vector<Run>& runs) {
+std::vector<std::array<int, 2>> places_of_ends(const Borders& borders,
+                                               const std::vector<Run>& runs) {
   std::vector<std::pair<Point, int>> ends;
   for (const Run& run : runs)
-    for (const Point& end : {run.pieces.front().from, run.pieces.back().to})
+    for (const Point& end : {borders.first_piece(run).from, borders.last_piece(run).to})
       ends.emplace_back(end, static_cast<int>(ends.size()));
   std::sort(ends.begin(), ends.end(),
             [](const auto& a, const auto& b) { return a.first.x < b.first.x; });
@@ -287,13 +322,12 @@ std::vector<bool> on_rings(const std::vector<std::array<int, 2>>& ends) {
 }  // namespace
 
 std::vector<Box> narrow_places(const std::vector<const MultiPolygon*>& surfaces, double max_area) {
-  Borders borders(surfaces);
+  const Borders borders(surfaces);
   const double radius = std::sqrt(max_area / M_PI);
-  std::vector<Run> runs = borders.runs();
-  runs.erase(std::remove_if(runs.begin(), runs.end(),
-                            [&](const Run& run) { return !borders.narrow(run, radius); }),
-             runs.end());
-  const auto ends = places_of_ends(runs);
+  std::vector<Run> runs;
+  std::copy_if(borders.runs().begin(), borders.runs().end(), std::back_inserter(runs),
+               [&](const Run& run) { return borders.narrow(run, radius); });
+  const auto ends = places_of_ends(borders, runs);
   const std::vector<bool> kept = on_rings(ends);
   Groups joined(2 * static_cast<int>(runs.size()));
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -301,11 +335,10 @@ std::vector<Box> narrow_places(const std::vector<const MultiPolygon*>& surfaces,
   std::map<int, Box> boxes;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (kept[i])
-      for (const Piece& piece : runs[i].pieces) {
-        Box& box = boxes[joined.of(ends[i][0])];
+      borders.each_piece(runs[i], [&, &box = boxes[joined.of(ends[i][0])]](const Piece& piece) {
         box.add(piece.from);
         box.add(piece.to);
-      }
+      });
   std::vector<Box> out;
   for (const auto& [place, box] : boxes) out.push_back(box);
   return out;

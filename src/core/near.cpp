@@ -21,7 +21,7 @@ std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i) {
         const Side side{ring[i - 1], ring[i], box_of(ring[i - 1], ring[i])};
-        if (side.box.meets(box, 0)) sides.push_back(side);
+        if (side.box.meets(box)) sides.push_back(side);
       }
   return sides;
 }

@@ -1,6 +1,7 @@
 #include "nearest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -39,22 +40,26 @@ std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& or
 }
 
 // Without those that are nearest nowhere in the box, told by parts of it.
+template <int parts>  // a side
 void drop_far(std::vector<Site>& sites, const Box& box) {
-  constexpr int parts = 2;  // a side
+  struct Part {
+    Box box;
+    double enough = infinite;  // square of the distance that is no farther from any place in it
+  };
+  std::array<Part, parts * parts> all;
   const double width = (box.max_x - box.min_x) / parts, height = (box.max_y - box.min_y) / parts;
-  std::vector<bool> near(sites.size());
-  for (int part = 0; part < parts * parts; ++part) {
-    const Point corner{box.min_x + width * (part % parts), box.min_y + height * (part / parts), 0};
-    const Box within = box_of(corner, corner + Point{width, height, 0});
-    double enough = infinite;
-    for (const Site& site : sites) enough = std::min(enough, within.farthest_square(site.point));
-    for (std::size_t i = 0; i < sites.size(); ++i)
-      if (within.square_from(sites[i].point) <= enough + noise) near[i] = true;
+  for (int i = 0; i < parts * parts; ++i) {
+    const Point corner{box.min_x + width * (i % parts), box.min_y + height * (i / parts), 0};
+    all[i].box = box_of(corner, corner + Point{width, height, 0});
+    for (const Site& site : sites)
+      all[i].enough = std::min(all[i].enough, all[i].box.farthest_square(site.point));
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    if (near[i]) sites[kept++] = sites[i];
-  sites.resize(kept);
+  const auto far = [&](const Site& site) {
+    return std::none_of(all.begin(), all.end(), [&](const Part& part) {
+      return part.box.square_from(site.point) <= part.enough + noise;
+    });
+  };
+  sites.erase(std::remove_if(sites.begin(), sites.end(), far), sites.end());
 }
 
 // Ends of edges that meet come out of each edge a little different.
@@ -146,7 +151,8 @@ NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
     : within_{0, 0, within.max_x - within.min_x, within.max_y - within.min_y},
       origin_{within.min_x, within.min_y, 0},
       sites_(distinct_sites(sites, origin_)) {
-  drop_far(sites_, within_);
+  drop_far<1>(sites_, within_);
+  drop_far<2>(sites_, within_);
   std::vector<Box> boxes;
   boxes.reserve(2 * sites_.size());
   for (const Site& site : sites_) boxes.push_back(box_of(site.point, site.point));

@@ -178,7 +178,7 @@ bool inside(const Point& p, const MultiPolygon& surface) {
 }
 
 bool overlap(const Ground& a, const Ground& b) {
-  if (!a.box().meets(b.box(), 0)) return false;
+  if (!a.box().meets(b.box())) return false;
   const Box shared = a.box().shared_with(b.box());
   return a.crosses(b, shared) || a.reaches_into(b, shared) || b.reaches_into(a, shared);
 }

@@ -19,6 +19,9 @@ struct Box {
     max_x = std::max(max_x, p.x);
     max_y = std::max(max_y, p.y);
   }
+  bool meets(const Box& o) const {
+    return min_y <= o.max_y && o.min_y <= max_y && min_x <= o.max_x && o.min_x <= max_x;
+  }
   bool meets(const Box& o, double margin) const {
     return min_x <= o.max_x + margin && o.min_x <= max_x + margin && min_y <= o.max_y + margin &&
            o.min_y <= max_y + margin;

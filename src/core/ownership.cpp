@@ -51,7 +51,7 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-void append_rings(const MultiPolygon& surface, std::vector<Line>& lines) {
+void append_rings(const MultiPolygon& surface, std::vector<LineView>& lines) {
   for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
 }
 
@@ -87,7 +87,7 @@ class Settlement {
     poll_cancel();
     const MultiPolygon& surface = *claims_[claim].surface;
     const Ground& ground = grounds_[claim];
-    std::vector<Line> lines;
+    std::vector<LineView> lines;
     append_rings(surface, lines);
     const auto near = [&](const Point& from, const Point& to) {
       poll_cancel();
@@ -304,7 +304,7 @@ std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
       for (const int next : rivals[all[k]])
         if (claims[next].level != claims[i].level &&
             std::find(all.begin(), all.end(), next) == all.end() &&
-            box_of(*claims[next].surface).meets(box_of(*claims[i].surface), 0))
+            box_of(*claims[next].surface).meets(box_of(*claims[i].surface)))
           all.push_back(next);
     std::sort(all.begin(), all.end());
   }

@@ -35,7 +35,7 @@ std::vector<SkeletonSegment> skeleton_within(const Claim& claim, const Box& with
     if (stretch.from >= stretch.to) continue;
     const Line line = substring(*stretch.line, stretch.from, stretch.to);
     for (std::size_t i = 1; i < line.size(); ++i)
-      if (box_of(line[i - 1], line[i]).meets(within, 0))
+      if (box_of(line[i - 1], line[i]).meets(within))
         segments.push_back({line[i - 1], line[i], line.front(), line.back()});
   }
   return segments;
@@ -65,17 +65,21 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
 
 // Every metre of the axis, wherever it is cut and whatever part of it the stretch is: an edit at
 // one end moves no border at the other. Both ends of an edge, too.
-std::vector<double> sample_places(const Stretch& stretch, double total) {
-  std::vector<double> places;
-  if (stretch.from <= 0) places.push_back(0);
+template <class Use>
+void each_sample_place(const Stretch& stretch, double total, Use use) {
+  bool any = stretch.from <= 0;
+  if (any) use(0);
   for (double k = std::ceil((stretch.abscissa + stretch.from) / sample_spacing);; ++k) {
     const double at = k * sample_spacing - stretch.abscissa;
     if (at > stretch.to || at > total - same_place) break;
-    if (at > same_place) places.push_back(at);
+    if (at <= same_place) continue;
+    any = true;
+    use(at);
   }
-  if (stretch.to >= total) places.push_back(total);
-  if (places.empty()) places.push_back((stretch.from + stretch.to) / 2);
-  return places;
+  if (stretch.to >= total)
+    use(total);
+  else if (!any)
+    use((stretch.from + stretch.to) / 2);
 }
 
 // Those near the box: a section lies within half its width of its axis, an intersection may not.
@@ -84,19 +88,18 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
                                                   : claim.width / 2 + 2 * sample_spacing;
   for (const Stretch& stretch : claim.skeleton) {
     const Line& line = *stretch.line;
-    double walked = 0;
+    double walked = 0, size = distance(line[0], line[1]);
     std::size_t segment = 1;
-    for (const double at : sample_places(stretch, length(line))) {
-      while (segment + 1 < line.size() &&
-             walked + distance(line[segment - 1], line[segment]) < at) {
-        walked += distance(line[segment - 1], line[segment]);
+    each_sample_place(stretch, length(line), [&](double at) {
+      while (segment + 1 < line.size() && walked + size < at) {
+        walked += size;
         ++segment;
+        size = distance(line[segment - 1], line[segment]);
       }
-      const double size = distance(line[segment - 1], line[segment]);
       const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
       const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
       if (within.holds(p, margin)) sites.push_back({p, first});
-    }
+    });
   }
 }
 

@@ -8,7 +8,7 @@
 namespace streetgen {
 
 MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
-  std::vector<Line> lines;
+  std::vector<LineView> lines;
   for (const MultiPolygon& part : parts)
     for (const Polygon& polygon : part) lines.insert(lines.end(), polygon.begin(), polygon.end());
   const Arrangement faces(lines);

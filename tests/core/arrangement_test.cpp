@@ -14,6 +14,10 @@ namespace {
 
 const Ring square{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
 
+Arrangement faces_of(const std::vector<Line>& lines) {
+  return Arrangement({lines.begin(), lines.end()});
+}
+
 std::vector<bool> those_in(const Arrangement& faces, const Polygon& polygon) {
   std::vector<bool> kept;
   for (const Point& place : faces.places()) kept.push_back(inside(place, polygon));
@@ -21,7 +25,7 @@ std::vector<bool> those_in(const Arrangement& faces, const Polygon& polygon) {
 }
 
 TEST(Arrangement, KeepsVerticesAndCrossesExactly) {
-  const Arrangement faces({square, {{4.5, -1}, {4.5, 10}}});
+  const Arrangement faces = faces_of({square, {{4.5, -1}, {4.5, 10}}});
   const MultiPolygon left =
       faces.joined(those_in(faces, {{{0, 0}, {4.5, 0}, {4.5, 9}, {0, 9}, {0, 0}}}));
   ASSERT_EQ(left.size(), 1u);
@@ -32,7 +36,7 @@ TEST(Arrangement, KeepsVerticesAndCrossesExactly) {
 
 TEST(Arrangement, KnowsIslands) {
   const Ring island{{2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}};
-  const Arrangement faces({square, island});
+  const Arrangement faces = faces_of({square, island});
   const MultiPolygon around = faces.joined(those_in(faces, {square, island}));
   ASSERT_EQ(around.size(), 1u);
   EXPECT_EQ(around.front().size(), 2u);
@@ -50,7 +54,7 @@ TEST(Arrangement, TellsAFaceFromWhatLiesBesideItsSteps) {
           p.y *= mirrored;
           for (int turn = 0; turn < quarter; ++turn) p = left_normal(p);
         }
-        const Arrangement faces({step});
+        const Arrangement faces = faces_of({step});
         EXPECT_NEAR(area(faces.joined(those_in(faces, {step}))), 63.7, 1e-6) << quarter;
         for (const Point& place : faces.places())
           for (std::size_t i = 1; i < step.size(); ++i)
@@ -62,7 +66,7 @@ TEST(Arrangement, TellsAFaceFromWhatLiesBesideItsSteps) {
 TEST(Arrangement, TakesRingsThatTouchThemselvesApart) {
   Geos geos;
   const Ring inner{{0, 4}, {3, 6}, {3, 2}, {0, 4}};
-  const Arrangement faces({square, inner});
+  const Arrangement faces = faces_of({square, inner});
   const MultiPolygon around = faces.joined(those_in(faces, {square, inner}));
   EXPECT_TRUE(geos.valid(geos.surface(around).get()));
   EXPECT_DOUBLE_EQ(area(around), 75);
@@ -82,7 +86,7 @@ TEST(Arrangement, LeavesOutAFaceThatNearlyTouchesTheShell) {
       return Ring{a, b, b + across * height, a + across * height, a};
     };
     const Ring shell = ring(0, 9, 9), face = ring(1 + share(), 5 + share(), 2);
-    const Arrangement faces({shell, face});
+    const Arrangement faces = faces_of({shell, face});
     std::vector<bool> kept;
     for (const Point& place : faces.places())
       kept.push_back(inside(place, {shell}) && !inside(place, {face}));
@@ -117,7 +121,7 @@ TEST(Arrangement, MakesFacesOfWhatNearlyCoincides) {
       all.push_back(rectangle(turn + by, x, y, length, width));
       lines.push_back(all.back().front().front());
     }
-    const Arrangement faces(lines);
+    const Arrangement faces = faces_of(lines);
     for (const MultiPolygon& rectangle : all) {
       std::vector<bool> held;
       for (const Point& place : faces.places()) held.push_back(inside(place, rectangle.front()));

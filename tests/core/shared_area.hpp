@@ -10,7 +10,7 @@ namespace streetgen {
 inline double shared_area(const MultiPolygon& a, const MultiPolygon& b) {
   const Ground of_a(a), of_b(b);
   if (!overlap(of_a, of_b)) return 0;
-  std::vector<Line> lines;
+  std::vector<LineView> lines;
   for (const MultiPolygon* surface : {&a, &b})
     for (const Polygon& part : *surface) lines.insert(lines.end(), part.begin(), part.end());
   const Arrangement faces(lines);
