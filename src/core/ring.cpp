@@ -72,8 +72,7 @@ bool as_wide(const Arm& a, const Arm& b) {
 // Whether the outside of a bend is round. Two streets of different width that leave within a right
 // angle of each other are no bend but a fork: behind the node both end flat.
 bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
-  return gap.angle > M_PI &&
-         (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
+  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
