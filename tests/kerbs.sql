@@ -2,7 +2,7 @@
 -- Reads the temporary table `surface` of quality.sql, and calls its `remainder`.
 CREATE TEMPORARY TABLE finding (measure text, relation text, id bigint, value float8, geom geometry);
 
--- Edge ends, counter-clockwise about their node, each oriented away from it.
+-- Edge ends, counter-clockwise about their node, each oriented away from it; where one edge goes out and back on one line, its start first, as in `corner`.
 CREATE TEMPORARY TABLE arm AS
 SELECT e.edge_id, e.axis_id, which, node_id, line, ST_Length(line) AS length, width / 2 AS half, abs(e.width - e.width_end) < 1e-9 AS constant, radius, azimuth,
        row_number() OVER around AS turn, count(*) OVER (PARTITION BY node_id) AS degree
@@ -10,7 +10,7 @@ FROM (SELECT edge_id, axis_id, 'start' AS which, from_node AS node_id, ST_Force2
       UNION ALL SELECT edge_id, axis_id, 'end', to_node, ST_Reverse(ST_Force2D(geom)), width, width_end FROM :"model".edge) e
 JOIN (SELECT axis_id, radius FROM :"model".axis_used) u USING (axis_id)
 CROSS JOIN LATERAL (SELECT ST_Azimuth(ST_StartPoint(line), ST_LineInterpolatePoint(line, least(1, 1 / ST_Length(line)))) AS azimuth) d
-WINDOW around AS (PARTITION BY node_id ORDER BY azimuth DESC, edge_id, which);
+WINDOW around AS (PARTITION BY node_id ORDER BY azimuth DESC, edge_id, which DESC);
 ANALYZE arm;
 
 CREATE TEMPORARY TABLE pair AS

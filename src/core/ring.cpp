@@ -65,11 +65,14 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
   ring.push_back(to);
 }
 
+bool as_wide(const Arm& a, const Arm& b) {
+  return std::abs(a.half_start - b.half_start) <= same_width;
+}
+
 // Whether the outside of a bend is round. Two streets of different width that leave within a right
 // angle of each other are no bend but a fork: behind the node both end flat.
 bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
-  return gap.angle > M_PI &&
-         (gap.angle < 3 * M_PI / 2 || std::abs(a.half_start - b.half_start) <= same_width);
+  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
@@ -231,13 +234,18 @@ double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
   return std::abs(angle - M_PI);
 }
 
-// Whether a street goes on nearly straight to the other arm, and no other one straighter.
-bool goes_on(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
+// Whether a street goes on nearly straight to the other arm, and no other one straighter; where it
+// keeps its width, no other one that does.
+bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t from,
+             std::size_t to) {
   constexpr double nearly_straight = 20 * M_PI / 180;
   const double own = bend(gaps, from, to);
   if (own >= nearly_straight) return false;
+  const bool keeps_width = as_wide(arms[from], arms[to]);
   for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (i != from && i != to && bend(gaps, i, to) < own) return false;
+    if (i != from && i != to && bend(gaps, i, to) < own &&
+        (!keeps_width || as_wide(arms[i], arms[to])))
+      return false;
   return true;
 }
 
@@ -251,7 +259,8 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
   const auto held = [&](std::size_t arm, const Point& p) {
     if (ground.holds(p)) return true;
     const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
-    return at != arm && next != arm && !goes_on(gaps, arm, at) && !goes_on(gaps, arm, next);
+    return at != arm && next != arm && !goes_on(arms, gaps, arm, at) &&
+           !goes_on(arms, gaps, arm, next);
   };
   const auto lines_at = [](const Arm& arm, double abscissa) {
     const Line border = border_across(arm, abscissa);

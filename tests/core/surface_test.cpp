@@ -161,6 +161,21 @@ TEST(IntersectionSurface, HoldsAStreetThatGoesStraightOnBesideOneThatLeaves) {
   }
 }
 
+// A ramp that leaves a wide street within its width may turn less than the street does.
+TEST(IntersectionSurface, HoldsAStreetThatKeepsItsWidthBesideAStraighterRamp) {
+  constexpr double half = 5, degree = M_PI / 180;
+  for (const int side : {+1, -1}) {
+    const Line street = ray(side * -4 * degree, 300);
+    const MultiPolygon surface = intersection_surface(
+        {street, ray(M_PI, 300), ray(side * degree, 300)}, {2 * half, 2 * half, 3.5}, {6, 6, 6});
+    const Point along = street[1] * (1.0 / 300), across = left_normal(along);
+    for (double abscissa = 0.05; abscissa < 100; abscissa += 1)
+      for (double off = -half + 0.01; off < half; off += 0.1)
+        EXPECT_TRUE(inside(along * abscissa + across * off, surface.front()))
+            << abscissa << ' ' << off;
+  }
+}
+
 TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
   for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
     Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);
