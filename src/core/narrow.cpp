@@ -131,9 +131,8 @@ class Borders {
         first, last, [&](const Piece& p, const Piece& q) { return size(p) < size(q); });
     if (free_beside(longest, run.surface, radius)) return false;
     if (covered(place_beside(longest, beside), run.surface)) return false;
-    return std::none_of(first, last, [&](const Piece& piece) {
-      return free_beside(piece, run.surface, radius);
-    });
+    return std::none_of(
+        first, last, [&](const Piece& piece) { return free_beside(piece, run.surface, radius); });
   }
 
  private:
