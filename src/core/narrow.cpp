@@ -22,7 +22,7 @@ constexpr double touching = 1e-6;      // metres
 constexpr double beside = 2e-8;        // metres, to the outside of a border
 constexpr double least_run = 1e-4;     // metres: no hole has shorter runs only
 constexpr double largest_disc = 1000;  // metres, of its radius
-constexpr std::size_t few = 4096;  // pairs of sides that are looked at one by one
+constexpr std::size_t few = 4096;      // pairs of sides that are looked at one by one
 
 // A segment of a ring, the surface on its left.
 struct Side {
