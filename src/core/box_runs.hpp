@@ -41,6 +41,15 @@ class BoxRuns {
     return any_of_run(box.grown(margin), top, 0, levels_[top + 1] - levels_[top], holds);
   }
 
+  // Calls `use` with the index of each box that meets `box`, but for runs of which `done`, given
+  // the index of their first, of the end and the box of all, says that they need none.
+  template <class Done, class Use>
+  void each_but(const Box& box, Done done, Use use) const {
+    if (levels_.size() < 2) return;
+    const std::size_t top = levels_.size() - 2;
+    each_of_run_but(box, top, 0, levels_[top + 1] - levels_[top], run_size(top), done, use);
+  }
+
   // The first of those with the least square; `square(i)` is that of a distance from p to what lies
   // in box i, or infinite.
   template <class Square>
@@ -97,6 +106,25 @@ class BoxRuns {
         return true;
     }
     return false;
+  }
+
+  // `size`: how many boxes one of the level stands for.
+  template <class Done, class Use>
+  void each_of_run_but(const Box& box, std::size_t level, std::size_t first, std::size_t last,
+                       std::size_t size, Done& done, Use& use) const {
+    const Box* const boxes = boxes_.data() + levels_[level];
+    last = std::min(last, levels_[level + 1] - levels_[level]);
+    for (std::size_t i = first; i < last; ++i) {
+      if (!boxes[i].meets(box)) continue;
+      if (level == 0)
+        use(i);
+      else if (!done(i * size, std::min((i + 1) * size, levels_[1]), boxes[i]))
+        each_of_run_but(box, level - 1, run * i, run * i + run, size / run, done, use);
+    }
+  }
+
+  static std::size_t run_size(std::size_t level) {
+    return level == 0 ? 1 : run * run_size(level - 1);
   }
 
   std::vector<Box> boxes_;

@@ -1,5 +1,6 @@
 #include "overlap.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -45,8 +46,28 @@ class Ground::Boundary {
         for (std::size_t i = 1; i < ring.size(); ++i) {
           starts_.push_back(&ring[i - 1]);
           boxes.push_back(streetgen::box_of(ring[i - 1], ring[i]));
+          if (i + 1 == ring.size()) ends_.push_back(starts_.size());
         }
     boxes_ = BoxRuns(std::move(boxes));
+  }
+
+  // Whether the rings pass the height of p an odd number of times on its right, or else on its
+  // left.
+  bool passes_oddly(const Point& p, const Box& way, bool right) const {
+    bool odd = false;
+    boxes_.each_but(
+        way.grown(depth),
+        [&](std::size_t first, std::size_t end, const Box& all) {
+          // All on that side: it passes as odd as it starts and ends on different sides of the
+          // height.
+          if (right ? all.min_x <= p.x : all.max_x >= p.x) return false;
+          if (ends_.size() > 1 && *std::upper_bound(ends_.begin(), ends_.end(), first) < end)
+            return false;
+          odd ^= (starts_[first][0].y > p.y) != (starts_[end - 1][1].y > p.y);
+          return true;
+        },
+        [&](std::size_t i) { odd ^= passes(p, starts_[i][0], starts_[i][1], right); });
+    return odd;
   }
 
   // Whether `holds` is true of any segment that comes near the box.
@@ -59,6 +80,7 @@ class Ground::Boundary {
 
  private:
   std::vector<const Point*> starts_;  // the end of each follows in its ring
+  std::vector<std::size_t> ends_;     // of rings
   BoxRuns boxes_;
 };
 
@@ -74,16 +96,11 @@ const Ground::Boundary& Ground::boundary() const {
 
 bool Ground::holds(const Point& p) const {
   if (!box_.holds(p, 0)) return false;
-  bool odd = false;
   // Rings pass a height an even number of times: as odd on one side as on the other.
   const bool right = box_.max_x - p.x < p.x - box_.min_x;
   Box way = box_of(p, p);
   (right ? way.max_x : way.min_x) = right ? box_.max_x : box_.min_x;
-  boundary().any(way, [&](const Point& a, const Point& b, const Box&) {
-    odd ^= passes(p, a, b, right);
-    return false;
-  });
-  return odd;
+  return boundary().passes_oddly(p, way, right);
 }
 
 bool Ground::holds_deeply(const Point& p) const {

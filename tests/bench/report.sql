@@ -6,7 +6,8 @@ CREATE FUNCTION pg_temp.header(VARIADIC cells text[]) RETURNS SETOF text LANGUAG
 \echo
 \echo '### Bars'
 SELECT pg_temp.header('figure', 'measured', 'bar');
-WITH cost AS (SELECT input, part, phase, server FROM median),
+-- While netconvert runs the server does nothing for it.
+WITH cost AS (SELECT input, part, phase, CASE phase WHEN 'netconvert' THEN cpu ELSE server END AS server FROM median),
 floor AS (
     SELECT input, sum(server) FILTER (WHERE phase <> 'statistics by default') AS server, sum(server) FILTER (WHERE phase <> 'statistics') AS by_default
     FROM cost WHERE part = 'floor' AND phase <> 'keys in place' GROUP BY input),

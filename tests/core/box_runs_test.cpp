@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "../../src/core/polyline.hpp"
+
 namespace streetgen {
 namespace {
 
@@ -58,6 +60,37 @@ TEST(Ground, TellsTheBoxOfWhatLiesInABox) {
   EXPECT_NEAR(held.max_x, 6, 1e-5);
   EXPECT_NEAR(held.max_y, 6, 1e-5);
   EXPECT_GT(Ground(triangle).box_within({6, 6, 20, 20}).min_x, 6);
+}
+
+// A wavy ring about the centre, of so many sides, that goes round once or back.
+Ring wavy(std::mt19937& random, const Point& centre, double radius, int sides, double way) {
+  std::uniform_real_distribution<double> share(0.5, 1);
+  Ring ring;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = way * 2 * M_PI * i / sides, away = radius * share(random);
+    ring.push_back(centre + Point{away * std::cos(angle), away * std::sin(angle), 0});
+  }
+  ring.push_back(ring.front());
+  return ring;
+}
+
+// Runs of sides are told by their ends, those of several rings one by one.
+TEST(Ground, HoldsAPlaceThatLiesInsideItsRings) {
+  std::mt19937 random(7);
+  for (const int sides : {3, 8, 9, 64, 65, 700}) {
+    const MultiPolygon surface{
+        {wavy(random, {0, 0, 0}, 20, sides, 1), wavy(random, {1, 1, 0}, 8, sides, -1)},
+        {wavy(random, {50, 3, 0}, 20, sides, 1)}};
+    const Ground ground(surface);
+    std::uniform_real_distribution<double> x(-21, 71), y(-21, 24);
+    int held = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Point place{x(random), y(random), 0};
+      held += inside(place, surface);
+      EXPECT_EQ(ground.holds(place), inside(place, surface)) << sides << " sides, place " << i;
+    }
+    EXPECT_GT(held, 100);
+  }
 }
 
 }  // namespace
