@@ -10,6 +10,7 @@
 #include "../../src/core/geos.hpp"
 #include "../../src/core/overlap.hpp"
 #include "../../src/core/polyline.hpp"
+#include "random_town.hpp"
 
 namespace streetgen {
 namespace {
@@ -149,11 +150,9 @@ TEST(OffsetLine, HasNoLoopInATightBend) {
   for (const Point& p : outside) EXPECT_NEAR(distance_to_line(p, axis), 3, 0.05);
 }
 
-std::vector<StreetAxis> random_town(unsigned seed, int count) {
+std::vector<StreetAxis> bent_town(unsigned seed, int count) {
   std::mt19937_64 random(seed);
-  std::vector<Point> places;
-  for (int i = 0; i < count / 2; ++i)
-    places.push_back({650000 + random() % 4000 / 10.0, 6860000 + random() % 4000 / 10.0, 0});
+  const std::vector<Point> places = random_places(random, count / 2);
   std::vector<StreetAxis> axes;
   for (int i = 0; i < count; ++i) {
     const Point &a = places[random() % places.size()], &b = places[random() % places.size()];
@@ -197,7 +196,7 @@ const Town& town(unsigned seed) {
   if (found != made.end()) return found->second;
   StreetSettings settings;
   settings.crossing = Crossing::split;
-  Town town{streetgen::streets(random_town(seed, 30), settings), {}};
+  Town town{streetgen::streets(bent_town(seed, 30), settings), {}};
   LaneSettings with_edges;
   with_edges.edge_lines = true;
   town.lanes = lanes(town.streets, random_lanes(seed, 30), {}, with_edges);

@@ -8,22 +8,22 @@
 
 namespace streetgen {
 
+inline std::vector<Point> random_places(std::mt19937_64& random, int count) {
+  std::vector<Point> places;
+  for (int i = 0; i < count; ++i)
+    places.push_back({650000 + random() % 4000 / 10.0, 6860000 + random() % 4000 / 10.0, 0});
+  return places;
+}
+
 inline std::vector<StreetAxis> random_town(unsigned seed, int count) {
   std::mt19937_64 random(seed);
-  std::vector<Point> places;
-  for (int i = 0; i < count / 2; ++i)
-    places.push_back({650000 + random() % 4000 / 10.0, 6860000 + random() % 4000 / 10.0, 0});
+  const std::vector<Point> places = random_places(random, count / 2);
   std::vector<StreetAxis> axes;
   for (int i = 0; i < count; ++i) {
     const Point &a = places[random() % places.size()], &b = places[random() % places.size()];
     if (distance(a, b) < 1) continue;
-    StreetAxis axis;
-    axis.axis_id = i + 1;
-    axis.line = {a, b};
-    axis.width = axis.width_end = 3 + random() % 120 / 10.0;
-    axis.radius = random() % 80 / 10.0;
-    axis.importance = 1 + random() % 5;
-    axes.push_back(axis);
+    const double width = 3 + random() % 120 / 10.0, radius = random() % 80 / 10.0;
+    axes.push_back({i + 1, {a, b}, 0, width, width, radius, 1 + static_cast<int>(random() % 5)});
   }
   return axes;
 }
