@@ -75,7 +75,7 @@ BEGIN
         -- What joined its ends may part them.
         UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance) WHERE issue = 'collapsed_axis'
         UNION SELECT unnest(asked));
-    stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written) AND axis_id <> ALL (asked)
+    stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written) AND axis_id NOT IN (SELECT unnest(asked))
         AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id), true));
     IF stale <> '{}' THEN
         RETURN;
@@ -107,7 +107,7 @@ BEGIN
     box AS MATERIALIZED (
         SELECT DISTINCT (floor((ST_XMin(extent) - margin) / size) + 0.5) * size AS west, (floor((ST_YMin(extent) - margin) / size) + 0.5) * size AS south,
             (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east, (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
-        FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l, LATERAL (SELECT CASE WHEN axis_id = ANY (asked) THEN reach + widest ELSE 10 END) m(margin))
+        FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(asked)) THEN reach + widest ELSE 10 END AS margin FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l OFFSET 0) m)
     SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
            (SELECT array_agg(DISTINCT cell ORDER BY cell) FROM box, streetgen._cell(west, south, east, north, size) cell)
         INTO gathered, cells;

@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_network(places jsonb) RETURNS text
 computed_edge AS MATERIALIZED (SELECT * FROM streetgen._computed_edge((SELECT streets FROM computed))),
 -- The axes whose rows come out, and those that are gone, or whose edges are. One that is gone and was not asked is for the run that asks for it.
 asked_axis AS MATERIALIZED (
-    SELECT axis_id FROM computed_edge WHERE (asked OR lanes_asked) AND axis_id = ANY ($1) UNION SELECT unnest($3)
+    SELECT axis_id FROM computed_edge WHERE (asked OR lanes_asked) AND axis_id IN (SELECT unnest($1)) UNION SELECT unnest($3)
     UNION (SELECT axis_id FROM former_edge JOIN used USING (axis_id) EXCEPT SELECT axis_id FROM computed_edge)),
 written_edge AS MATERIALIZED (SELECT * FROM computed_edge WHERE {whole} OR axis_id IN (SELECT axis_id FROM asked_axis)),
 written_node AS MATERIALIZED (

@@ -6,6 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT 
     AS $$
 DECLARE
     asked bigint[] := axes;
+    whole boolean := axes IS NULL;
     claimed record;
     skipped_axes bigint := 0;
     lock_timeout_before text := current_setting('lock_timeout');
@@ -20,18 +21,22 @@ BEGIN
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
     -- TRUNCATE takes its table before it enters: who entered must not wait for it.
     EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
-    IF axes IS NULL AND streetgen._enter(model, wait, alone => true) THEN
-        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, 0::bigint, u.hard FROM streetgen._upsert_whole(model) u;
+    IF axes IS NOT NULL THEN
+        -- An id that is neither an axis nor has left rows behind is skipped.
+        skipped_axes := (SELECT count(DISTINCT id) FROM unnest(asked) id);
+        EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
+            WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge WHERE axis_id = id)$sql$, model) INTO asked USING asked;
+        skipped_axes := skipped_axes - cardinality(asked);
+        -- All axes one by one are all axes; fewer than there are need no look at each.
+        EXECUTE format($sql$SELECT NOT EXISTS (SELECT FROM %1$I.axis OFFSET cardinality($1))
+            AND NOT EXISTS (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge EXCEPT SELECT unnest($1))$sql$, model) INTO whole USING asked;
+    END IF;
+    IF whole AND streetgen._enter(model, wait, alone => true) THEN
+        RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE u.relation WHEN 'edge' THEN skipped_axes ELSE 0 END, u.hard FROM streetgen._upsert_whole(model) u;
     ELSE
         IF asked IS NULL THEN
             -- Another session edits: go on axis by axis with the places that are free.
             EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO asked;
-        ELSE
-            -- An id that is neither an axis nor has left rows behind is skipped.
-            skipped_axes := (SELECT count(DISTINCT id) FROM unnest(asked) id);
-            EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
-                WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge WHERE axis_id = id)$sql$, model) INTO asked USING asked;
-            skipped_axes := skipped_axes - cardinality(asked);
         END IF;
         IF streetgen._setting_changed(model) THEN
             RAISE EXCEPTION 'settings of model "%" changed since its streets were computed', model USING ERRCODE = '55000',
@@ -54,4 +59,4 @@ EXCEPTION WHEN lock_not_available THEN
     RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model),
         HINT = CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.' ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END;
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL), or the given ones and what they change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock with another session (40P01): repeat the transaction.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL, or each of them named), or the given ones and what they change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock with another session (40P01): repeat the transaction.';

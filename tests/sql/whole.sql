@@ -70,6 +70,13 @@ SELECT streetgen.generate('parts') \g /dev/null
 ROLLBACK;
 SELECT 'a run rolled back leaves all as it was', NOT EXISTS (SELECT * FROM parts_before EXCEPT SELECT * FROM made_of('parts')) AND NOT EXISTS (SELECT FROM parts.node);
 BEGIN;
+SELECT 'all axes one by one, whatever else is named, are a whole model', sum(inserted) = (SELECT sum(inserted) FROM counted) AND sum(skipped) = 2 FROM streetgen.generate('parts', ARRAY[-1, 7000, 1] || ARRAY(SELECT axis_id FROM parts.axis));
+SELECT 'whose indexes are made after the rows', (SELECT key FROM parts_before WHERE what LIKE '% lane_geom %') <> 'parts.lane_geom'::regclass;
+UPDATE parts.setting SET value = '0.7' WHERE name = 'tolerance';
+SELECT 'after a change of settings all but one are a part', test.state($$SELECT FROM streetgen.generate('parts', ARRAY(SELECT axis_id FROM parts.axis WHERE axis_id > 1))$$) = '55000';
+SELECT 'and all of them are none', sum(inserted + updated) > 0 FROM streetgen.generate('parts', ARRAY(SELECT axis_id FROM parts.axis));
+ROLLBACK;
+BEGIN;
 ALTER TABLE parts.node ALTER node_id SET INCREMENT 2;
 SELECT streetgen.generate('parts') \g /dev/null
 SELECT 'ids step as their sequence does', count(DISTINCT node_id % 2) = 1 AND count(*) > 500 FROM parts.node;
