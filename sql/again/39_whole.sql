@@ -78,7 +78,7 @@ BEGIN
             -- A published table says by its primary key which row goes, unless told otherwise.
             AND NOT (i.indisprimary AND d.relreplident = 'd' AND EXISTS (SELECT FROM pg_publication_tables WHERE schemaname = model AND tablename = d.relname)) AND c.reltablespace = 0
             AND CASE WHEN k.oid IS NULL THEN NOT i.indisunique ELSE c.reloptions IS NULL END
-            AND NOT (by_cluster AND c.relam = (SELECT oid FROM pg_am WHERE amname = 'btree') AND (k.oid IS NOT NULL OR c.relname = ANY ('{edge_axis,interconnection_node,report_axis}')))
+            AND NOT (by_cluster AND c.relam = (SELECT oid FROM pg_am WHERE amname = 'btree') AND (k.oid IS NOT NULL OR c.relname = ANY ('{edge_axis,interconnection_node,report_axis,report_other}')))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE (refclassid, refobjid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid))
                 AND (classid, objid) <> ('pg_class'::regclass, i.indexrelid) AND (classid <> 'pg_constraint'::regclass OR objid NOT IN (SELECT r.oid FROM reference r)))
             AND NOT EXISTS (SELECT FROM pg_depend WHERE (classid, objid) IN (('pg_class'::regclass, i.indexrelid), ('pg_constraint'::regclass, k.oid)) AND deptype NOT IN ('a', 'n', 'i'))

@@ -58,7 +58,7 @@ BEGIN
     claimed := streetgen._claim(model, gone, wait => true);
     EXECUTE format($sql$
 WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, from_node, to_node),
-     report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1)),
+     report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1) OR axis_b = ANY ($1)),
      stale AS (UPDATE %1$I.edge SET input_hash = 0 WHERE axis_id = ANY ($2) AND axis_id <> ALL ($1))
 DELETE FROM %1$I.node WHERE node_id IN (SELECT from_node FROM gone UNION SELECT to_node FROM gone)
     AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.from_node = node_id AND e.axis_id <> ALL ($1)) AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.to_node = node_id AND e.axis_id <> ALL ($1))

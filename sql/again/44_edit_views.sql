@@ -57,10 +57,11 @@ CREATE INDEX IF NOT EXISTS corner_centre ON %1$I.corner USING gist (centre);
 CREATE INDEX IF NOT EXISTS section_limit_kerb ON %1$I.section_limit USING gist ((CASE which WHEN 'start' THEN ST_StartPoint(border_line) ELSE ST_EndPoint(border_line) END::geometry(Point, %2$s)));
 CREATE INDEX IF NOT EXISTS interconnection_handle ON %1$I.interconnection
     USING gist ((ST_MakeLine(ARRAY[ST_StartPoint(geom), coalesce(control, ST_LineInterpolatePoint(geom, 0.5)), ST_EndPoint(geom)])::geometry(LineString, %2$s)));
-CREATE INDEX IF NOT EXISTS report_collapsed ON %1$I.report USING gist (ST_Expand(geom, measure)) WHERE issue = 'collapsed_axis'
+CREATE INDEX IF NOT EXISTS report_collapsed ON %1$I.report USING gist (ST_Expand(geom, measure)) WHERE issue = 'collapsed_axis';
+CREATE INDEX IF NOT EXISTS report_other ON %1$I.report (axis_b)
 $sql$, model, srid);
 END $$;
-COMMENT ON FUNCTION streetgen._make_edit_indexes(name, integer) IS 'Makes the indexes by which a GIS finds rows of corner_editing and interconnection_editing in its window, and an edit axes too short for an edge.';
+COMMENT ON FUNCTION streetgen._make_edit_indexes(name, integer) IS 'Makes the indexes by which a GIS finds rows of corner_editing and interconnection_editing in its window, and an edit axes too short for an edge and reports of an axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._direction_from(line geometry, which text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -385,6 +385,17 @@ SELECT 'with the movements beyond', count(*) > 0 FROM left_movement m JOIN led.i
 SELECT 'as from scratch', test.followed('led', 'once');
 SELECT 'nothing is stale', streetgen.live('led', true) = 0;
 SELECT streetgen.drop_model('led') \g /dev/null
+-- Axes that cross at no vertex: of the lesser one nothing reaches the other.
+SELECT streetgen.create_model('crossed', 2154) \g /dev/null
+INSERT INTO crossed.axis (axis_id, geom, width, importance) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), width, importance FROM (VALUES
+  (1, 'LINESTRING(0 0, 100 0)', 14, 1), (2, 'LINESTRING(50 -40, 50 40)', 5, 6)) a(axis_id, line, width, importance);
+SELECT 'a crossing is reported where it lies', count(*) = 1 AND min(ST_X(geom)) = 650050 FROM crossed.report WHERE (issue, axis_a, axis_b) = ('crossing', 1, 2);
+UPDATE crossed.axis SET geom = ST_Translate(geom, 10, 0) WHERE axis_id = 2;
+SELECT 'the report moves with either axis', count(*) = 1 AND min(ST_X(geom)) = 650060 FROM crossed.report;
+SELECT 'as from scratch, as all the rest', test.followed('crossed', 'once');
+DELETE FROM crossed.axis WHERE axis_id = 2;
+SELECT 'and goes with it', NOT EXISTS (SELECT FROM crossed.report);
+SELECT streetgen.drop_model('crossed') \g /dev/null
 -- An axis less than a metre long has an edge, until one that ends between its ends joins both to one node.
 SELECT streetgen.create_model('short', 2154) \g /dev/null
 INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.5 6859999.5)', 7);

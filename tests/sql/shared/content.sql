@@ -19,6 +19,7 @@ BEGIN
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
     UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, b.axis_id, b.start_abscissa, o.ordinality, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
       FROM @.interconnection c LEFT JOIN @.node n USING (node_id) JOIN @.lane i ON i.lane_id = c.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = c.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
+    UNION ALL SELECT concat_ws(' ', 'report', issue, axis_a, axis_b, measure, geom::text) FROM @.report
     UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$,
     '@', quote_ident(model));
 END $$;
