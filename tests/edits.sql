@@ -195,21 +195,6 @@ EXCEPTION WHEN check_violation OR unique_violation OR invalid_parameter_value TH
   RETURN false;
 END $$;
 
--- Does the edited model equal one that is generated from its axes and overrides, within a millimetre? NULL: yes; else what differs.
-CREATE FUNCTION edits.difference() RETURNS text LANGUAGE plpgsql VOLATILE AS $$
-DECLARE
-  differs text;
-BEGIN
-  PERFORM test.generate_anew('edited', 'scratch');
-  WITH all_edited AS MATERIALIZED (SELECT test.content('edited') AS content), all_scratch AS MATERIALIZED (SELECT test.content('scratch') AS content),
-    edited AS (TABLE all_edited EXCEPT ALL TABLE all_scratch), scratch AS (TABLE all_scratch EXCEPT ALL TABLE all_edited)
-  SELECT string_agg(format('%s: %s', side, left(content, 300)), E'\n') INTO differs FROM (
-    (SELECT 'only edited' AS side, content FROM edited e WHERE NOT EXISTS (SELECT FROM scratch s WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
-    UNION ALL (SELECT 'only from scratch', content FROM scratch s WHERE NOT EXISTS (SELECT FROM edited e WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
-    UNION ALL (SELECT 'check_model', concat_ws(' ', rule, relation_of, id) FROM streetgen.check_model('edited') c(severity, rule, relation_of, id) WHERE severity = 'error' OR rule LIKE 'stale%' OR rule = 'not_generated' LIMIT 3)) d;
-  RETURN differs;
-END $$;
-
 -- Runs a script; NULL or what is wrong at its end.
 CREATE FUNCTION edits.run(script edits.script) RETURNS text LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
@@ -219,7 +204,7 @@ BEGIN
   FOREACH statement IN ARRAY script.statements LOOP
     PERFORM edits.execute(statement);
   END LOOP;
-  RETURN edits.difference();
+  RETURN test.difference('edited', 'scratch');
 EXCEPTION WHEN OTHERS THEN
   RETURN format('%s: %s', SQLSTATE, SQLERRM);
 END $$;
@@ -315,7 +300,7 @@ BEGIN
     BEGIN
       script := ('{}', '{}', '{}');
       script := edits.drawn_script(i);
-      what := edits.difference();
+      what := test.difference('edited', 'scratch');
     EXCEPTION WHEN OTHERS THEN
       what := format('%s: %s', SQLSTATE, SQLERRM);
     END;

@@ -68,6 +68,21 @@ BEGIN
   RETURN test.same(model, anew) AND NOT EXISTS (SELECT FROM streetgen.check_model(model) WHERE severity = 'error' OR rule = 'not_generated' OR rule LIKE 'stale%');
 END $$;
 
+-- The same within a millimetre, as after many edits: where the far end of a side moved, what crosses it may lie a step of the grid aside. NULL: yes; else what differs.
+CREATE FUNCTION test.difference(model name, anew name) RETURNS text LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  differs text;
+BEGIN
+  PERFORM test.generate_anew(model, anew);
+  WITH all_edited AS MATERIALIZED (SELECT test.content(model) AS content), all_scratch AS MATERIALIZED (SELECT test.content(anew) AS content),
+    edited AS (TABLE all_edited EXCEPT ALL TABLE all_scratch), scratch AS (TABLE all_scratch EXCEPT ALL TABLE all_edited)
+  SELECT string_agg(format('%s: %s', side, left(content, 300)), E'\n') INTO differs FROM (
+    (SELECT 'only edited' AS side, content FROM edited e WHERE NOT EXISTS (SELECT FROM scratch s WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
+    UNION ALL (SELECT 'only from scratch', content FROM scratch s WHERE NOT EXISTS (SELECT FROM edited e WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
+    UNION ALL (SELECT 'check_model', concat_ws(' ', rule, relation_of, id) FROM streetgen.check_model(model) c(severity, rule, relation_of, id) WHERE severity = 'error' OR rule LIKE 'stale%' OR rule = 'not_generated' LIMIT 3)) d;
+  RETURN differs;
+END $$;
+
 -- Place and writer of every row of a model: equal as long as nothing was written.
 CREATE FUNCTION test.rows(model name) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
