@@ -36,16 +36,16 @@ BEGIN
     FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
-    SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NULL LIMIT 1;
+    SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023', HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
     END IF;
-    EXECUTE format('SELECT p.source_ref FROM _import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
+    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
     IF bad.source_ref IS NOT NULL THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
     PERFORM streetgen._drop_vanished(model, source, among), streetgen._write_axes(model, source);
-    DROP TABLE _import, _import_part, _import_class;
+    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[]) IS 'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the source_refs of what they were.';
 
