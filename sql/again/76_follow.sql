@@ -129,9 +129,12 @@ CREATE OR REPLACE FUNCTION streetgen._follow_again(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    owner constant name := (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model);
+    owner constant name := (SELECT rolname FROM pg_namespace JOIN pg_roles r ON r.oid = nspowner WHERE nspname = model);
+    role_before constant text := current_setting('role');
     kept record;
 BEGIN
+    -- What stands in the table its owner wrote, and may have hung triggers on.
+    PERFORM set_config('role', owner, true);
     FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY source', model) LOOP
         BEGIN
             IF kept.relation IS NULL THEN
@@ -145,8 +148,9 @@ BEGIN
             EXECUTE format('DELETE FROM %I.followed WHERE source = $1 AND $2 IS NULL', model) USING kept.source, kept.relation;
         END;
     END LOOP;
+    PERFORM set_config('role', role_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew; a warning for each that cannot be followed now.';
+COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew, with the rights of its owner; a warning for each that cannot be followed now.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning

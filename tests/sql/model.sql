@@ -191,6 +191,10 @@ CREATE ROLE streetgen_test_owner;
 SELECT format('GRANT CREATE ON DATABASE %I TO streetgen_test_owner', current_database()) \gexec
 SET ROLE streetgen_test_owner;
 SELECT streetgen.create_model('owned', 2154), streetgen.set('owned', 'log', 'on'), streetgen.grant('owned', 'streetgen_test_editor', 'editor') \g /dev/null
+CREATE TABLE owned.ran_as (who name);
+CREATE FUNCTION owned.tell() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN INSERT INTO owned.ran_as VALUES (current_user); RETURN OLD; END';
+CREATE TRIGGER tell BEFORE DELETE ON owned.followed FOR EACH ROW EXECUTE FUNCTION owned.tell();
+INSERT INTO owned.followed VALUES ('no_table', '{}');
 RESET ROLE;
 SELECT 'DROP EXTENSION names the models in the way', test.state('DROP EXTENSION streetgen') = '2BP01';
 DROP EXTENSION streetgen CASCADE;
@@ -200,6 +204,7 @@ DO $$ BEGIN PERFORM streetgen.adopt_model(m) FROM unnest('{model_a,"model Z\"",m
 -- A superuser brings back what is another role's, tables of a newer build too.
 DROP TABLE owned.edit_log, owned.cluster, owned.kerb_point_override CASCADE;
 SELECT streetgen.adopt_model('owned') \g /dev/null
+SELECT 'what its owner hung on a table runs with his rights', array_agg(who) = '{streetgen_test_owner}' AND current_user <> 'streetgen_test_owner' FROM owned.ran_as;
 SELECT 'what adopt_model makes is its owner''s', bool_and(relowner = 'streetgen_test_owner'::regrole) FROM pg_class WHERE relnamespace = 'owned'::regnamespace;
 SET ROLE streetgen_test_editor;
 INSERT INTO owned.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860000,650050 6860000)');
