@@ -16,7 +16,7 @@ CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, d
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %I', model, signature, (SELECT nspowner::regrole::text FROM pg_namespace WHERE nspname = model));
+    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
     EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
     EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
     EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
