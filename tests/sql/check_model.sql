@@ -35,3 +35,6 @@ DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
 SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
+SELECT streetgen.create_model('empty', 2154) \g /dev/null
+SELECT 'of an empty model each sum is 0', count(*) > 5 AND bool_and(amount IS NOT DISTINCT FROM 0) FROM streetgen.summary('empty');
+SELECT streetgen.drop_model('empty') \g /dev/null
