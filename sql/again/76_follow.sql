@@ -134,7 +134,7 @@ DECLARE
     kept record;
 BEGIN
     -- What stands in the table its owner wrote, and may have hung triggers on.
-    PERFORM set_config('role', owner, true);
+    PERFORM set_config('role', (SELECT rolname FROM pg_class c JOIN pg_roles r ON r.oid = relowner WHERE c.oid = format('%I.followed', model)::regclass), true);
     FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY source', model) LOOP
         BEGIN
             IF kept.relation IS NULL THEN
@@ -150,7 +150,7 @@ BEGIN
     END LOOP;
     PERFORM set_config('role', role_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew, with the rights of its owner; a warning for each that cannot be followed now.';
+COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a warning for each that cannot be followed now.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
