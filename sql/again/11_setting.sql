@@ -110,7 +110,9 @@ CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) R
 BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_setting(model, setting, value);
+    -- One at a time, since each goes on to hold out the other.
+    EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
     EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, d.choice FROM streetgen._default_setting() d WHERE d.name = $1
         ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model) USING setting, value;
 END $$;
-COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL), also one that was deleted; rows computed before are stale until generate.';
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL), also one that was deleted, once edits and runs under way have ended; rows computed before are stale until generate.';

@@ -59,14 +59,36 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._register_model(name, integer, integer) IS 'Writes the registry, for the owner of the schema only; forgets models whose schema is gone.';
 
+CREATE OR REPLACE FUNCTION streetgen._relations(model name) RETURNS oid[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ARRAY(SELECT oid FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind IN ('r', 'v')) $$;
+COMMENT ON FUNCTION streetgen._relations(name) IS 'The tables and views in the schema of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._hand_over(model name, before oid[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    made record;
+BEGIN
+    FOR made IN SELECT c.oid::regclass AS relation, nspowner::regrole AS owner FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace
+        WHERE c.oid = ANY (streetgen._relations(model)) AND c.oid <> ALL (before) AND relowner <> nspowner
+    LOOP
+        EXECUTE format('ALTER TABLE %s OWNER TO %s', made.relation, made.owner);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._hand_over(name, oid[]) IS 'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    before constant oid[] := streetgen._relations(model);
 BEGIN
     IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
     PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._hand_over(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 
@@ -150,6 +172,7 @@ DECLARE
     dimension integer;
     missing text[];
     reader oid;
+    before oid[];
 BEGIN
     missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
         WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
@@ -163,11 +186,13 @@ BEGIN
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._add_tables(schema, srid);
+    before := streetgen._relations(schema);
     PERFORM streetgen._make_views(schema);
     PERFORM streetgen._make_functions(schema);
     PERFORM streetgen._make_remap(schema);
     PERFORM streetgen._make_edit_views(schema);
     PERFORM streetgen._make_edit_log(schema);
+    PERFORM streetgen._hand_over(schema, before);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
     PERFORM streetgen._follow_again(schema);
@@ -179,7 +204,7 @@ BEGIN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. A schema without the tables: 3F000; one of another role: 42501.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

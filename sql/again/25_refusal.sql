@@ -86,7 +86,10 @@ DECLARE
 BEGIN
     FOR broken IN
         SELECT c.oid::regclass AS input, attribute, string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'), ' AND ') AS condition
-        FROM pg_class c, streetgen._conditions(c.oid) WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override')
+        FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
+        -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
+        JOIN streetgen._model_column() USING (attribute)
+        WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override')
         GROUP BY c.oid, attribute
     LOOP
         -- A trigger a column, with a condition: a statement reads those of the columns that it writes, and calls the function for a row that breaks one.

@@ -4,9 +4,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other settings.
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
-SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 0) AS setting_hash
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 1) AS setting_hash
 FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$, model);
@@ -19,13 +20,13 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        streetgen._wanted_radius(radius, importance_known, speed_used, width_used, radii, turning_mode) AS radius,
        array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
-       hashtextextended(concat_ws('|', geom::text, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane THEN (SELECT string_agg(says, '|' ORDER BY place, key) FROM (
-               SELECT 1 AS place, transition_override_id AS key, format('%%s %%s %%s', which, kind, length) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
-               UNION ALL SELECT 2, section_limit_override_id, concat_ws(' ', abscissa, which) FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
-               UNION ALL SELECT 3, corner_override_id, concat_ws(' ', geom::text, axis_a, axis_b, radius) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
-               UNION ALL SELECT 4, lane_override_id, concat_ws(' ', abscissa, ordinality, along_axis, width, line::text) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END)
-           || concat(',', direction, ',', lanes_forward, ',', lanes_backward, ',', kind_forward, ',', kind_backward, ',', lane_width_forward, ',', lane_width_backward, ',', turn_forward, ',', turn_backward), 0) AS input_hash,
+       hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length), 0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, hash_record_extended(ROW(abscissa, which), 0) FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius), 0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 4, lane_override_id, hash_record_extended(ROW(abscissa, ordinality, along_axis, width, line::bytea), 0) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END,
+           direction, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward), 0) AS input_hash,
        setting_hash
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
 LEFT JOIN %1$I.setting_used ON true

@@ -48,8 +48,11 @@ BEGIN
         RETURN coalesce('indexes and statistics of ' || key.relation, 'foreign keys');
     END IF;
     RETURN NULL;
+EXCEPTION WHEN object_in_use THEN
+    RAISE EXCEPTION 'keys of model "%" are missing, and cannot be made while a statement of this session reads its tables', model USING ERRCODE = '55006',
+        DETAIL = SQLERRM, HINT = format('Edit an axis first, or end the first run by clusters: CALL streetgen.generate_clusters(%L).', model);
 END $$;
-COMMENT ON FUNCTION streetgen._make_key(name) IS 'Makes the next of the keys that are missing and that no other session makes, and says what it made; NULL: none is left.';
+COMMENT ON FUNCTION streetgen._make_key(name) IS 'Makes the next of the keys that are missing and that no other session makes, and says what it made; NULL: none is left. A statement of this session that reads the tables, such as an edit of a view of them: 55006.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_keys(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -16,7 +16,7 @@ CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, d
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %I', model, signature, (SELECT nspowner::regrole::text FROM pg_namespace WHERE nspname = model));
+    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
     EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
     EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
     EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
@@ -215,6 +215,8 @@ BEGIN
         RAISE EXCEPTION 'streets of model "%" need isolation level read committed, this transaction has %', model, current_setting('transaction_isolation')
             USING ERRCODE = '0A000', HINT = 'Under a higher level they would be computed from a snapshot older than the locks.';
     END IF;
+    -- What runs goes by one state of the settings, grid of the places included: who changes one waits until it has ended.
+    EXECUTE format('LOCK TABLE %I.setting IN SHARE MODE', model);
     CASE
         WHEN wait AND (alone OR missing) THEN PERFORM pg_advisory_xact_lock(model_key, 0);
         WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, 0);
@@ -229,7 +231,7 @@ BEGIN
 EXCEPTION WHEN lock_not_available THEN
     RAISE EXCEPTION 'another session holds model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
 END $$;
-COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean, boolean) IS 'Locks the model for this transaction: alone, or beside others that lock its places. keys: not before those that a first run by clusters left are made, for which it is alone. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
+COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean, boolean) IS 'Locks the model for this transaction, its settings first: alone, or beside others that lock its places. keys: not before those that a first run by clusters left are made, for which it is alone. Without wait: whether it was free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_place(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

@@ -271,11 +271,13 @@ BEGIN
     SELECT l.pid, a.usename, a.application_name, a.xact_start,
            CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'
                 WHEN bool_or(l.granted AND l.objid = 4294967295 AND l.mode = 'ExclusiveLock') THEN 'more than 64 places'
+                WHEN bool_or(l.granted AND l.mode = 'ShareRowExclusiveLock') THEN 'the settings'
                 ELSE format('%s places', count(*) FILTER (WHERE l.granted AND l.objid::bigint BETWEEN 1 AND 1024)) END,
            pg_blocking_pids(l.pid), a.query
     FROM pg_locks l LEFT JOIN pg_stat_activity a ON a.pid = l.pid
-    WHERE l.locktype = 'advisory' AND l.objsubid = 2 AND l.database = (SELECT oid FROM pg_database WHERE datname = current_database())
-        AND l.classid = (hashtext('streetgen.' || activity.model)::bigint & 4294967295)::oid
+    WHERE l.database = (SELECT oid FROM pg_database WHERE datname = current_database()) AND CASE l.locktype
+        WHEN 'advisory' THEN l.objsubid = 2 AND l.classid = (hashtext('streetgen.' || activity.model)::bigint & 4294967295)::oid
+        WHEN 'relation' THEN l.relation = (SELECT c.oid FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace WHERE (nspname, relname) = (model, 'setting')) AND l.mode IN ('ShareLock', 'ShareRowExclusiveLock') END
     GROUP BY l.pid, a.usename, a.application_name, a.xact_start, a.query ORDER BY a.xact_start, l.pid;
 END $$;
-COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model now: a row per session with what it holds and the sessions it waits for. Of a call that takes seconds, application says how far it is: the step that computes and the share of it that is done, or that rows are read or written. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';
+COMMENT ON FUNCTION streetgen.activity(name) IS 'Who computes or edits a model or changes its settings now: a row per session with what it holds and the sessions it waits for. Of a call that takes seconds, application says how far it is: the step that computes and the share of it that is done, or that rows are read or written. What others run is shown as PostgreSQL shows it (pg_read_all_stats).';

@@ -5,7 +5,7 @@ BEGIN
     PERFORM streetgen._check_reader(model);
     RETURN QUERY EXECUTE format($sql$
 SELECT 'axes', count(*)::numeric, NULL::text FROM %1$I.axis
-UNION ALL SELECT 'axes, length', round((sum(ST_Length(geom)) / 1000)::numeric, 3), 'km' FROM %1$I.axis
+UNION ALL SELECT 'axes, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km' FROM %1$I.axis
 UNION ALL SELECT 'nodes', count(*), NULL FROM %1$I.node
 UNION ALL SELECT 'edges', count(*), NULL FROM %1$I.edge
 UNION ALL (SELECT 'edges with estimated ' || what, count(*), NULL FROM %1$I.edge, unnest(estimated) what GROUP BY what ORDER BY what)

@@ -14,11 +14,11 @@ BEGIN
 WITH setting AS MATERIALIZED (
     SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon, (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
 neighbour AS (
-    SELECT DISTINCT ON (a.axis_id) a.geom FROM _import_part p CROSS JOIN LATERAL (
+    SELECT DISTINCT ON (a.axis_id) a.geom FROM pg_temp._import_part p CROSS JOIN LATERAL (
         SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT tolerance FROM setting)) OFFSET 0) a
-    WHERE NOT EXISTS (SELECT FROM _import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
-part AS (SELECT array_agg(ctid) AS ids, array_agg(line::bytea) AS lines FROM _import_part)
-UPDATE _import_part p SET cleaned = c.geom::geometry
+    WHERE NOT EXISTS (SELECT FROM pg_temp._import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
+part AS (SELECT array_agg(ctid) AS ids, array_agg(line::bytea) AS lines FROM pg_temp._import_part)
+UPDATE pg_temp._import_part p SET cleaned = c.geom::geometry
 FROM (SELECT unnest(ids) AS id, unnest(streetgen._clean_network(lines, coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance, epsilon, r_min)) AS geom FROM part, setting) c
 WHERE p.ctid = c.id AND c.geom IS NOT NULL
 $sql$, model) USING source;
@@ -34,7 +34,7 @@ WITH point AS MATERIALIZED (
     SELECT i.ctid AS id, CASE cardinality(d.path) WHEN 2 THEN d.path[1] ELSE 1 END AS part, d.path[cardinality(d.path)] AS nth, d.geom,
            -- NaN is greater than every number, so that it fails here too.
            CASE WHEN ST_Z(d.geom) > -500 AND ST_Z(d.geom) < 9000 THEN ST_Z(d.geom) WHEN ST_Z(d.geom) IS NULL THEN 0 END AS z
-    FROM _import i, ST_DumpPoints(i.geom) d),
+    FROM pg_temp._import i, ST_DumpPoints(i.geom) d),
 broken AS (SELECT * FROM point WHERE id IN (SELECT id FROM point WHERE z IS NULL)),
 counted AS (
     SELECT *, count(z) OVER (PARTITION BY id ORDER BY part, nth) AS before, count(z) OVER (PARTITION BY id ORDER BY part DESC, nth DESC) AS after FROM broken),
@@ -44,7 +44,7 @@ line AS (
     SELECT id, part, ST_MakeLine(ST_SetSRID(ST_MakePoint(ST_X(geom), ST_Y(geom), coalesce((z_before + z_after) / 2, z_before, z_after, 0)), ST_SRID(geom)) ORDER BY nth) AS geom
     FROM filled GROUP BY id, part),
 mended AS (
-    UPDATE _import i SET geom = l.geom FROM (SELECT id, ST_Collect(geom ORDER BY part) AS geom FROM line GROUP BY id) l WHERE i.ctid = l.id RETURNING i.source_ref)
+    UPDATE pg_temp._import i SET geom = l.geom FROM (SELECT id, ST_Collect(geom ORDER BY part) AS geom FROM line GROUP BY id) l WHERE i.ctid = l.id RETURNING i.source_ref)
 SELECT 'height without data, taken from the same line or 0', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref) FROM mended HAVING count(*) > 0
 $$;
 COMMENT ON FUNCTION streetgen._mend_heights() IS 'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours along the line, or 0; reports the lines.';
@@ -104,89 +104,89 @@ DECLARE
     bad record;
 BEGIN
     -- Without the source's type modifier: heights come and go below.
-    ALTER TABLE _import ALTER COLUMN geom TYPE geometry;
+    ALTER TABLE pg_temp._import ALTER COLUMN geom TYPE geometry;
     -- Not every source knows of single lanes.
     FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
             ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text')) c(name, type)
-        WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = '_import'::regclass AND attname = c.name)
+        WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
     LOOP
-        EXECUTE format('ALTER TABLE _import ADD %I %s', missing.name, missing.type);
+        EXECUTE format('ALTER TABLE pg_temp._import ADD %I %s', missing.name, missing.type);
     END LOOP;
-    RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM _import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
-    DELETE FROM _import i WHERE i.left_out IS NOT NULL;
-    RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(i.label ORDER BY i.label) FROM _import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) HAVING count(*) > 0;
-    DELETE FROM _import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
-    SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM _import i
+    RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM pg_temp._import i WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
+    DELETE FROM pg_temp._import i WHERE i.left_out IS NOT NULL;
+    RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(i.label ORDER BY i.label) FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) HAVING count(*) > 0;
+    DELETE FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
+    SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM pg_temp._import i
         WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % is a %, expected a line', bad.label, bad.type USING ERRCODE = '22023', HINT = 'Import from a view that selects lines.';
     END IF;
     IF flat THEN
-        UPDATE _import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
+        UPDATE pg_temp._import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
     ELSE
         RETURN QUERY SELECT * FROM streetgen._mend_heights();
     END IF;
     -- A box leaves NaN out, a length does not: NaN is greater than infinity.
-    SELECT i.label INTO bad FROM _import i, Box3D(i.geom) AS box
+    SELECT i.label INTO bad FROM pg_temp._import i, Box3D(i.geom) AS box
         WHERE NOT (ST_3DLength(i.geom) < 'Infinity' AND least(ST_XMin(box), ST_YMin(box), ST_ZMin(box)) >= -1e12 AND greatest(ST_XMax(box), ST_YMax(box), ST_ZMax(box)) <= 1e12) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', bad.label USING ERRCODE = '22023', HINT = 'Mend the vertex in the source.';
     END IF;
-    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM _import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
+    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM pg_temp._import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid FROM spatial_ref_sys) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', bad.label, CASE bad.srid WHEN 0 THEN 'no SRID' ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
-    SELECT i.label, v.name AS name, v.value AS value INTO bad FROM _import i,
+    SELECT i.label, v.name AS name, v.value AS value INTO bad FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200),
             ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30), ('lanes_backward', i.lanes_backward, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
     END IF;
-    SELECT i.label, v.name AS name, v.list AS list INTO bad FROM _import i,
+    SELECT i.label, v.name AS name, v.list AS list INTO bad FROM pg_temp._import i,
         LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'), ('lane_width_forward', i.lane_width_forward, 'width'), ('lane_width_backward', i.lane_width_backward, 'width'),
             ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn')) v(name, list, kind)
         WHERE NOT streetgen.is_lane_list(v.list, v.kind) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is "%"', bad.name, bad.label, bad.list USING ERRCODE = '22023', HINT = 'Expected a list such as general|bus, 3.5|3 or left;through|right, one entry a lane; NULL is unknown.';
     END IF;
-    SELECT i.label, i.direction INTO bad FROM _import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
+    SELECT i.label, i.direction INTO bad FROM pg_temp._import i WHERE i.direction NOT IN ('both', 'direct', 'reverse') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'direction of source row % is "%"', bad.label, bad.direction USING ERRCODE = '22023', HINT = 'Expected both, direct or reverse; NULL is both.';
     END IF;
-    SELECT i.label, i.level INTO bad FROM _import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
+    SELECT i.label, i.level INTO bad FROM pg_temp._import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'level of source row % is %, out of range', bad.label, bad.level USING ERRCODE = '22023', HINT = 'Levels go from -50 to 50; NULL is 0.';
     END IF;
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL THEN 'not taken: unknown class' ELSE 'not taken: class' END,
-        i.class, count(*), NULL::text[] FROM _import i LEFT JOIN _import_class c ON c.class = i.class GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
-    DELETE FROM _import i USING _import j LEFT JOIN _import_class c ON c.class = j.class WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
+        i.class, count(*), NULL::text[] FROM pg_temp._import i LEFT JOIN pg_temp._import_class c ON c.class = i.class GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
+    DELETE FROM pg_temp._import i USING pg_temp._import j LEFT JOIN pg_temp._import_class c ON c.class = j.class WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
 
-    RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM _import i,
+    RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref) FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width), ('width_end', i.width_end), ('speed', i.speed), ('lane_count', i.lane_count), ('importance', i.importance)) v(name, value)
         WHERE v.value = 0 GROUP BY v.name ORDER BY v.name;
-    UPDATE _import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = nullif(lane_count, 0), importance = nullif(importance, 0)
+    UPDATE pg_temp._import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0), lane_count = nullif(lane_count, 0), importance = nullif(importance, 0)
         WHERE 0 IN (width, width_end, speed, lane_count, importance);
     RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref)
-        FROM _import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
+        FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line, NULL::geometry AS cleaned, (d.path)[1] AS nth,
             hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed, i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward, i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward, i.turn_backward), 0) AS hash
-        FROM _import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
-    UPDATE _import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
-    RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM _import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
-    DELETE FROM _import_part p WHERE NOT ST_Length(p.line) > 0;
-    ANALYZE _import_part (source_ref, line);
-    SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref HAVING count(*) > 1 LIMIT 1;
+        FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
+    UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
+    RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
+    DELETE FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0;
+    ANALYZE pg_temp._import_part (source_ref, line);
+    SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref HAVING count(*) > 1 LIMIT 1;
     IF FOUND THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
 
-    PERFORM streetgen._check_scale('SELECT ''source row '' || label AS label, line AS geom FROM _import_part');
+    PERFORM streetgen._check_scale('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part');
 END $$;
 COMMENT ON FUNCTION streetgen._take_rows(name) IS 'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 
@@ -197,10 +197,10 @@ BEGIN
     RETURN QUERY EXECUTE format($sql$
 WITH among AS MATERIALIZED (SELECT a.axis_id, a.source_ref, a.source_geom FROM %1$I.axis a WHERE a.source = $1 AND a.source_ref = ANY ($2)),
 gone AS (
-    DELETE FROM %1$I.axis a WHERE a.source = $1 AND NOT EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref) %2$s RETURNING a.source_ref, a.source_geom),
+    DELETE FROM %1$I.axis a WHERE a.source = $1 AND NOT EXISTS (SELECT FROM pg_temp._import_part p WHERE p.source_ref = a.source_ref) %2$s RETURNING a.source_ref, a.source_geom),
 -- Where a piece goes that was cut off by hand, the rest is taken whole again.
 rest AS (UPDATE %1$I.axis a SET source_geom = NULL FROM gone g WHERE a.source = $1 AND a.geom && g.source_geom AND a.source_geom::bytea = g.source_geom::bytea
-    AND EXISTS (SELECT FROM _import_part p WHERE p.source_ref = a.source_ref))
+    AND EXISTS (SELECT FROM pg_temp._import_part p WHERE p.source_ref = a.source_ref))
 SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*), (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model,
         CASE WHEN among IS NOT NULL THEN format($sql$ AND a.axis_id IN (
         SELECT axis_id FROM among
@@ -217,7 +217,7 @@ DECLARE
 BEGIN
     -- What the source says as before stays as it is, edited by hand or not.
     EXECUTE format($sql$
-DELETE FROM _import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
+DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
     AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
         IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)) $sql$, model) USING source;
     IF clean THEN
@@ -225,9 +225,9 @@ DELETE FROM _import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_re
     END IF;
     EXECUTE format($sql$
 INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
-SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM _import_part p ORDER BY p.source_ref
+SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
-    RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM _import_part;
+    RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS 'Upserts the parts of the import that are new or changed into axis, by source and source_ref, cleaned if asked to; reports how many.';
@@ -242,17 +242,17 @@ BEGIN
     PERFORM streetgen._check_settings(model);
     -- What fails within it shows the name of a view, and not all of the query.
     EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
-    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM _import_query;
-    DROP VIEW _import_query;
+    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM pg_temp._import_query;
+    DROP VIEW pg_temp._import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model);
-    IF EXISTS (SELECT FROM _import_part WHERE source_ref IS NOT NULL) THEN
+    IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
         RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
     END IF;
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
     EXECUTE format('ANALYZE %I.axis', model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
-    changed := (SELECT count(*) FROM _import_part);
-    DROP TABLE _import, _import_part, _import_class;
+    changed := (SELECT count(*) FROM pg_temp._import_part);
+    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS 'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports what it did. label names a row, left_out says why it is not wanted, unread names its values that mean nothing. Bad rows: 22023, and the model as it was.';

@@ -6,14 +6,14 @@ CREATE OR REPLACE FUNCTION streetgen._check_planar(model name, level integer) RE
 DECLARE
     bad record;
 BEGIN
-    SELECT e.edge_id, e.axis_id INTO bad FROM _topology_edge e WHERE NOT ST_IsSimple(e.geom) ORDER BY e.edge_id LIMIT 1;
+    SELECT e.edge_id, e.axis_id INTO bad FROM pg_temp._topology_edge e WHERE NOT ST_IsSimple(e.geom) ORDER BY e.edge_id LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'edge % of axis % crosses or touches itself on level %', bad.edge_id, bad.axis_id, level USING ERRCODE = '55000',
             HINT = 'A topology has a node there: cut the axis at that place, then generate.';
     END IF;
     -- Ends are boundary also of a closed edge: rule 2.
     SELECT a.edge_id AS edge_a, a.axis_id AS axis_a, b.edge_id AS edge_b, b.axis_id AS axis_b, r.matrix LIKE '1%' AS overlap INTO bad
-        FROM _topology_edge a JOIN _topology_edge b ON a.edge_id < b.edge_id AND a.geom && b.geom, ST_Relate(a.geom, b.geom, 2) r(matrix)
+        FROM pg_temp._topology_edge a JOIN pg_temp._topology_edge b ON a.edge_id < b.edge_id AND a.geom && b.geom, ST_Relate(a.geom, b.geom, 2) r(matrix)
         WHERE NOT ST_RelateMatch(r.matrix, 'FF*F*****') ORDER BY 1, 3 LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'edge % of axis % and edge % of axis % % on level %', bad.edge_a, bad.axis_a, bad.edge_b, bad.axis_b,
@@ -50,45 +50,45 @@ CREATE TEMPORARY TABLE _topology_edge ON COMMIT DROP AS
 SELECT DISTINCT ON (line) edge_id, axis_id, from_node, to_node, geom
 FROM %I.edge, ST_Force2D(geom) flat, LATERAL (SELECT least(flat::bytea, ST_Reverse(flat)::bytea) AS line) l
 WHERE level = %s ORDER BY line, edge_id $sql$, model, level);
-        CREATE INDEX ON _topology_edge USING gist (geom);
-        ANALYZE _topology_edge;
+        CREATE INDEX ON pg_temp._topology_edge USING gist (geom);
+        ANALYZE pg_temp._topology_edge;
         PERFORM streetgen._check_planar(model, level);
         CREATE TEMPORARY TABLE _topology_face ON COMMIT DROP AS
             SELECT row_number() OVER () AS face_id, ST_ForcePolygonCCW(d.geom) AS geom
-            FROM (SELECT ST_Polygonize(ST_Force2D(e.geom) ORDER BY e.edge_id) AS geom FROM _topology_edge e) f, ST_Dump(f.geom) d;
-        CREATE INDEX ON _topology_face USING gist (geom);
-        EXECUTE format('SELECT array_agg(edge_id ORDER BY edge_id) FROM %I.edge e WHERE level = $1 AND NOT EXISTS (SELECT FROM _topology_edge t WHERE t.edge_id = e.edge_id)', model)
+            FROM (SELECT ST_Polygonize(ST_Force2D(e.geom) ORDER BY e.edge_id) AS geom FROM pg_temp._topology_edge e) f, ST_Dump(f.geom) d;
+        CREATE INDEX ON pg_temp._topology_face USING gist (geom);
+        EXECUTE format('SELECT array_agg(edge_id ORDER BY edge_id) FROM %I.edge e WHERE level = $1 AND NOT EXISTS (SELECT FROM pg_temp._topology_edge t WHERE t.edge_id = e.edge_id)', model)
             INTO doubled USING level;
         PERFORM topology.CreateTopology(name::varchar, target.srid, 0, target.has_z);
         EXECUTE format($sql$
 -- Each edge from both its ends; a half edge walks with its face on the left.
 WITH half AS MATERIALIZED (
-    SELECT edge_id AS half_id, edge_id, from_node AS node_id, ST_StartPoint(geom) AS p, ST_PointN(geom, 2) AS q FROM _topology_edge
-    UNION ALL SELECT -edge_id, edge_id, to_node, ST_EndPoint(geom), ST_PointN(geom, -2) FROM _topology_edge),
+    SELECT edge_id AS half_id, edge_id, from_node AS node_id, ST_StartPoint(geom) AS p, ST_PointN(geom, 2) AS q FROM pg_temp._topology_edge
+    UNION ALL SELECT -edge_id, edge_id, to_node, ST_EndPoint(geom), ST_PointN(geom, -2) FROM pg_temp._topology_edge),
 -- Who arrives turns left as far as can be: the half edge that leaves next clockwise from the one reversed.
 turn AS (
     SELECT half_id, coalesce(lead(half_id) OVER around, first_value(half_id) OVER around) AS clockwise
     FROM half WINDOW around AS (PARTITION BY node_id ORDER BY ST_Azimuth(p, q))),
 -- Shells counter-clockwise, holes clockwise: every segment has its face on the left.
-face_segment AS (SELECT face_id, ST_StartPoint(s.geom) AS p, ST_EndPoint(s.geom) AS q FROM _topology_face f, ST_DumpSegments(f.geom) s),
+face_segment AS (SELECT face_id, ST_StartPoint(s.geom) AS p, ST_EndPoint(s.geom) AS q FROM pg_temp._topology_face f, ST_DumpSegments(f.geom) s),
 bounding AS MATERIALIZED (
     SELECT half_id, edge_id, face_id FROM half JOIN face_segment s
         ON (ST_X(half.p), ST_Y(half.p), ST_X(half.q), ST_Y(half.q)) = (ST_X(s.p), ST_Y(s.p), ST_X(s.q), ST_Y(s.q))),
 -- An edge that bounds no face lies inside one, or outside all.
 inside AS (
     SELECT edge_id, face_id FROM (SELECT edge_id, p, q FROM half WHERE half_id > 0 AND edge_id NOT IN (SELECT edge_id FROM bounding)) e
-    JOIN _topology_face f ON ST_Contains(f.geom, ST_LineInterpolatePoint(ST_MakeLine(p, q), 0.5))),
+    JOIN pg_temp._topology_face f ON ST_Contains(f.geom, ST_LineInterpolatePoint(ST_MakeLine(p, q), 0.5))),
 left_of AS (
     SELECT half_id, coalesce(bounding.face_id, inside.face_id, 0) AS face_id
     FROM half LEFT JOIN bounding USING (half_id) LEFT JOIN inside ON inside.edge_id = half.edge_id),
-made_face AS (INSERT INTO %2$I.face (face_id, mbr) SELECT face_id, ST_Envelope(geom) FROM _topology_face RETURNING face_id),
+made_face AS (INSERT INTO %2$I.face (face_id, mbr) SELECT face_id, ST_Envelope(geom) FROM pg_temp._topology_face RETURNING face_id),
 made_node AS (
     INSERT INTO %2$I.node (node_id, geom) SELECT node_id, geom FROM %1$I.node
     WHERE node_id IN (SELECT node_id FROM half) ORDER BY node_id RETURNING node_id),
 made_edge AS (
     INSERT INTO %2$I.edge_data (edge_id, start_node, end_node, next_left_edge, abs_next_left_edge, next_right_edge, abs_next_right_edge, left_face, right_face, geom)
     SELECT edge_id, from_node, to_node, at_end.clockwise, abs(at_end.clockwise), at_start.clockwise, abs(at_start.clockwise), on_left.face_id, on_right.face_id, geom
-    FROM _topology_edge JOIN turn at_start ON at_start.half_id = edge_id JOIN turn at_end ON at_end.half_id = -edge_id
+    FROM pg_temp._topology_edge JOIN turn at_start ON at_start.half_id = edge_id JOIN turn at_end ON at_end.half_id = -edge_id
     JOIN left_of on_left ON on_left.half_id = edge_id JOIN left_of on_right ON on_right.half_id = -edge_id ORDER BY edge_id RETURNING edge_id),
 numbered AS (
     SELECT setval($1, (SELECT max(node_id) FROM made_node)), setval($2, (SELECT max(edge_id) FROM made_edge)),
@@ -96,7 +96,7 @@ numbered AS (
 SELECT (SELECT count(*) FROM made_node), (SELECT count(*) FROM made_edge), (SELECT count(*) FROM made_face) FROM numbered $sql$, model, name)
             INTO nodes, edges, faces
             USING format('%I.node_node_id_seq', name)::regclass, format('%I.edge_data_edge_id_seq', name)::regclass, format('%I.face_face_id_seq', name)::regclass;
-        DROP TABLE _topology_edge, _topology_face;
+        DROP TABLE pg_temp._topology_edge, pg_temp._topology_face;
         RETURN NEXT;
     END LOOP;
     IF name IS NULL THEN

@@ -25,18 +25,18 @@ SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_w
        %5$s AS excepted
 FROM %1$s r LEFT JOIN %2$I.axis a ON (a.source, a.source_ref) = (%3$L, from_way::text) LEFT JOIN %2$I.axis b ON (b.source, b.source_ref) = (%3$L, to_way::text)
 $sql$, restriction, model, line::text, model, excepted);
-    RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*), array_agg(DISTINCT r.relation) FROM _import_restriction r
+    RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*), array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
         WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
-    DELETE FROM _import_restriction r WHERE r.left_out IS NOT NULL;
-    EXECUTE format('DELETE FROM %I.turn_restriction t WHERE source = %L AND NOT EXISTS (SELECT FROM _import_restriction r WHERE r.source_ref = t.source_ref)', model, restriction::text);
+    DELETE FROM pg_temp._import_restriction r WHERE r.left_out IS NOT NULL;
+    EXECUTE format('DELETE FROM %I.turn_restriction t WHERE source = %L AND NOT EXISTS (SELECT FROM pg_temp._import_restriction r WHERE r.source_ref = t.source_ref)', model, restriction::text);
     EXECUTE format($sql$
 INSERT INTO %I.turn_restriction AS t (from_axis, to_axis, geom, kind, turn, source, source_ref)
-SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, %L, source_ref FROM _import_restriction ORDER BY source_ref
+SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, %L, source_ref FROM pg_temp._import_restriction ORDER BY source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET from_axis = excluded.from_axis, to_axis = excluded.to_axis, geom = excluded.geom, kind = excluded.kind, turn = excluded.turn
 WHERE (t.from_axis, t.to_axis, t.geom::bytea, t.kind, t.turn) IS DISTINCT FROM (excluded.from_axis, excluded.to_axis, excluded.geom::bytea, excluded.kind, excluded.turn)
 $sql$, model, restriction::text);
-    RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*), array_agg(DISTINCT r.relation) FROM _import_restriction r WHERE r.excepted IS NOT NULL GROUP BY r.class ORDER BY r.class;
-    RETURN QUERY SELECT 'turn restrictions', r.class, count(*), NULL::text[] FROM _import_restriction r GROUP BY r.class ORDER BY r.class;
-    DROP TABLE _import_restriction;
+    RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*), array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.excepted IS NOT NULL GROUP BY r.class ORDER BY r.class;
+    RETURN QUERY SELECT 'turn restrictions', r.class, count(*), NULL::text[] FROM pg_temp._import_restriction r GROUP BY r.class ORDER BY r.class;
+    DROP TABLE pg_temp._import_restriction;
 END $$;
 COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS 'Takes the turn restrictions of an OSM table between ways that are axes, at a node; importing again follows the table. Those via a way, for some traffic only, of unknown wording, without a way or of ways that are no axes are left out and reported; what one excepts is reported and not read. A NULL table leaves all as it was.';

@@ -36,16 +36,16 @@ BEGIN
     FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
-    SELECT p.source_ref INTO bad FROM _import_part p WHERE p.source_ref IS NULL LIMIT 1;
+    SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023', HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
     END IF;
-    EXECUTE format('SELECT p.source_ref FROM _import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
+    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
     IF bad.source_ref IS NOT NULL THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
     PERFORM streetgen._drop_vanished(model, source, among), streetgen._write_axes(model, source);
-    DROP TABLE _import, _import_part, _import_class;
+    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[]) IS 'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the source_refs of what they were.';
 
@@ -129,9 +129,12 @@ CREATE OR REPLACE FUNCTION streetgen._follow_again(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    owner constant name := (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model);
+    owner constant name := (SELECT rolname FROM pg_namespace JOIN pg_roles r ON r.oid = nspowner WHERE nspname = model);
+    role_before constant text := current_setting('role');
     kept record;
 BEGIN
+    -- What stands in the table its owner wrote, and may have hung triggers on.
+    PERFORM set_config('role', (SELECT rolname FROM pg_class c JOIN pg_roles r ON r.oid = relowner WHERE c.oid = format('%I.followed', model)::regclass), true);
     FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY source', model) LOOP
         BEGIN
             IF kept.relation IS NULL THEN
@@ -145,8 +148,9 @@ BEGIN
             EXECUTE format('DELETE FROM %I.followed WHERE source = $1 AND $2 IS NULL', model) USING kept.source, kept.relation;
         END;
     END LOOP;
+    PERFORM set_config('role', role_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew; a warning for each that cannot be followed now.';
+COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a warning for each that cannot be followed now.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning

@@ -15,6 +15,12 @@ UPDATE checked.axis SET width = 11 WHERE axis_id = 1;
 SELECT 'a changed axis is stale', (SELECT array_agg(id) = '{1}' FROM streetgen.check_model('checked') WHERE rule LIKE 'stale: the axis changed%');
 DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate makes it fresh', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%' OR rule = 'not_generated');
+DO $$ BEGIN UPDATE checked.axis SET lane_count = 4, width = NULL WHERE axis_id = 1; PERFORM streetgen.generate('checked'); UPDATE checked.axis SET lane_count = NULL, width = 4 WHERE axis_id = 1; END $$;
+SELECT 'an axis whose number stands in another column is stale', (SELECT array_agg(id) = '{1}' FROM streetgen.check_model('checked') WHERE rule LIKE 'stale: the axis changed%');
+DO $$ BEGIN UPDATE checked.axis SET width = 7 + 1e-15 WHERE axis_id = 1; PERFORM streetgen.generate('checked'); END $$;
+SET extra_float_digits = 0;
+SELECT 'none is stale where a session shows numbers otherwise', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%');
+RESET extra_float_digits;
 DELETE FROM checked.axis WHERE axis_id = 2;
 SELECT 'a deleted axis is stale', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%');
 DO $$ BEGIN PERFORM streetgen.generate('checked'); PERFORM streetgen.set('checked', 'radius_minimal', '0.2'); END $$;
@@ -29,3 +35,6 @@ DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
 SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
+SELECT streetgen.create_model('empty', 2154) \g /dev/null
+SELECT 'of an empty model each sum is 0', count(*) > 5 AND bool_and(amount IS NOT DISTINCT FROM 0) FROM streetgen.summary('empty');
+SELECT streetgen.drop_model('empty') \g /dev/null

@@ -118,6 +118,12 @@ UPDATE bare SET geom = NULL WHERE id = 5;
 SELECT 'a row that lost its geometry has vanished', source_refs = '{5}' FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}') WHERE what LIKE 'vanished%';
 SELECT 'and is no axis', array_agg(source_ref) = '{2}' FROM import_b.axis;
 DELETE FROM import_b.axis;
+-- Tables of the user's, named as the import's own.
+SELECT format('CREATE TABLE public.%I AS SELECT NULL::text AS class, false AS taken', name) FROM unnest('{_import,_import_part,_import_class,_import_query,_import_restriction}'::name[]) name \gexec
+SELECT 'an import goes by its own tables', array_agg(what) @> '{taken,generate is due}' FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}');
+SELECT 'and leaves those of others: ' || name, to_regclass('public.' || name) IS NOT NULL FROM unnest('{_import,_import_part,_import_class,_import_query,_import_restriction}'::name[]) name;
+DROP TABLE public._import, public._import_part, public._import_class, public._import_query, public._import_restriction;
+DELETE FROM import_b.axis;
 SELECT 'a refused import leaves no axis', (SELECT count(*) = 0 FROM import_b.axis);
 SELECT 'the source is as it was', (SELECT count(*) = 9 FROM import_source);
 DROP TABLE import_source, import_report, import_before;

@@ -118,7 +118,9 @@ SELECT 'what is done with the rights of the owner only he may write', NOT has_ta
     AND has_table_privilege('streetgen_key_editor', 'owned.missing_key', 'SELECT') AND has_table_privilege('streetgen_key_owner', 'owned.missing_key', 'UPDATE');
 CALL compute('owned', 2);
 SET ROLE streetgen_key_editor;
+SELECT 'an edit by a view of tables without keys is refused with a way out', state = '55006' AND hint LIKE 'Edit an axis first, %' FROM test.refusal('UPDATE owned.node_editing SET geom = ST_Translate(geom, 1, 0) WHERE node_id = 1');
 UPDATE owned.axis SET width = 12 WHERE axis_id = 5;
+SELECT 'which it is', test.state('UPDATE owned.node_editing SET geom = ST_Translate(geom, 1, 0) WHERE node_id = 1') = 'none';
 RESET ROLE;
 SELECT 'an editor''s edit makes them for the owner', foreign_keys('owned') = foreign_keys('whole') AND to_regclass('owned.missing_key') IS NULL;
 DROP OWNED BY streetgen_key_editor, streetgen_key_owner;

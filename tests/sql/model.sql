@@ -187,11 +187,37 @@ DROP TABLE public.layer_styles;
 DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
 CREATE TABLE before AS SELECT test.content('model_a') AS content;
 GRANT SELECT ON "model Z""".axis TO PUBLIC;
+-- A role whose name is to be quoted.
+CREATE ROLE "Anna of streetgen_test";
+SELECT format('GRANT CREATE ON DATABASE %I TO "Anna of streetgen_test"', current_database()) \gexec
+SET ROLE "Anna of streetgen_test";
+SELECT streetgen.create_model('owned', 2154), streetgen.set('owned', 'log', 'on'), streetgen.grant('owned', 'streetgen_test_editor', 'editor') \g /dev/null
+CREATE TABLE owned.ran_as (who name);
+CREATE FUNCTION owned.tell() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN INSERT INTO owned.ran_as VALUES (current_user); RETURN OLD; END';
+CREATE TRIGGER tell BEFORE DELETE ON owned.followed FOR EACH ROW EXECUTE FUNCTION owned.tell();
+INSERT INTO owned.followed VALUES ('no_table', '{}');
+RESET ROLE;
 SELECT 'DROP EXTENSION names the models in the way', test.state('DROP EXTENSION streetgen') = '2BP01';
 DROP EXTENSION streetgen CASCADE;
 SELECT 'it takes no table', (SELECT count(*) > 0 FROM model_a.axis) AND to_regclass('model_a.section') IS NOT NULL AND to_regclass('model_a.axis_used') IS NULL;
 CREATE EXTENSION streetgen;
 DO $$ BEGIN PERFORM streetgen.adopt_model(m) FROM unnest('{model_a,"model Z\"",model_renamed}'::name[]) m; END $$;
+-- A superuser brings back what is another role's, tables of a newer build too.
+DROP TABLE owned.edit_log, owned.cluster, owned.kerb_point_override CASCADE;
+SELECT streetgen.adopt_model('owned') \g /dev/null
+SELECT 'what its owner hung on a table runs with his rights', array_agg(who) = '{Anna of streetgen_test}' AND current_user <> 'Anna of streetgen_test' FROM owned.ran_as;
+SELECT 'what adopt_model makes is its owner''s', bool_and(relowner = '"Anna of streetgen_test"'::regrole) FROM pg_class WHERE relnamespace = 'owned'::regnamespace;
+SET ROLE streetgen_test_editor;
+INSERT INTO owned.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860000,650050 6860000)');
+INSERT INTO owned.kerb_point_editing (geom) VALUES ('SRID=2154;POINT(650020 6860004)');
+RESET ROLE;
+SELECT 'editors edit it', (SELECT count(*) = 1 FROM owned.edge WHERE width = 8) AND (SELECT count(*) = 2 FROM owned.edit_log);
+SET ROLE "Anna of streetgen_test";
+SELECT 'its owner computes it', test.state($q$SELECT streetgen.generate('owned'), streetgen.plan_clusters('owned')$q$) = 'none';
+SELECT 'and adopts and drops it', test.state($q$SELECT streetgen.adopt_model('owned'), streetgen.drop_model('owned')$q$) = 'none';
+RESET ROLE;
+DROP OWNED BY "Anna of streetgen_test";
+DROP ROLE "Anna of streetgen_test";
 SELECT 'adopted models have their views', test.state('SELECT * FROM model_a.axis_used, model_a.intersection_group') = 'none';
 SELECT 'with comments: ' || m, NOT EXISTS (SELECT FROM pg_temp.uncommented(m)) FROM unnest('{model_a,"model Z\""}'::name[]) m;
 SELECT 'and readers', has_table_privilege('streetgen_test_reader', 'model_a.axis_used', 'SELECT') AND NOT has_table_privilege('streetgen_test_reader', 'model_renamed.axis_used', 'SELECT');

@@ -66,4 +66,10 @@ ALTER TABLE older.axis DROP CONSTRAINT axis_radius_check;
 SET streetgen.live = 'off';
 INSERT INTO older.axis (geom, radius) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 201);
 SELECT 'a constraint that is gone refuses nothing', radius = 201 FROM older.axis;
+
+-- Columns that somebody adds, named as they please.
+ALTER TABLE older.axis ADD "Nom de la voie" text NOT NULL DEFAULT '', ADD date date CHECK (date > '2000-01-01'::date), ADD grade text CHECK (grade IN ('a', 'grade'));
+SELECT 'a model with columns of others is adopted', test.state($$SELECT streetgen.adopt_model('older')$$) = 'none';
+SELECT 'their constraints hold', test.state($$INSERT INTO older.axis (geom, date) VALUES ('SRID=2154;LINESTRING(1 1,2 2)', '1999-12-31')$$) = '23514';
+SELECT 'and they go as they came', test.state($$ALTER TABLE older.axis DROP "Nom de la voie", DROP date, DROP grade$$) = 'none';
 SELECT streetgen.drop_model('town'), streetgen.drop_model('older') \g /dev/null
