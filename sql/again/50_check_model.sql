@@ -37,7 +37,9 @@ bare AS MATERIALIZED (
          LATERAL (SELECT ST_LineInterpolatePoint(piece.geom, 0.5) AS middle, CASE WHEN contested THEN 1e-5 ELSE 1e-6 END AS off) p
     WHERE ST_Length(piece.geom) > 1e-6
       AND NOT EXISTS (SELECT FROM %1$I.section r WHERE ST_DWithin(surface, middle, off) AND (contested OR r.edge_id = e.edge_id))
-      AND NOT EXISTS (SELECT FROM %1$I.intersection r WHERE ST_DWithin(surface, middle, off) AND (contested OR node_id IN (from_node, to_node)))),
+      AND NOT EXISTS (SELECT FROM %1$I.intersection r WHERE ST_DWithin(surface, middle, off) AND (contested OR node_id IN (from_node, to_node)))
+      -- Ground may wait for a street that is not made yet.
+      AND NOT (contested AND EXISTS (SELECT FROM used u WHERE ST_DWithin(u.geom, middle, greatest(u.width, u.width_end) / 2) AND NOT EXISTS (SELECT FROM %1$I.edge n WHERE n.axis_id = u.axis_id)))),
 lane_node AS MATERIALIZED (
     SELECT l.lane_id, l.geom, CASE WHEN l.along_axis THEN e.from_node ELSE e.to_node END AS leaves, CASE WHEN l.along_axis THEN e.to_node ELSE e.from_node END AS enters
     FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.kind <> 'parking'),
