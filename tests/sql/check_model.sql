@@ -27,6 +27,8 @@ DELETE FROM checked.section WHERE edge_id = (SELECT max(edge_id) FROM checked.se
 SELECT 'an edge without section is an error', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error' AND rule LIKE 'edge without a section%');
 DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
+UPDATE checked.axis SET kind = CASE axis_id WHEN 3 THEN 'primary' WHEN 4 THEN 'primay' END WHERE axis_id IN (3, 4);
+SELECT 'a kind that is no class is told', array_agg(id) = '{4}' FROM streetgen.check_model('checked') WHERE rule LIKE 'kind that is no class%';
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
 SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
 
