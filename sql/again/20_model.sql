@@ -126,8 +126,10 @@ BEGIN
     END LOOP;
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
     PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
-COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is.';
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is. A lock_timeout that ends: 55P03, naming who holds the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
