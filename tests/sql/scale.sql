@@ -31,3 +31,8 @@ SELECT 'degrees taken for metres are told as such: ' || statement, state = '2202
 FROM unnest(ARRAY[$$INSERT INTO lille.axis (geom) VALUES ('SRID=2154;LINESTRING(3.06 50.63,3.07 50.64)')$$,
     $$CREATE TABLE source AS SELECT 'SRID=2154;LINESTRING(3.06 50.63,3.07 50.64)'::geometry AS geom; SELECT * FROM streetgen.import_axes('lille', 'source', '{}')$$]) statement, LATERAL test.refusal(statement) r;
 SELECT 'and leaves the axes', count(*) = 2 FROM paris.axis;
+CREATE TABLE degrees AS SELECT 'SRID=32631;LINESTRING(2.35 48.85,2.36 48.86)'::geometry AS geom;
+DO $$ BEGIN PERFORM streetgen.create_model('origin', 32631); END $$;
+SELECT 'degrees beside the origin of the reference are reported', count = 1 FROM streetgen.import_axes('origin', 'degrees', '{}') WHERE what = 'taken as metres, looks like degrees';
+UPDATE degrees SET geom = 'SRID=32631;LINESTRING(2 48,52 48)';
+SELECT 'a street there is not', bool_and(what NOT LIKE '%degrees') FROM streetgen.import_axes('origin', 'degrees', '{}');
