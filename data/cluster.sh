@@ -8,6 +8,10 @@ stage=$build/stage
 checkout=$(printf %s "$root" | cksum | cut -d' ' -f1)
 sign_in=/var/lib/streetgen
 
+# The comment at its head is a script's help.
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
+case ${1:-} in -h | --help) usage; exit ;; esac
+
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "streetgen: $*"; exit 1; }
 

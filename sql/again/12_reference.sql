@@ -29,6 +29,7 @@ DECLARE
     -- Metres of ground for 100 m of map.
     east float8;
     north float8;
+    way_out text;
 BEGIN
     -- A scale grows or shrinks towards the rim: the ends of the lines that touch it are looked at.
     FOR place IN EXECUTE format($sql$
@@ -38,19 +39,21 @@ SELECT label, ST_Force2D(v.point) AS point FROM line, rim, LATERAL (VALUES (ST_S
 WHERE (ST_XMin(box) = west OR ST_XMax(box) = rim.east OR ST_YMin(box) = south OR ST_YMax(box) = rim.north)
     AND ST_X(v.point) BETWEEN -1e12 AND 1e12 AND ST_Y(v.point) BETWEEN -1e12 AND 1e12 $sql$, lines)
     LOOP
+        way_out := CASE WHEN ST_X(place.point) BETWEEN -180 AND 180 AND ST_Y(place.point) BETWEEN -90 AND 90
+            THEN format('They look like degrees: ST_Transform(ST_SetSRID(geom, 4326), %s) makes metres of them.', ST_SRID(place.point)) END;
         BEGIN
             centre := ST_Transform(place.point, 4326);
             east := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 100, 0), 4326)::geography);
             north := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 0, 100), 4326)::geography);
         EXCEPTION WHEN internal_error THEN
             RAISE EXCEPTION '%, %, lies where SRID % is not defined', place.label, ST_AsText(place.point, 0), ST_SRID(place.point) USING ERRCODE = '22023',
-                DETAIL = SQLERRM, HINT = 'Mend its coordinates, or make the model in the reference that they are in.';
+                DETAIL = SQLERRM, HINT = coalesce(way_out, 'Mend its coordinates, or make the model in the reference that they are in.');
         END;
         IF NOT (east BETWEEN 99 AND 101 AND north BETWEEN 99 AND 101) THEN
             RAISE EXCEPTION 'the scale of SRID % is more than 1 %% off at %, %', ST_SRID(place.point), place.label, ST_AsText(place.point, 0) USING ERRCODE = '22023',
                 DETAIL = format('100 m of map are %s m east and %s m north on the ground.', round(east::numeric, 1), round(north::numeric, 1)),
-                HINT = format('Make the model in the UTM zone of this place: EPSG:%s.', CASE WHEN ST_Y(centre) < 0 THEN 32700 ELSE 32600 END + least(60, floor((ST_X(centre) + 180) / 6)::integer + 1));
+                HINT = coalesce(way_out, format('Make the model in the UTM zone of this place: EPSG:%s.', CASE WHEN ST_Y(centre) < 0 THEN 32700 ELSE 32600 END + least(60, floor((ST_X(centre) + 180) / 6)::integer + 1)));
         END IF;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._check_scale(text) IS 'Raises 22023, naming the place, the scale and the UTM zone, where the projection of lines, given as a query of label and geom, is more than 1 % off in scale or not defined.';
+COMMENT ON FUNCTION streetgen._check_scale(text) IS 'Raises 22023, naming the place, the scale and the UTM zone, or that its coordinates look like degrees, where the projection of lines, given as a query of label and geom, is more than 1 % off in scale or not defined.';

@@ -15,7 +15,7 @@ BEGIN
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name WHERE m.name = _check_model.model) THEN
         RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
             HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace WHERE nspname = model) AND relname = 'axis_class')
-                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.' ELSE 'SELECT streetgen.create_model(%L, srid => …) makes it.' END, model);
+                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.' ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT streetgen.create_model(%L, srid => …) makes it.' END, model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
@@ -107,6 +107,10 @@ BEGIN
         RAISE EXCEPTION 'schema "%" already exists', model USING ERRCODE = '42P06',
             HINT = format('Choose another name, or SELECT streetgen.drop_model(%L) if it is a model that may go.', model);
     END IF;
+    IF NOT has_database_privilege(current_database(), 'CREATE') THEN
+        RAISE EXCEPTION 'role "%" may not make models in database "%"', current_user, current_database() USING ERRCODE = '42501',
+            HINT = format('GRANT CREATE ON DATABASE %I TO %I by its owner allows it.', current_database(), current_user);
+    END IF;
     EXECUTE format('CREATE SCHEMA %I', model);
     EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     PERFORM streetgen._make_street_tables(model, srid, dimension);
@@ -123,7 +127,7 @@ BEGIN
     PERFORM streetgen._make_edit_log(model);
     PERFORM streetgen._comment_model(model);
 END $$;
-COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint.';
+COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint; a role that may not create schemas: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -144,8 +148,10 @@ BEGIN
     END LOOP;
     EXECUTE format('DROP SCHEMA %I CASCADE', model);
     PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
-COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is.';
+COMMENT ON FUNCTION streetgen.drop_model(name) IS 'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be written, is left as it is. A lock_timeout that ends: 55P03, naming who holds the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -241,6 +241,14 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_place(name) IS 'Raises 55P03, naming who holds places of the model.';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_tables(model name, way_out text) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = way_out;
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_tables(name, text) IS 'Raises 55P03, naming who holds rows or tables of the model.';
+
 CREATE OR REPLACE FUNCTION streetgen._claim_all(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$

@@ -405,6 +405,9 @@ BEGIN
         -- Waiting, a session whose server was killed sees it, and ends.
         PERFORM pg_catalog.pg_sleep(0.001);
     END LOOP;
+    IF streetgen._keys_are_missing(model) THEN
+        RAISE INFO 'no cluster is left to begin: making indexes, foreign keys and statistics';
+    END IF;
     WHILE streetgen.finish_clusters(model) IS NOT NULL LOOP
         COMMIT;
     END LOOP;

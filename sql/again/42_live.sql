@@ -113,6 +113,10 @@ CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
+    -- A schema of another name, or a copy, that nobody adopted yet.
+    IF TG_TABLE_SCHEMA <> %2$L THEN
+        PERFORM streetgen._check_model(TG_TABLE_SCHEMA);
+    END IF;
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
         PERFORM streetgen._enter_edit(%2$L);
     END IF;

@@ -12,8 +12,10 @@ BEGIN
     EXECUTE format($sql$
 SELECT array_agg(axis_id ORDER BY axis_id, which DESC) AS axis_id, array_agg(which ORDER BY axis_id, which DESC) AS which
 FROM (SELECT axis_id, 'start' AS which FROM %1$I.edge WHERE from_node = $1 UNION ALL SELECT axis_id, 'end' FROM %1$I.edge WHERE to_node = $1) e $sql$, model) INTO ends USING node;
-    IF cardinality(ends.axis_id) IS DISTINCT FROM 2 THEN
-        RAISE EXCEPTION 'node % of model "%" joins % edges, expected 2', coalesce(node::text, 'NULL'), model, coalesce(cardinality(ends.axis_id), 0) USING ERRCODE = '22023',
+    IF ends.axis_id IS NULL THEN
+        RAISE EXCEPTION 'model "%" has no node %', model, coalesce(node::text, 'NULL') USING ERRCODE = '22023', HINT = 'Nodes get another id where they come anew: look it up by its place.';
+    ELSIF cardinality(ends.axis_id) <> 2 THEN
+        RAISE EXCEPTION 'node % of model "%" joins % edges, expected 2', node, model, cardinality(ends.axis_id) USING ERRCODE = '22023',
             HINT = 'A width changes where one axis goes on as another.';
     END IF;
     EXECUTE format('DELETE FROM %I.transition_override o USING unnest($1, $2) e(axis_id, which) WHERE (o.axis_id, o.which) = (e.axis_id, e.which)', model) USING ends.axis_id, ends.which;

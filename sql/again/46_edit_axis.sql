@@ -52,9 +52,13 @@ CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS v
 BEGIN
     -- A statement about no row: its trigger enters with the rights of the owner.
     EXECUTE format('UPDATE %I.axis SET geom = geom WHERE false', model);
-    EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
+    BEGIN
+        EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
+    EXCEPTION WHEN lock_not_available THEN
+        PERFORM streetgen._refuse_place(model);
+    END;
 END $$;
-COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before what an edit goes by is read, so that of two editors of one thing the second sees the first: the model first, as every edit.';
+COMMENT ON FUNCTION streetgen._lock_axes(name, text) IS 'Locks axes, given as a query of axis_id, before what an edit goes by is read, so that of two editors of one thing the second sees the first: the model first, as every edit. A lock_timeout that ends: 55P03, naming who holds some.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_vertex(line geometry, abscissas float8[], place geometry, tolerance float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

@@ -8,6 +8,7 @@ DECLARE
     edge record;
     known bigint[];
     abscissa float8;
+    astray float8;
     turned boolean;
     widened boolean;
     redrawn boolean;
@@ -31,6 +32,10 @@ BEGIN
     PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, 200, 'm', 'Leave it empty to have it computed.');
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_line(subject, NEW.geom, 0);
+        astray := (SELECT max(ST_Distance(v.geom, edge.geom)) FROM ST_DumpPoints(NEW.geom) v);
+        IF astray > 200 THEN
+            RAISE EXCEPTION '% cannot lie % m from its edge', subject, round(astray) USING ERRCODE = '22023', DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and draw it beside its edge.';
+        END IF;
         IF streetgen._turned(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
             NEW.geom := ST_Reverse(NEW.geom);
         END IF;
@@ -51,7 +56,7 @@ BEGIN
     NEW.by_hand := true;
     RETURN NEW;
 END $$;
-COMMENT ON FUNCTION streetgen._edit_lane() IS 'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width beyond 0.1 to 200 m or a line that collapses: 22023; INSERT: 0A000.';
+COMMENT ON FUNCTION streetgen._edit_lane() IS 'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width beyond 0.1 to 200 m or a line that collapses or leaves the edge by more: 22023; INSERT: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_interconnection() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -37,7 +37,9 @@ bare AS MATERIALIZED (
          LATERAL (SELECT ST_LineInterpolatePoint(piece.geom, 0.5) AS middle, CASE WHEN contested THEN 1e-5 ELSE 1e-6 END AS off) p
     WHERE ST_Length(piece.geom) > 1e-6
       AND NOT EXISTS (SELECT FROM %1$I.section r WHERE ST_DWithin(surface, middle, off) AND (contested OR r.edge_id = e.edge_id))
-      AND NOT EXISTS (SELECT FROM %1$I.intersection r WHERE ST_DWithin(surface, middle, off) AND (contested OR node_id IN (from_node, to_node)))),
+      AND NOT EXISTS (SELECT FROM %1$I.intersection r WHERE ST_DWithin(surface, middle, off) AND (contested OR node_id IN (from_node, to_node)))
+      -- Ground may wait for a street that is not made yet.
+      AND NOT (contested AND EXISTS (SELECT FROM used u WHERE ST_DWithin(u.geom, middle, greatest(u.width, u.width_end) / 2) AND NOT EXISTS (SELECT FROM %1$I.edge n WHERE n.axis_id = u.axis_id)))),
 lane_node AS MATERIALIZED (
     SELECT l.lane_id, l.geom, CASE WHEN l.along_axis THEN e.from_node ELSE e.to_node END AS leaves, CASE WHEN l.along_axis THEN e.to_node ELSE e.from_node END AS enters
     FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.kind <> 'parking'),
@@ -93,6 +95,7 @@ UNION ALL SELECT 'warning', 'stale: the axis is gone', 'edge', e.edge_id, 0, e.g
 UNION ALL SELECT 'warning', 'stale: settings changed since, edges', 'setting', NULL, count(*), NULL FROM %1$I.edge e JOIN used u USING (axis_id) WHERE e.setting_hash <> u.setting_hash HAVING count(*) > 0
 UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom), u.geom FROM used u WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)
     AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')
+UNION ALL SELECT 'notice', 'kind that is no class, taken as unknown', 'axis', a.axis_id, 0, a.geom FROM %1$I.axis a WHERE NOT EXISTS (SELECT FROM %1$I.axis_class c WHERE c.class = a.kind) AND a.kind IS NOT NULL
 UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
 UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1

@@ -187,6 +187,9 @@ BEGIN
     END IF;
 
     PERFORM streetgen._check_scale('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part');
+    -- Where the origin of the reference lies in its own area the scale does not tell.
+    RETURN QUERY SELECT 'taken as metres, looks like degrees', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part p
+        HAVING ST_Covers(ST_MakeEnvelope(-180, -90, 180, 90), ST_SetSRID(ST_Extent(p.line)::geometry, 0)) AND max(ST_Length(p.line)) < 1;
 END $$;
 COMMENT ON FUNCTION streetgen._take_rows(name) IS 'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 

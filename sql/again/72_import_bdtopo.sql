@@ -16,7 +16,7 @@ DECLARE
         "class": ["nature"], "name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_rue_g", "nom_voie_g"], "fictif": ["fictif"],
         "bus": ["reserve_aux_bus"], "cycle": ["bande_cyclable"]}';
     driving_side text;
-    present text[] := (SELECT array_agg(attname::text) FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped);
+    present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source AND t.typname = 'geometry' AND NOT attisdropped ORDER BY attnum LIMIT 1);
     found jsonb;
     query text;
@@ -25,7 +25,8 @@ BEGIN
     SELECT jsonb_object_agg(key, (SELECT quote_ident(n) || '::text' FROM jsonb_array_elements_text(value) WITH ORDINALITY AS c(n, i) WHERE n = ANY (present) ORDER BY i LIMIT 1)) INTO found FROM jsonb_each(known);
     IF shape IS NULL OR found ->> 'class' IS NULL OR coalesce(found ->> 'width', found ->> 'lane_count') IS NULL THEN
         RAISE EXCEPTION 'table % is no BD TOPO road table', source USING ERRCODE = '22023',
-            HINT = 'Its columns nature and largeur or largeur_de_chaussee are missing; streetgen.import_axes takes any line table with a mapping.';
+            DETAIL = format('It has %s, and wants nature and largeur or largeur_de_chaussee beside a geometry.', array_to_string(present, ', ')),
+            HINT = 'streetgen.import_axes, or data/streetgen load with --mapping, takes any line table whose columns a mapping names, such as {"width": "breite"}.';
     END IF;
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
     query := format($sql$

@@ -7,6 +7,8 @@ BEGIN
     PERFORM streetgen._check_reader(model);
     IF width IS NULL OR width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', coalesce(width::text, 'NULL') USING ERRCODE = '22023', HINT = 'The default is 1200.';
+    ELSIF ST_SRID(extent) NOT IN (0, (SELECT srid FROM streetgen.model m WHERE m.name = model)) THEN
+        RAISE EXCEPTION 'the extent has SRID %, the model %', ST_SRID(extent), (SELECT srid FROM streetgen.model m WHERE m.name = model) USING ERRCODE = '22023', HINT = 'ST_Transform makes it one of the model.';
     END IF;
     EXECUTE format($sql$
 WITH frame AS (

@@ -33,8 +33,19 @@ DELETE FROM checked.section WHERE edge_id = (SELECT max(edge_id) FROM checked.se
 SELECT 'an edge without section is an error', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error' AND rule LIKE 'edge without a section%');
 DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
+UPDATE checked.axis SET kind = CASE axis_id WHEN 3 THEN 'primary' WHEN 4 THEN 'primay' END WHERE axis_id IN (3, 4);
+SELECT 'a kind that is no class is told', array_agg(id) = '{4}' FROM streetgen.check_model('checked') WHERE rule LIKE 'kind that is no class%';
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
 SELECT 'the summary sums the roadway', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'roadway' AND amount > 1000);
 SELECT streetgen.create_model('empty', 2154) \g /dev/null
 SELECT 'of an empty model each sum is 0', count(*) > 5 AND bool_and(amount IS NOT DISTINCT FROM 0) FROM streetgen.summary('empty');
 SELECT streetgen.drop_model('empty') \g /dev/null
+
+-- Of two streets that cross the more important one has the ground; it is not made yet.
+SELECT streetgen.create_model('part', 2154), streetgen.live('part', false) \g /dev/null
+INSERT INTO part.axis (axis_id, geom, width, importance) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 6, 5), (2, 'SRID=2154;LINESTRING(650050 6859950,650050 6860050)', 8, 3);
+SELECT streetgen.generate('part', '{1}') \g /dev/null
+SELECT 'ground left to a street that is not made yet is no error', contested_area > 1 AND NOT EXISTS (SELECT FROM streetgen.check_model('part') WHERE severity = 'error') FROM part.section;
+UPDATE part.section SET surface = ST_Multi(ST_Difference(surface, ST_MakeEnvelope(650010, 6859990, 650012, 6860010, 2154)));
+SELECT 'a gap beside it is one', array_agg(round(measure)) = '{2}' FROM streetgen.check_model('part') WHERE rule LIKE 'edge outside%';

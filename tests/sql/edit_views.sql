@@ -143,6 +143,7 @@ SELECT 'a lane redrawn, in the direction of the axis', pg_temp.shape(line) = 'LI
 SELECT 'its line is the one drawn', ST_DWithin(geom, pg_temp.place(40, 2.4), 1e-6) FROM first_lane;
 SELECT * FROM pg_temp.refused('a lane of NaN', $q$UPDATE town.lane_editing SET width = 'NaN' WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane that collapses', $q$UPDATE town.lane_editing SET geom = pg_temp.line('LINESTRING(5 2, 5 2)') WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
+SELECT * FROM pg_temp.refused('a lane far from its street', $q$UPDATE town.lane_editing SET geom = pg_temp.line('LINESTRING(5 2, 5 300)') WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane drawn', $q$INSERT INTO town.lane_editing (geom) VALUES (pg_temp.line('LINESTRING(5 2, 9 2)'))$q$, '0A000');
 DELETE FROM town.lane_editing WHERE lane_id = (SELECT lane_id FROM first_lane);
 SELECT 'deleted, it is computed again', l.geom = c.geom AND l.along_axis = c.along_axis AND NOT l.by_hand FROM first_lane l, computed_lane c;

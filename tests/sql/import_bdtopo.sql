@@ -45,7 +45,7 @@ SELECT 'version 3: a bus lane against the traffic is one of the lanes', (SELECT 
 UPDATE import_bdtopo3 SET sens_de_circulation = CASE cleabs WHEN 'A' THEN 'Sans objet' WHEN 'B' THEN 'Quelconque' WHEN 'C' THEN '' END;
 SELECT 'version 3: a direction that is none is named, one that is not known is not', (SELECT source_refs = '{B}' FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3') WHERE what LIKE 'direction not understood%');
 SELECT 'version 3: both count as both', (SELECT bool_and(direction = 'both') FROM import_v3.axis);
-SELECT 'a table that is no BD TOPO is 22023', test.state($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) = '22023';
+SELECT 'a table that is no BD TOPO is 22023, and its columns and the way out are told', r.state = '22023' AND r.detail LIKE 'It has what, class, %' AND r.hint LIKE '%--mapping%' FROM test.refusal($$SELECT streetgen.import_bdtopo('import_v3', 'import_report')$$) r;
 DROP TABLE import_bdtopo2, import_bdtopo3, import_report;
 DO $$ BEGIN
   PERFORM streetgen.drop_model('import_v2');

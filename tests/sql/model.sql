@@ -151,12 +151,16 @@ SELECT 'a reader deletes none', test.state('DELETE FROM model_a.axis') = '42501'
 SELECT 'who was granted nothing is told so, not what was tried: ' || call, (r).state = '42501' AND (r).said = 'role "streetgen_test_reader" may not read model "model_utm"' AND (r).hint LIKE '%grant(''model_utm'', ''streetgen_test_reader'', ''reader'')%'
   FROM unnest(ARRAY['setting(''model_utm'')', 'summary(''model_utm'')', 'check_model(''model_utm'')', 'svg(''model_utm'')', 'cluster(''model_utm'', 1)', 'progress(''model_utm'')', 'set_transition(''model_utm'', 1)']) call,
   LATERAL (SELECT test.refusal('SELECT * FROM streetgen.' || call) AS r) s;
+SELECT 'who may not make schemas is told so', r.state = '42501' AND r.said LIKE 'role "streetgen_test_reader" may not make models%' AND r.hint LIKE 'GRANT CREATE ON DATABASE %' FROM test.refusal($q$SELECT streetgen.create_model('model_b', 2154)$q$) r;
 RESET ROLE;
+SELECT 'a model that is not there is told with a way out', r.hint LIKE '%streetgen.model%create_model(''no such'',%' FROM test.refusal($q$SELECT streetgen.summary('no such')$q$) r;
 
 -- Adopt and drop.
 DO $$ BEGIN
   ALTER SCHEMA model_utm RENAME TO model_renamed;
 END $$;
+SELECT 'an edit of a renamed model asks for it: ' || live, r.state = '3F000' AND r.hint LIKE '%adopt_model(''model_renamed'')%'
+  FROM unnest('{on,off}'::text[]) live, LATERAL test.refusal(format('SET LOCAL streetgen.live = %s; DELETE FROM model_renamed.axis', live)) r;
 SELECT 'a renamed model is to be adopted', (r).state = '3F000' AND (r).hint LIKE '%adopt_model(''model_renamed'')%' FROM (SELECT test.refusal($q$SELECT streetgen.summary('model_renamed')$q$) AS r) s;
 DO $$ BEGIN
   PERFORM streetgen.adopt_model('model_renamed');

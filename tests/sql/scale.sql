@@ -26,4 +26,13 @@ FROM (SELECT distance, abs(1 - 1 / (0.9996 * (1 + (distance / 6378137.0) ^ 2 / 2
     LATERAL test.refusal(format($$INSERT INTO paris.axis (axis_id, geom) VALUES (7, 'SRID=32631;LINESTRING(%s 10,%s 10)'); SELECT streetgen.generate('paris'); SELECT 1 / 0$$, 500000 + distance - 10, 500000 + distance)) r;
 SELECT 'an import is refused by its source row', state = '22023' AND said LIKE '%off at source row w9, POINT(%' AND hint LIKE '%EPSG:32610.'
 FROM test.refusal($$CREATE TABLE source AS SELECT 'w9' AS id, 'SRID=4326;LINESTRING(-122.33 47.61,-122.34 47.61)'::geometry AS geom; SELECT * FROM streetgen.import_axes('paris', 'source', '{"source_ref": "id"}')$$);
+DO $$ BEGIN PERFORM streetgen.create_model('lille', 2154); END $$;
+SELECT 'degrees taken for metres are told as such: ' || statement, state = '22023' AND hint LIKE '%ST_Transform(ST_SetSRID(geom, 4326), 2154)%'
+FROM unnest(ARRAY[$$INSERT INTO lille.axis (geom) VALUES ('SRID=2154;LINESTRING(3.06 50.63,3.07 50.64)')$$,
+    $$CREATE TABLE source AS SELECT 'SRID=2154;LINESTRING(3.06 50.63,3.07 50.64)'::geometry AS geom; SELECT * FROM streetgen.import_axes('lille', 'source', '{}')$$]) statement, LATERAL test.refusal(statement) r;
 SELECT 'and leaves the axes', count(*) = 2 FROM paris.axis;
+CREATE TABLE degrees AS SELECT 'SRID=32631;LINESTRING(2.35 48.85,2.36 48.86)'::geometry AS geom;
+DO $$ BEGIN PERFORM streetgen.create_model('origin', 32631); END $$;
+SELECT 'degrees beside the origin of the reference are reported', count = 1 FROM streetgen.import_axes('origin', 'degrees', '{}') WHERE what = 'taken as metres, looks like degrees';
+UPDATE degrees SET geom = 'SRID=32631;LINESTRING(2 48,52 48)';
+SELECT 'a street there is not', bool_and(what NOT LIKE '%degrees') FROM streetgen.import_axes('origin', 'degrees', '{}');

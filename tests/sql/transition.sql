@@ -91,6 +91,7 @@ SELECT 'refused: ' || call, test.state(call) = wanted FROM (VALUES
   (format('SELECT streetgen.set_transition(''town'', %s, ''both'')', pg_temp.place()), '23514'), (format('SELECT streetgen.set_transition(''town'', %s, ''left'', ''NaN'')', pg_temp.place()), '23514'),
   (format('SELECT streetgen.set_transition(''town'', %s, NULL, -1)', pg_temp.place()), '23514'), (format('SELECT streetgen.set_transition(''town'', %s, NULL, 201)', pg_temp.place()), '23514'),
   (format('SELECT streetgen.set_transition(''town'', %s, ''left'')', (SELECT from_node FROM town.edge WHERE axis_id = 2)), '22023')) v(call, wanted);
+SELECT 'a node that is not there is told as such', said = 'model "town" has no node 999999' AND hint <> '' FROM test.refusal('SELECT streetgen.set_transition(''town'', 999999, ''left'')');
 SELECT 'what was refused changed nothing', array_agg((axis_id, which, kind, length)::text) = '{"(1,end,left,12)"}' FROM town.transition_override WHERE transition_override_id < 90;
 SELECT 'NULL and NULL take the decision back', pg_temp.decide(NULL, NULL) = 'neither neither' AND pg_temp.kerbs(8) = 'steps linear';
 SELECT 'and leave no row', count(*) = 0 FROM town.transition_override WHERE (axis_id, which) IN ((1, 'end'), (2, 'end'));
