@@ -11,7 +11,7 @@
 
 #include "streetgen/geometry.hpp"
 #include "streetgen/lane.hpp"
-#include "streetgen/streets.hpp"
+#include "streetgen/street.hpp"
 #include "streetgen/trajectory.hpp"
 
 namespace streetgen {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "streetgen/geometry.hpp"
-#include "streetgen/streets.hpp"
+#include "streetgen/street.hpp"
 
 namespace streetgen {
 

@@ -15,6 +15,10 @@ enum class TrajectoryRule {
   arcs,    // at most two arcs and two straight pieces, tangent to both lanes and to each other
 };
 
+// |cos| of the angle between two lanes that count as parallel; every trajectory of the published
+// Paris 6e agrees.
+constexpr double parallel_cosine = 0.85;
+
 struct Trajectory {
   Point control;  // of the Bezier curve; of the arcs: where the tangents meet
   Line line;      // no farther than the tolerance from the curve

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "argument.hpp"
-#include "border.hpp"
-#include "line_array.hpp"
-#include "wkb.hpp"
+#include "frame/argument.hpp"
+#include "frame/border.hpp"
+#include "value/line_array.hpp"
+#include "value/wkb.hpp"
 
 STREETGEN_FUNCTION(streetgen_clean_network) {
   using namespace streetgen;

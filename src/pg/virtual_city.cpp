@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "argument.hpp"
-#include "border.hpp"
-#include "wkb.hpp"
+#include "frame/argument.hpp"
+#include "frame/border.hpp"
+#include "value/wkb.hpp"
 
 extern "C" {
 #include <catalog/pg_type.h>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../../src/core/polyline.hpp"
+#include "geometry/polyline.hpp"
 #include "streetgen/virtual_city.hpp"
 
 namespace streetgen {

@@ -2,6 +2,35 @@
 # layers_test.sh ROOT MODULE: the layer rules of docs/architecture.md, a line "t|f what" each.
 root=$1 module=$2
 rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
+
+# The floors of src/core, from the ground up.  A folder may include itself and the floors below its own.
+floors=(
+  'support'
+  'geometry'
+  'network virtual_city'
+  'roadway'
+  'ownership'
+  'traffic'
+  'pipeline'
+)
+
+# upward_includes: each include of src/core that does not lead down, and each folder without a floor.
+upward_includes() {
+  local -A floor_of
+  local floor folder file included from to
+  for floor in "${!floors[@]}"; do
+    for folder in ${floors[$floor]}; do floor_of[$folder]=$floor; done
+  done
+  while IFS=: read -r file included; do
+    file=${file#"$root/src/core/"}
+    from=${file%%/*} to=${included%%/*}
+    [ "$to" = streetgen ] || [ "$from" = "$to" ] && continue
+    [ -n "${floor_of[$from]:-}" ] && [ -n "${floor_of[$to]:-}" ] && [ "${floor_of[$to]}" -lt "${floor_of[$from]}" ] ||
+      echo "$file includes $included"
+  done < <(grep -rE '^#include "' "$root/src/core" | sed 's/#include "\([^"]*\)"/\1/')
+}
+
+rule 'folders of the core include the floors below them alone' '! upward_includes | grep . >&2'
 rule 'the core names no database' '! grep -rnE "postgres\.h|fmgr\.h|ereport|palloc|SPI_|libpq" "$root/include" "$root/src/core" >&2'
 rule 'the border names no geometry library and no SPI' '! grep -rnE "geos_c\.h|<CGAL/|<Eigen/|<boost/|SPI_" "$root/src/pg" >&2'
 rule 'public headers use std alone' '! grep -rnE "#include [<\"](geos|CGAL|Eigen|boost|postgres)" "$root/include" >&2'

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "../../src/core/polyline.hpp"
-#include "streetgen/streets.hpp"
+#include "geometry/polyline.hpp"
+#include "streetgen/street.hpp"
 
 namespace streetgen {
 

@@ -1,9 +1,9 @@
 // Ground that two surfaces both hold: what surfaces that tile must not have.
 #pragma once
 
-#include "../../src/core/arrangement.hpp"
-#include "../../src/core/overlap.hpp"
-#include "../../src/core/polyline.hpp"
+#include "geometry/arrangement.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
 
 namespace streetgen {
 

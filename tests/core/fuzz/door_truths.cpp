@@ -1,9 +1,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../../../src/pg/wkb.hpp"
 #include "streetgen/error.hpp"
 #include "truths.hpp"
+#include "value/wkb.hpp"
 
 namespace streetgen::fuzz {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "../../../src/core/polyline.hpp"
+#include "geometry/polyline.hpp"
 #include "streetgen/interconnection.hpp"
 #include "truths.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../../src/core/overlap.hpp"
-#include "../../../src/core/polyline.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
 #include "streetgen/lane.hpp"
 #include "surfaces.hpp"
 #include "truths.hpp"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "../../../src/core/polyline.hpp"
+#include "geometry/polyline.hpp"
 #include "streetgen/clean.hpp"
 #include "streetgen/corner.hpp"
 #include "streetgen/surface.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../../../src/core/geos.hpp"
+#include "geometry/geos.hpp"
 
 namespace streetgen::fuzz {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "streetgen/streets.hpp"
+#include "streetgen/street.hpp"
 
 namespace streetgen::fuzz {
 

@@ -4,10 +4,11 @@
 #include <limits>
 #include <map>
 
-#include "../../../src/core/box_index.hpp"
-#include "../../../src/core/overlap.hpp"
-#include "../../../src/core/polyline.hpp"
-#include "../shared_area.hpp"
+#include "geometry/box_index.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "shared_area.hpp"
+#include "streetgen/streets.hpp"
 #include "surfaces.hpp"
 #include "truths.hpp"
 

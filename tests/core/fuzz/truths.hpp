@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "streetgen/streets.hpp"
 #include "town.hpp"
 
 namespace streetgen::fuzz {

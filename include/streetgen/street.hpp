@@ -1,0 +1,214 @@
+// What streets are computed from, and what comes out: corners, section limits, sections,
+// intersections.  StreetGen paper, sections 2.4 and 2.5; docs/geometry.md shows each step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/network.hpp"
+
+namespace streetgen {
+
+// The kerbs that change linearly where two axes of different width meet, seen along an axis;
+// the other one steps at the node.
+enum class TransitionKind { symmetric, left, right };
+
+struct Transition {
+  TransitionKind kind = TransitionKind::symmetric;
+  double length = 5;  // metres
+};
+
+struct StreetAxis {
+  std::int64_t axis_id = 0;
+  Line line;
+  int level = 0;
+  double width = 0;      // kerb to kerb at the start, metres
+  double width_end = 0;  // kerb to kerb at the end; equal to width where it does not change
+  double radius = 0;     // wanted corner radius, metres; 0: no arc
+  int importance = 99;   // 1 is the highest
+  double speed = 50;     // km/h
+  bool changed = true;   // false: as it was when the streets about it were computed
+  bool outer = false;    // beyond reach of the change: the others are computed with it
+  // Wanted at its ends instead of StreetSettings::transition.
+  std::optional<Transition> transition_start{}, transition_end{};
+};
+
+enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axes
+// What happens first where an axis is too short for the wanted radius; the other comes second.
+enum class ShortAxis { reduce, follow };
+
+// The model's settings that the geometry needs, each with the name of its setting.  Measures are
+// finite and not negative, tolerance is positive.
+struct StreetSettings {
+  double tolerance = 0.5;  // metres
+  Crossing crossing = Crossing::over;
+  double max_arc_distance = 60;  // metres from the node to an arc's centre
+  double radius_minimal = 0.15;  // metres, the kerb stone's radius
+  double reach = 60;             // metres along the network: how far a corner follows its axes
+  ShortAxis short_axis = ShortAxis::reduce;
+  // Where two axes of different width meet and neither wants its own; where both do, that of the
+  // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
+  // axis_id.
+  Transition transition;
+  RadiusRule radius_rule = RadiusRule::min;
+  bool round_dead_ends = false;
+  double max_hole_area = 0.5;  // square metres
+};
+
+// By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.
+// It stays on its edge, 0.1 m and more from a node where other edges meet; on an edge that the snap
+// made longer or shorter it lies in proportion.  A computed limit that it passes meets it there,
+// two by hand that pass each other meet in between (crossed_limits).  One at a dead end, or on no
+// edge, changes nothing.
+struct SectionLimitOverride {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  bool at_start = true;
+};
+
+// By hand: the radius wanted, metres, of the corner counter-clockwise from axis_a to axis_b at the
+// node within three tolerances of `place`, the nearest that has one. Where axes that go on beyond
+// the node make two such corners: the one on whose side of the node `place` lies, both where it
+// lies on the node. 0: no arc. One that does not fit becomes the largest that does, its centre
+// within max_arc_distance, or no arc. One without its corner changes nothing.
+struct CornerOverride {
+  Point place;
+  std::int64_t axis_a = 0;
+  std::int64_t axis_b = 0;
+  double radius = 0;
+};
+
+// Of two overrides of one thing the later holds.
+struct StreetOverrides {
+  std::vector<SectionLimitOverride> limits;
+  std::vector<CornerOverride> corners;
+};
+
+// How a row came about; the words are those of the `method` columns.
+enum class Method {
+  hypothesis,       // as wanted
+  radius_reduced,   // the wanted radius does not fit the axes: the largest that does
+  radius_minimal,   // the arc's centre lay beyond max_arc_distance
+  followed,         // an axis is too short: the arc touches the next one in its direction
+  no_arc,           // no candidate (one axis within the other, nearly straight)
+  crossed_limits,   // the limits of the edge would cross: both at their meeting
+  transition,       // a change of width
+  contested,        // part of the ground belongs to another surface
+  robust_fallback,  // the ring was built by union, not piece by piece
+  by_hand,          // as an override says
+};
+const char* method_name(Method method) noexcept;
+
+// Counter-clockwise from edge a to edge b around the node.
+struct Corner {
+  int node = 0;
+  int edge_a = 0;
+  bool at_start_a = true;  // the end of edge a that touches the node
+  int edge_b = 0;
+  bool at_start_b = true;
+  double radius_wanted = 0;
+  double radius = 0;  // 0 without an arc
+  std::optional<Point> centre;
+  std::optional<Arc> arc;  // from the border of a to the border of b
+  Method method = Method::hypothesis;
+};
+
+struct SectionLimit {
+  int edge = 0;
+  bool at_start = true;
+  double wanted_abscissa = 0;  // by the corners or by hand, metres along the edge
+  double abscissa = 0;
+  Point point;
+  Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
+  Method method = Method::hypothesis;
+};
+
+struct Section {
+  int edge = 0;
+  MultiPolygon surface;  // empty when the limits crossed
+  Method method = Method::hypothesis;
+  double contested_area = 0;  // square metres left to other surfaces
+};
+
+struct Intersection {
+  int node = 0;
+  int level = 0;
+  MultiPolygon surface;
+  Method method = Method::hypothesis;
+  double contested_area = 0;
+};
+
+// What the axis of an edge says of the whole edge.
+struct Roadway {
+  double width = 0;  // kerb to kerb at the start of the edge, metres
+  double width_end = 0;
+  int importance = 99;
+};
+
+// What was there before the change: it tells what else the change moves.
+struct FormerSurface {
+  MultiPolygon ground;
+  bool contested = false;  // part of its ground belonged to another surface
+};
+struct FormerLimit {
+  double wanted_abscissa = 0;  // metres along the edge
+  double abscissa = 0;
+  Line border_line;
+};
+struct FormerEdge {
+  std::int64_t axis_id = 0;
+  double start_abscissa = 0, end_abscissa = 0;  // metres along the axis
+  Line line;
+  FormerLimit start, end;
+  FormerSurface section;
+};
+struct FormerNode {
+  Point point;
+  FormerSurface intersection;
+};
+struct Former {
+  std::vector<FormerEdge> edges;
+  std::vector<FormerNode> nodes;  // with an intersection
+  // Whether what is computed counts where the change leads on beyond what is written; else it is
+  // LeadsOn, as soon as that is known.
+  bool onwards = true;
+};
+
+// A run for these axes is due at the same time.
+class LeadsOn : public std::exception {
+ public:
+  explicit LeadsOn(std::vector<std::int64_t> axes) : axes_(std::move(axes)) {}
+  const char* what() const noexcept override { return "the change leads on along other axes"; }
+  const std::vector<std::int64_t>& axes() const noexcept { return axes_; }
+
+ private:
+  std::vector<std::int64_t> axes_;
+};
+
+struct Streets {
+  Network network;
+  std::vector<Roadway> roadways;  // one per edge
+  std::vector<Corner> corners;
+  std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
+  // What changed axes can change, and only for that sections and intersections come out: their
+  // edges and nodes, edges that they cut otherwise and where these meet others, corners that follow
+  // an axis to there, limits that move, and claims on the same ground whose surface is not what it
+  // was.  Where all axes changed, everything.
+  std::vector<bool> asked_edges, asked_nodes;
+  // Edges of axes that did not change along which the change leaves what is written: they move
+  // where axes beyond reach meet them, look at them or claim the same ground.  A run for their axes
+  // is due.
+  std::vector<bool> leading_on;
+  std::vector<Section> sections;            // one per asked edge
+  std::vector<Intersection> intersections;  // one per asked node of degree two and more
+};
+
+// Whether the two limits of the edge meet: it has no section.
+bool limits_crossed(const Streets& streets, int edge);
+
+}  // namespace streetgen

@@ -1,0 +1,33 @@
+// The whole model of a set of axes: every step from the network to lane-to-lane paths, in order.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/interconnection.hpp"
+#include "streetgen/lane.hpp"
+#include "streetgen/street.hpp"
+
+namespace streetgen {
+
+struct StreetModelInput {
+  std::vector<StreetAxis> axes;
+  StreetSettings settings;
+  StreetOverrides overrides;
+  Former former;
+  std::vector<LanesOfAxis> lanes;
+  std::vector<LaneOverride> lane_overrides;
+  LaneSettings lane_settings;
+  std::vector<TurnRestriction> restrictions;
+  InterconnectionSettings interconnection_settings;
+};
+
+struct StreetModel {
+  Streets streets;
+  Lanes lanes;
+  std::vector<Interconnection> interconnections;
+};
+
+// Deterministic and independent of the order of `input.axes`.  Throws Error and LeadsOn.
+StreetModel street_model(const StreetModelInput& input);
+
+}  // namespace streetgen

@@ -1,0 +1,49 @@
+// Do two surfaces share ground, or do they only touch?
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/box.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+bool inside(const Point& p, const Polygon& polygon);
+bool inside(const Point& p, const MultiPolygon& surface);
+
+// A surface that is asked about others; it keeps what it finds out about its boundary, and the
+// surface must outlive it unchanged.
+class Ground {
+ public:
+  explicit Ground(const MultiPolygon& surface);
+  Ground(Ground&&) noexcept;
+  ~Ground();
+
+  const Box& box() const { return box_; }
+  bool holds(const Point& p) const;
+  // Of what lies in the box, to a micrometre.
+  Box box_within(const Box& box) const;
+  // False only of segments that have no part on it.
+  bool comes_near(const Point& from, const Point& to) const;
+  // Appends where the segment meets the boundary, as shares of its length.
+  void cut(const Point& from, const Point& to, std::vector<double>& at) const;
+
+ private:
+  friend bool overlap(const Ground& a, const Ground& b);
+  class Boundary;
+  bool crosses(const Ground& other, const Box& shared) const;
+  bool reaches_into(const Ground& other, const Box& shared) const;
+  const Boundary& boundary() const;
+  // Deeper than a micrometre.
+  bool holds_deeply(const Point& p) const;
+
+  const MultiPolygon* surface_;
+  Box box_;
+  mutable std::unique_ptr<Boundary> boundary_;
+};
+
+// True when the surfaces share ground deeper than a micrometre; touching ones do not.
+bool overlap(const Ground& a, const Ground& b);
+
+}  // namespace streetgen

@@ -1,0 +1,16 @@
+// The union of a few polygons.
+#pragma once
+
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// By the faces that they make together. Rings may cross themselves: what lies in an odd number of a
+// polygon's rings is in it. Vertices stay where they are, or nearly; the work grows with their
+// square.
+MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts);
+
+}  // namespace streetgen

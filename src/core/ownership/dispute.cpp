@@ -1,0 +1,177 @@
+#include "ownership/dispute.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geometry/box_hierarchy.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "geometry/voronoi_border.hpp"
+#include "roadway/surface_ring.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double sample_spacing = 1.0;  // metres along the axes
+
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a);
+  const double o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
+  return o1 * o2 < 0 && o3 * o4 < 0;
+}
+
+// A segment of a claim's skeleton, with the ends of the stretch that it belongs to.
+struct SkeletonSegment {
+  Point from, to, first, last;
+};
+
+std::vector<SkeletonSegment> skeleton_within(const Claim& claim, const Box& within) {
+  std::vector<SkeletonSegment> segments;
+  for (const Stretch& stretch : claim.skeleton) {
+    if (stretch.from >= stretch.to) continue;
+    const Line line = substring(*stretch.line, stretch.from, stretch.to);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (box_of(line[i - 1], line[i]).meets(within))
+        segments.push_back({line[i - 1], line[i], line.front(), line.back()});
+  }
+  return segments;
+}
+
+// Inside both, not at an end that they share.
+bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
+  const std::vector<SkeletonSegment> of_a = skeleton_within(a, within),
+                                     of_b = skeleton_within(b, within);
+  std::vector<Box> boxes;
+  for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
+  const BoxRuns index(std::move(boxes));
+  for (const SkeletonSegment& s : of_a) {
+    poll_cancel();
+    const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](std::size_t i) {
+      const SkeletonSegment& t = of_b[i];
+      if (!segments_cross(s.from, s.to, t.from, t.to)) return false;
+      const Point u = s.to - s.from, v = t.to - t.from;
+      const Point at = s.from + u * (cross(t.from - s.from, v) / cross(u, v));
+      return std::min({distance(at, s.first), distance(at, s.last), distance(at, t.first),
+                       distance(at, t.last)}) > 0.01;
+    });
+    if (crossed) return true;
+  }
+  return false;
+}
+
+// Every metre of the axis, wherever it is cut and whatever part of it the stretch is: an edit at
+// one end moves no border at the other. Both ends of an edge, too.
+template <class Use>
+void each_sample_place(const Stretch& stretch, double total, Use use) {
+  bool any = stretch.from <= 0;
+  if (any) use(0);
+  for (double k = std::ceil((stretch.abscissa + stretch.from) / sample_spacing);; ++k) {
+    const double at = k * sample_spacing - stretch.abscissa;
+    if (at > stretch.to || at > total - same_place) break;
+    if (at <= same_place) continue;
+    any = true;
+    use(at);
+  }
+  if (stretch.to >= total)
+    use(total);
+  else if (!any)
+    use((stretch.from + stretch.to) / 2);
+}
+
+// Those near the box: a section lies within half its width of its axis, an intersection may not.
+void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
+  const double margin = claim.skeleton.size() > 1 ? std::numeric_limits<double>::infinity()
+                                                  : claim.width / 2 + 2 * sample_spacing;
+  for (const Stretch& stretch : claim.skeleton) {
+    const Line& line = *stretch.line;
+    double walked = 0, size = distance(line[0], line[1]);
+    std::size_t segment = 1;
+    each_sample_place(stretch, length(line), [&](double at) {
+      while (segment + 1 < line.size() && walked + size < at) {
+        walked += size;
+        ++segment;
+        size = distance(line[segment - 1], line[segment]);
+      }
+      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
+      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+      if (within.holds(p, margin)) sites.push_back({p, first});
+    });
+  }
+}
+
+// The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
+// a little on. Segments that go on from each other keep their common end.
+void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
+                   std::vector<Line>& parts) {
+  const Point along = to - from, past = along * (coordinate_margin / norm(along));
+  const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
+  std::vector<double> cuts;
+  const auto cut = [&](const Point& start, const Point& end) {
+    a.cut(start, end, cuts);
+    b.cut(start, end, cuts);
+  };
+  cut(from - past, to + past);
+  if (cuts.empty()) {
+    if (shared(from + along * 0.5)) parts.push_back({from, to});
+    return;
+  }
+  cuts = {0, 1};
+  cut(from, to);
+  std::sort(cuts.begin(), cuts.end());
+  const auto on_both = [&](std::size_t i) {
+    return i < cuts.size() && shared(from + along * ((cuts[i - 1] + cuts[i]) / 2));
+  };
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if (!on_both(i)) continue;
+    const double first = cuts[i - 1];
+    while (on_both(i + 1)) ++i;
+    const double last = cuts[i];
+    Line part;
+    const Point start = from + along * first - past, end = from + along * last + past;
+    if (first > 0 || !shared(start)) part.push_back(start);
+    if (first == 0) part.push_back(from);
+    if (last == 1) part.push_back(to);
+    if (last < 1 || !shared(end)) part.push_back(end);
+    parts.push_back(std::move(part));
+  }
+}
+
+}  // namespace
+
+bool before(const Claim& a, const Claim& b) {
+  return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
+         std::tuple(b.importance, -b.width, b.axis_id, b.place);
+}
+
+Rivalry::Rivalry(const Party& a, const Party& b) {
+  Box within = a.ground->box().shared_with(b.ground->box());
+  const bool first_wins = before(*a.claim, *b.claim);
+  const Party &winner = first_wins ? a : b, &loser = first_wins ? b : a;
+  const bool takes_node = loser.claim->node && winner.ground->holds(*loser.claim->node);
+  crossed_ = !takes_node && skeletons_cross(*a.claim, *b.claim, within);
+  first_owns_all_ = crossed_ && first_wins;
+  if (crossed_) return;
+  // Border there is on the ground of both.
+  for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
+    if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
+  std::vector<Site> sites;
+  // Of sites in one place the claim that comes before keeps it.
+  sample(*winner.claim, within, first_wins, sites);
+  sample(*loser.claim, within, !first_wins, sites);
+  if (sites.empty()) return;
+  nearest_.emplace(sites, within);
+  for (const auto& [from, to] : nearest_->border()) {
+    poll_cancel();
+    append_shared(*a.ground, *b.ground, from, to, border_);
+  }
+}
+
+bool Rivalry::first_owns(const Point& place) const {
+  return nearest_ ? nearest_->first_owns(place) : first_owns_all_;
+}
+
+}  // namespace streetgen

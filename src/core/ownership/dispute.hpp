@@ -1,0 +1,40 @@
+// Two claims on the same ground: which of them owns a place.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/prepared_surface.hpp"
+#include "geometry/voronoi_border.hpp"
+#include "ownership/ownership.hpp"
+
+namespace streetgen {
+
+// A claim and its ground, which comes in unsettled.
+struct Party {
+  const Claim* claim;
+  const Ground* ground;
+};
+
+// Where the axes of the two cross, all shared ground is the more important one's, unless it holds
+// the other's node; else each place is that of the nearer axis.
+class Rivalry {
+ public:
+  Rivalry(const Party& a, const Party& b);
+
+  bool crossed() const { return crossed_; }
+  bool first_owns(const Point& place) const;
+  // Lines within the shared ground, and a little beyond, where the owner changes.
+  const std::vector<Line>& border() const { return border_; }
+
+ private:
+  bool crossed_ = false;
+  bool first_owns_all_ = false;
+  std::optional<NearestOwner> nearest_;
+  std::vector<Line> border_;
+};
+
+// Rank where axes cross: importance, width, axis_id, place.
+bool before(const Claim& a, const Claim& b);
+
+}  // namespace streetgen

@@ -1,0 +1,56 @@
+// Every point of a level's roadway has one owner.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// Part of an edge's line.
+struct Stretch {
+  const Line* line = nullptr;
+  double from = 0, to = 0;  // metres along it
+  double abscissa = 0;      // where the line begins, metres along its axis
+};
+
+// A surface that may claim ground.
+struct Claim {
+  MultiPolygon* surface = nullptr;
+  int level = 0;
+  std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
+  int importance = 99;            // of its most important axis, 1 the highest
+  double width = 0;               // of its widest axis, metres
+  std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
+  std::int64_t place = 0;         // distinct within one axis_id, to break ties
+  std::vector<int> edges;         // that the surface covers or ends on
+  std::optional<Point> node;      // that it is the intersection of
+  bool joins_levels = false;      // its edges lie on several
+  bool wanted = true;             // its ground is to be settled, not only that of others against it
+  double contested_area = 0;      // out: square metres left to others
+};
+
+// Levels overlap freely, but an intersection tiles with all its sections.
+bool tile(const Claim& a, const Claim& b);
+
+// The pairs of claims that overlap and should tile.
+std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims);
+
+// Of each claim, those that decide about its ground, ascending: those that it has a dispute with,
+// and of other levels those that dispute with these.
+std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
+                                        const std::vector<std::pair<int, int>>& disputes);
+
+// Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
+// axes cross, to the more important (then the wider, then the smaller axis_id), if that does not
+// take an intersection its node. Pairs are judged on the surfaces as they come in, so that the
+// order does not matter. Claims that are not wanted may
+// come out unsettled.
+void settle_ownership(Geos& geos, std::vector<Claim>& claims,
+                      const std::vector<std::pair<int, int>>& disputes);
+
+}  // namespace streetgen

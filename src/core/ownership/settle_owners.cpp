@@ -1,0 +1,282 @@
+#include "ownership/settle_owners.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "ownership/claim.hpp"
+#include "ownership/claim_index.hpp"
+#include "ownership/hole.hpp"
+#include "ownership/ownership.hpp"
+#include "roadway/street_surface.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// A surface whose neighbours took less than this keeps its method.
+constexpr double contested_at_least = 0.01;
+
+// One claim an edge, then one a node.
+class Owners {
+ public:
+  Owners(Layout& layout, const Moved& moved)
+      : layout_(layout),
+        edges_(static_cast<int>(layout.axes.size())),
+        moved_(moved.edges),
+        was_(moved.sections),
+        given_up_(moved.given_up),
+        turned_(moved.turned),
+        surfaces_(edges_ + layout.junctions.size()),
+        built_(surfaces_.size()),
+        served_(surfaces_.size()) {
+    moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
+    was_.insert(was_.end(), moved.intersections.begin(), moved.intersections.end());
+    claims_.reserve(surfaces_.size());
+    for (int e = 0; e < edges_; ++e) claims_.push_back(claim_of_section(layout, e));
+    for (std::size_t n = 0; n < layout.junctions.size(); ++n)
+      claims_.push_back(claim_of_intersection(layout, static_cast<int>(n)));
+    for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
+  }
+
+  void settle() {
+    const std::vector<Hole> holes = build_what_matters();
+    settle_ownership(geos_, claims_, disputes_);
+    give_holes(geos_, claims_, holes);
+    leave_what_stays();
+    give_rows();
+  }
+
+ private:
+  // Whether it was not built yet.
+  bool build(int i) {
+    if (built_[i]) return false;
+    built_[i] = true;
+    poll_cancel();
+    if (i < edges_) {
+      tell_progress("sections", i, edges_);
+      surfaces_[i] = section_of(geos_, layout_, i);
+    } else {
+      tell_progress("intersections", i - edges_, claims_.size() - edges_);
+      surfaces_[i] = intersection_of(geos_, layout_, i - edges_);
+    }
+    return true;
+  }
+
+  // Whether any of them was not built yet.
+  bool build(const std::vector<bool>& needed) {
+    bool more = false;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (needed[i]) more = build(i) || more;
+    return more;
+  }
+
+  // What is wanted, and whatever may take part in what that becomes.
+  std::vector<bool> needed_by_wanted() {
+    if (std::all_of(claims_.begin(), claims_.end(), [](const Claim& c) { return c.wanted; }))
+      return std::vector<bool>(claims_.size(), true);
+    std::vector<bool> needed(claims_.size());
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!claims_[i].wanted || served_[i]) continue;
+      needed[i] = true;
+      for (const int other : vicinity().opponents(i)) needed[other] = true;
+    }
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!claims_[i].wanted || served_[i]) continue;
+      served_[i] = true;
+      for (const int other : vicinity().enclosing(i, needed)) needed[other] = true;
+    }
+    return needed;
+  }
+
+  std::vector<bool> needed_by(const std::vector<Hole>& holes) {
+    std::vector<bool> needed(claims_.size());
+    if (built_ == std::vector<bool>(claims_.size(), true)) return needed;
+    for (const Hole& hole : holes)
+      for (const int i : vicinity().near(box_of({{hole.ring}}))) needed[i] = true;
+    return needed;
+  }
+
+  Vicinity& vicinity() {
+    if (!vicinity_) {
+      const auto& limits = layout_.streets.limits;
+      std::vector<Extent> extents;
+      for (int e = 0; e < edges_; ++e)
+        extents.push_back(section_extent(layout_.arms[2 * e], limits[2 * e].abscissa,
+                                         limits[2 * e + 1].abscissa));
+      for (std::size_t n = 0; n < layout_.junctions.size(); ++n)
+        extents.push_back(
+            intersection_extent(layout_.arms_of(static_cast<int>(n)), layout_.junctions[n].gaps));
+      vicinity_.emplace(std::move(extents), claims_);
+    }
+    return *vicinity_;
+  }
+
+  // Whether it was not asked for yet.
+  bool ask(int i) {
+    if (claims_[i].wanted) return false;
+    claims_[i].wanted = true;
+    auto& streets = layout_.streets;
+    if (i < edges_) {
+      if (!layout_.axis_of(i).outer) streets.asked_edges[i] = true;
+    } else if (!layout_.outer(i - edges_)) {
+      streets.asked_nodes[i - edges_] = true;
+    }
+    return true;
+  }
+
+  // What claims the same ground as something that moved.
+  void ask_opponents() {
+    const std::vector<std::vector<int>> all = opponents(claims_, disputes_);
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (moved_[i])
+        for (const int other : all[i]) ask(other);
+  }
+
+  // Whose ground before, holes that it was given included, lies where something that moved lies
+  // now.
+  void ask_below_moved() {
+    if (std::all_of(was_.begin(), was_.end(), [](const auto* was) { return was == nullptr; }))
+      return;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!moved_[i] || surfaces_[i].ground.empty()) continue;
+      const Ground ground(surfaces_[i].ground);
+      for (const int j : vicinity().near(ground.box().grown(hole_extent)))
+        if (!claims_[j].wanted && was_[j] != nullptr && overlap(ground, Ground(was_[j]->ground)))
+          ask(j);
+    }
+  }
+
+  // Who claims ground that was given up, wherever the ground lies that it was left.
+  void ask_above_given_up() {
+    for (const FormerSurface* given_up : given_up_) {
+      if (given_up->ground.empty()) continue;
+      const Ground ground(given_up->ground);
+      for (const int i : vicinity().near(ground.box())) {
+        if (claims_[i].wanted || was_[i] == nullptr) continue;
+        if (was_[i]->contested) build(i);
+        if (overlap(ground, Ground(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)))
+          ask(i);
+      }
+    }
+  }
+
+  bool outer(int i) const {
+    return i < edges_ ? layout_.axis_of(i).outer : layout_.outer(i - edges_);
+  }
+
+  // Turned edges, and intersections at their ends, that share ground with what lies beyond reach.
+  void lead_turned_on() {
+    std::set<int> beside;  // what lies beyond reach
+    for (const auto& [i, j] : disputes_) {
+      if (outer(i)) beside.insert(j);
+      if (outer(j)) beside.insert(i);
+    }
+    for (const Turned& turned : turned_)
+      for (const int e : turned.edges) {
+        const Edge& edge = layout_.streets.network.edges[e];
+        for (const int i : {e, edges_ + edge.from_node, edges_ + edge.to_node})
+          if (beside.count(i) > 0) layout_.streets.leading_on[e] = true;
+      }
+  }
+
+  // Those that shared ground with it.
+  void lead_turned_on_from_given_up() {
+    for (const Turned& turned : turned_)
+      for (const FormerSurface* before : turned.surfaces) {
+        if (before->ground.empty()) continue;
+        const Ground ground(before->ground);
+        for (const int i : vicinity().near(ground.box())) {
+          if (!outer(i) || !tile(claims_[turned.edges.front()], claims_[i])) continue;
+          build(i);
+          if (overlap(ground, Ground(surfaces_[i].ground)))
+            layout_.streets.leading_on[turned.edges.front()] = true;
+        }
+      }
+  }
+
+  bool ask_around(const std::vector<Hole>& holes) {
+    bool more = false;
+    for (const Hole& hole : holes)
+      for (const int i : hole.around) more = ask(i) || more;
+    return more;
+  }
+
+  // Gives the holes beside what is wanted.
+  std::vector<Hole> build_what_matters() {
+    ask_above_given_up();
+    lead_turned_on_from_given_up();
+    for (;;) {
+      build(needed_by_wanted());
+      disputes_ = disputes(claims_);
+      ask_opponents();
+      ask_below_moved();
+      if (build(needed_by_wanted())) continue;
+      std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
+      if (build(needed_by(holes)) || ask_around(holes)) continue;
+      lead_turned_on();
+      vicinity_.reset();
+      return holes;
+    }
+  }
+
+  // What neither moved nor got or lost ground.
+  void leave_what_stays() {
+    auto& streets = layout_.streets;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (claims_[i].wanted && was_[i] != nullptr && same(was_[i]->ground, surfaces_[i].ground))
+        (i < edges_ ? streets.asked_edges : streets.asked_nodes)[i < edges_ ? i : i - edges_] =
+            false;
+  }
+
+  template <class Row>
+  void settle_row(Row& row, int i) {
+    row.method =
+        claims_[i].contested_area > contested_at_least ? Method::contested : surfaces_[i].method;
+    row.contested_area = claims_[i].contested_area;
+    row.surface = std::move(surfaces_[i].ground);
+  }
+
+  void give_rows() {
+    Streets& streets = layout_.streets;
+    for (int e = 0; e < edges_; ++e) {
+      if (!streets.asked_edges[e]) continue;
+      Section section;
+      section.edge = e;
+      settle_row(section, e);
+      streets.sections.push_back(std::move(section));
+    }
+    for (int i = edges_; i < static_cast<int>(claims_.size()); ++i) {
+      const int node = i - edges_;
+      if (!streets.asked_nodes[node] || layout_.junctions[node].dead_end()) continue;
+      Intersection intersection;
+      intersection.node = node;
+      intersection.level = claims_[i].level;
+      settle_row(intersection, i);
+      streets.intersections.push_back(std::move(intersection));
+    }
+  }
+
+  Layout& layout_;
+  const int edges_;
+  Geos geos_;
+  std::vector<bool> moved_;  // by claim, as are those that follow
+  std::vector<const FormerSurface*> was_;
+  const std::vector<const FormerSurface*>& given_up_;
+  const std::vector<Turned>& turned_;
+  std::vector<Surface> surfaces_;
+  std::vector<bool> built_, served_;  // served: what it needs was told
+  std::vector<Claim> claims_;
+  std::optional<Vicinity> vicinity_;
+  std::vector<std::pair<int, int>> disputes_;
+};
+
+}  // namespace
+
+void settle_owners(Layout& layout, const Moved& moved) { Owners(layout, moved).settle(); }
+
+}  // namespace streetgen

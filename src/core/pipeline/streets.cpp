@@ -1,0 +1,77 @@
+#include "streetgen/streets.hpp"
+
+#include <utility>
+
+#include "ownership/settle_owners.hpp"
+#include "pipeline/invariants.hpp"
+#include "roadway/find_affected.hpp"
+#include "roadway/layout.hpp"
+#include "roadway/settle_limits.hpp"
+#include "roadway/solve_corners.hpp"
+#include "roadway/street_override.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// An edit that has to be given up is so as soon as that is known.
+void stay_within(const Streets& streets, const Former& former) {
+  if (former.onwards) return;
+  std::vector<std::int64_t> axes;
+  for (std::size_t e = 0; e < streets.leading_on.size(); ++e) {
+    const std::int64_t axis = streets.network.edges[e].axis_id;
+    if (streets.leading_on[e] && (axes.empty() || axes.back() != axis)) axes.push_back(axis);
+  }
+  if (!axes.empty()) throw LeadsOn(std::move(axes));
+}
+
+}  // namespace
+
+Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+                const StreetOverrides& overrides, const Former& former) {
+  Layout layout(axes, settings);
+  check_network(layout.streets.network);
+  solve_corners(layout, radii_by_hand(layout, overrides.corners));
+  check_corners(layout.streets);
+  settle_limits(layout, limits_by_hand(layout, overrides.limits));
+  check_limits(layout.streets);
+  const Moved moved = ask_around_changes(layout, former);
+  stay_within(layout.streets, former);
+  settle_owners(layout, moved);
+  check_surfaces(layout.streets);
+  stay_within(layout.streets, former);
+  return std::move(layout.streets);
+}
+
+const char* method_name(Method method) noexcept {
+  switch (method) {
+    case Method::hypothesis:
+      return "hypothesis";
+    case Method::radius_reduced:
+      return "radius_reduced";
+    case Method::radius_minimal:
+      return "radius_minimal";
+    case Method::followed:
+      return "followed";
+    case Method::no_arc:
+      return "no_arc";
+    case Method::crossed_limits:
+      return "crossed_limits";
+    case Method::transition:
+      return "transition";
+    case Method::contested:
+      return "contested";
+    case Method::robust_fallback:
+      return "robust_fallback";
+    case Method::by_hand:
+      return "by_hand";
+  }
+  return "";
+}
+
+bool limits_crossed(const Streets& streets, int edge) {
+  return streets.limits[2 * edge].method == Method::crossed_limits ||
+         streets.limits[2 * edge + 1].method == Method::crossed_limits;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,30 @@
+// The streets about a node: one arm for each edge end, one gap between neighbouring arms.
+#pragma once
+
+#include "streetgen/corner.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// One end of an edge at a node, seen from the node.
+struct Arm {
+  Line line;              // starts at the node
+  double half_start = 0;  // half widths, metres, linear along the line
+  double half_end = 0;
+  double limit = 0;  // abscissa where the intersection ends
+  Line border;       // at the limit: left and right kerb, seen from the node
+};
+
+// Between arm i and the next one counter-clockwise.
+struct Gap {
+  bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
+  CornerArc corner;
+  double angle = 0;  // counter-clockwise about the node, radians; over pi outside a bend
+  Polygon beyond{};  // the ground between both kerbs and an arc that lies beyond an arm's end
+};
+
+double half_at(const Arm& arm, double abscissa);
+// Left and right kerb at `abscissa`, across the local direction.
+Line border_across(const Arm& arm, double abscissa);
+
+}  // namespace streetgen

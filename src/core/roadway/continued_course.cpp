@@ -1,0 +1,127 @@
+#include "roadway/continued_course.hpp"
+
+#include <cmath>
+
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "roadway/node_corner.hpp"
+#include "roadway/width_transition.hpp"
+
+namespace streetgen {
+
+namespace {
+
+bool same_half(double a, double b) { return std::abs(a - b) <= same_width; }
+
+bool widens(const Arm& arm) { return !same_half(arm.half_start, arm.half_end); }
+
+// The same street: of the axes of the same level and width the one that turns least.
+const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& junction) {
+  const auto& edges = layout.streets.network.edges;
+  const Arm& own = layout.arm(last);
+  const Point direction = unit(own.line.back() - own.line[own.line.size() - 2]);
+  double best = std::cos(widest_bend);
+  const EdgeEnd* next = nullptr;
+  for (const EdgeEnd& other : junction.ends) {
+    const Arm& on = layout.arm(other);
+    const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
+    if (other.edge == last.edge || edges[other.edge].level != edges[last.edge].level ||
+        !same_half(on.half_start, own.half_end) || widens(on) || cosine <= best)
+      continue;
+    best = cosine;
+    next = &other;
+  }
+  return next;
+}
+
+// The axis along which the kerb goes on: the next one on its side, if it does not turn away.
+const EdgeEnd* beside(const Layout& layout, const EdgeEnd& last, const Junction& junction,
+                      int side) {
+  const std::size_t count = junction.ends.size();
+  std::size_t in = 0;
+  while (slot(junction.ends[in]) != slot({last.edge, !last.at_start})) ++in;
+  const EdgeEnd& next = junction.ends[(in + (side > 0 ? count - 1 : 1)) % count];
+  const Arm& on = layout.arm(next);
+  const double bend = std::abs(angle_between(layout.arm(junction.ends[in]), on) - M_PI);
+  return next.edge == last.edge || widens(on) || bend >= widest_bend ? nullptr : &next;
+}
+
+// How far before and behind the node the kerb changes.
+struct Taper {
+  double before = 0, after = 0;
+};
+
+Taper taper_of(const Layout& layout, const Junction& junction, const EdgeEnd& next, int side,
+               bool first) {
+  if (!junction.transition) return {};
+  const int in = next.edge == junction.ends[0].edge ? 1 : 0;
+  const Arm& last = layout.arm(junction.ends[in]);
+  Taper taper{transition_limit(last, *junction.transition),
+              transition_limit(layout.arm(next), *junction.transition)};
+  // The limits of an edge that is followed cross.
+  if (first) taper.before *= length(last.line) / (length(last.line) + taper.before);
+  const int seen = in == junction.transition_from() ? side : -side;
+  const TransitionKind kind = junction.transition->kind;
+  if (kind == TransitionKind::symmetric || (kind == TransitionKind::left) == (seen > 0))
+    return taper;
+  const double half_step = step_length(taper.before, taper.after) / 2;
+  return {half_step, half_step};
+}
+
+// Where the width steps at the node, the kerb runs across there.
+Line kerb_between(const Leg& last, const Leg& next, const Line& node, int side) {
+  if (node.size() > 1) return kerb_line(node, 0, length(node), last.half, next.half, side).line;
+  const double size = length(last.line);
+  Line kerb = kerb_line(last.line, size, size, last.half, last.half, side).line;
+  kerb.push_back(kerb_line(next.line, 0, 0, next.half, next.half, side).line.front());
+  return kerb;
+}
+
+void change_width(Course& course, const Arm& arm, const Taper& taper, int side) {
+  Leg& last = course.back();
+  const double before = length(last.line), after = length(arm.line), at = last.end;
+  Line node = substring(last.line, before - taper.before, before);
+  const Line behind = substring(arm.line, 0, taper.after);
+  node.insert(node.end(), behind.begin(), behind.end());
+  last.line = substring(last.line, 0, before - taper.before);
+  last.end = at - taper.before;
+  const Leg next{substring(arm.line, taper.after, after), arm.half_start, at + taper.after,
+                 at + after};
+  const Leg kerb{kerb_between(last, next, distinct(planar(node)), side), 0, last.end, next.start};
+  course.push_back(kerb);
+  course.push_back(next);
+}
+
+}  // namespace
+
+Course onwards(const Layout& layout, const EdgeEnd& end, int side, std::vector<int>& looked_at) {
+  const auto& edges = layout.streets.network.edges;
+  const Arm& own = layout.arm(end);
+  Course course{{own.line, own.half_start, 0, length(own.line)}};
+  if (widens(own)) return course;
+  EdgeEnd last = end;
+  bool unbroken = true;  // nothing left between, on the side of the kerb
+  while (course.back().end < layout.settings.reach) {
+    const Edge& edge = edges[last.edge];
+    looked_at.push_back(last.at_start ? edge.to_node : edge.from_node);
+    const Junction& junction = layout.junctions[looked_at.back()];
+    const EdgeEnd* const kerb = unbroken ? beside(layout, last, junction, side) : nullptr;
+    const EdgeEnd* next = alike(layout, last, junction);
+    unbroken = next == nullptr || next == kerb;
+    if (next == nullptr) next = kerb;
+    if (next == nullptr) break;
+    const Arm& arm = layout.arm(*next);
+    if (same_half(layout.arm(last).half_start, arm.half_start)) {
+      Leg& street = course.back();
+      street.line.insert(street.line.end(), arm.line.begin() + 1, arm.line.end());
+      street.end += length(arm.line);
+    } else {
+      change_width(course, arm, taper_of(layout, junction, *next, side, last.edge == end.edge),
+                   side);
+    }
+    last = *next;
+  }
+  return course;
+}
+
+}  // namespace streetgen

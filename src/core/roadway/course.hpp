@@ -1,0 +1,31 @@
+// A street as a corner sees it: along the axes that go on from one another.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/offset.hpp"
+#include "streetgen/corner.hpp"
+
+namespace streetgen {
+
+// A line with half of its width; where the width changes, the kerb of one side, with none.
+struct Leg {
+  Line line;
+  double half = 0;            // metres
+  double start = 0, end = 0;  // abscissas on the course
+};
+
+using Course = std::vector<Leg>;  // starts at the node
+
+// As of two axes: the left border of a, the right one of b.
+std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius);
+std::optional<double> max_corner_radius(const Course& a, const Course& b, double radius_limit);
+
+// The line as far as an abscissa.
+Line walked(const Course& course, double until);
+
+// The kerb between two abscissas, backwards when u > v.
+Kerb kerb_line(const Course& course, double u, double v, int side);
+
+}  // namespace streetgen

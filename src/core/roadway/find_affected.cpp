@@ -1,0 +1,269 @@
+#include "roadway/find_affected.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/box_index.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/surface_distance.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Metres between surfaces, no more than which may have been filled as a hole.
+constexpr double near_enough = 1;
+
+constexpr int none = -1;
+
+bool stays(const FormerLimit& before, const SectionLimit& now) {
+  return before.wanted_abscissa == now.wanted_abscissa && before.abscissa == now.abscissa &&
+         same(before.border_line, now.border_line);
+}
+
+// What a surface was that moved or is gone.
+struct GivenUp {
+  const FormerSurface* surface;
+  bool of_changed;  // of an axis that changed, or a node that it met
+};
+
+class Change {
+ public:
+  Change(const Layout& layout, const Former& former)
+      : layout_(layout),
+        edges_(layout.streets.network.edges),
+        nodes_(layout.streets.network.nodes),
+        former_(former),
+        met_(nodes_.size()),
+        turned_(nodes_.size(), none),
+        leading_on_(edges_.size()),
+        moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
+               std::vector<const FormerSurface*>(edges_.size()),
+               std::vector<const FormerSurface*>(nodes_.size())} {}
+
+  Moved moved() {
+    compare_edges();
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
+        moved_.nodes[n] = true;
+    lead_followers_on();
+    compare_nodes();
+    return moved_;
+  }
+
+  const std::vector<GivenUp>& given_up() const { return given_up_; }
+  const std::vector<bool>& leading_on() const { return leading_on_; }
+
+ private:
+  // Met are the nodes at which an edge came, went or got another line; elsewhere limits moved.
+  void compare_edges() {
+    std::unordered_map<std::int64_t, std::vector<const FormerEdge*>> former;
+    for (const FormerEdge& edge : former_.edges) former[edge.axis_id].push_back(&edge);
+    std::map<std::int64_t, std::vector<int>> unchanged;  // their edges that are new
+    std::vector<const FormerEdge*> kept(edges_.size());
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+      const StreetAxis& axis = layout_.axis_of(e);
+      if (axis.outer) continue;
+      const auto before = former.find(axis.axis_id);
+      if (!axis.changed) {
+        unchanged[axis.axis_id];
+        if (before != former.end()) kept[e] = take(before->second, edges_[e]);
+      }
+      if (kept[e] != nullptr) continue;
+      moved_.edges[e] = met_[edges_[e].from_node] = met_[edges_[e].to_node] = true;
+      if (axis.changed || before == former.end()) continue;
+      turn(e);
+      unchanged[axis.axis_id].push_back(e);
+    }
+    for (const auto& [axis_id, fresh] : unchanged)
+      if (!fresh.empty()) compare_course(fresh, former[axis_id]);
+    for (const auto& [axis_id, gone] : former)
+      for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+      if (kept[e] != nullptr) compare(e, *kept[e]);
+  }
+
+  // The same stretch of an axis may get another line, and the same line may be another stretch.
+  static const FormerEdge* take(std::vector<const FormerEdge*>& some, const Edge& edge) {
+    const auto found = std::find_if(some.begin(), some.end(), [&](const FormerEdge* before) {
+      return before->start_abscissa == edge.start_abscissa &&
+             before->end_abscissa == edge.end_abscissa && same(before->line, edge.line);
+    });
+    if (found == some.end()) return nullptr;
+    const FormerEdge* before = *found;
+    some.erase(found);
+    return before;
+  }
+
+  void compare_course(const std::vector<int>& fresh, const std::vector<const FormerEdge*>& gone) {
+    std::vector<const Line*> now, before;
+    Turned turned{fresh, {}};
+    for (const int e : fresh) now.push_back(&edges_[e].line);
+    for (const FormerEdge* edge : gone) {
+      before.push_back(&edge->line);
+      turned.surfaces.push_back(&edge->section);
+      for (const FormerNode& node : former_.nodes)
+        if (distance(node.point, edge->line.front()) == 0 ||
+            distance(node.point, edge->line.back()) == 0)
+          turned.surfaces.push_back(&node.intersection);
+    }
+    if (!lies_on(now, before) || !lies_on(before, now)) moved_.turned.push_back(turned);
+  }
+
+  static bool lies_on(const std::vector<const Line*>& some,
+                      const std::vector<const Line*>& course) {
+    const auto on_course = [&](const Point& p) {
+      return std::any_of(course.begin(), course.end(), [&](const Line* line) {
+        return distance_to_line(p, *line) <= same_place;
+      });
+    };
+    return std::all_of(some.begin(), some.end(), [&](const Line* line) {
+      return std::all_of(line->begin(), line->end(), on_course);
+    });
+  }
+
+  // An edge of an axis that did not change becomes another.
+  void turn(int e) {
+    for (const int node : {edges_[e].from_node, edges_[e].to_node}) {
+      turned_[node] = e;
+      lead_on(e, node);
+    }
+  }
+
+  void lead_on(int e, int node) {
+    if (layout_.meets_outer(node)) leading_on_[e] = true;
+  }
+
+  void lead_followers_on() {
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      for (const int other : layout_.junctions[n].followed)
+        if (turned_[other] != none && layout_.meets_outer(static_cast<int>(n)))
+          leading_on_[turned_[other]] = true;
+  }
+
+  void give_up(const FormerEdge& edge, bool of_changed) {
+    given_up_.push_back({&edge.section, of_changed});
+    for (const Point& end : {edge.line.front(), edge.line.back()}) {
+      for (std::size_t n = 0; n < nodes_.size(); ++n)
+        if (distance(nodes_[n].point, end) <= 3 * layout_.settings.tolerance) met_[n] = true;
+      if (of_changed) ends_of_changed_.insert({end.x, end.y});
+    }
+  }
+
+  void compare(int e, const FormerEdge& before) {
+    const Edge& edge = edges_[e];
+    const SectionLimit &start = layout_.streets.limits[2 * e],
+                       &end = layout_.streets.limits[2 * e + 1];
+    const bool same_start = stays(before.start, start), same_end = stays(before.end, end);
+    // Where another edge comes to a dead end, its round end goes.
+    const bool rounded =
+        layout_.settings.round_dead_ends && (met_[edge.from_node] || met_[edge.to_node]);
+    if (same_start && same_end && !rounded) {
+      moved_.sections[e] = &before.section;
+      return;
+    }
+    moved_.edges[e] = true;
+    given_up_.push_back({&before.section, false});
+    // Lanes of crossed limits end at the other one's.
+    const bool crossed =
+        before.start.abscissa >= before.end.abscissa || limits_crossed(layout_.streets, e);
+    // Lanes share out the width that a widening street has at its start.
+    const Roadway& roadway = layout_.streets.roadways[e];
+    const bool shared_anew = !same_start && roadway.width != roadway.width_end;
+    const bool both = crossed || shared_anew || bends_where_limits_moved(e, before);
+    if (both || !same_start) move_end(e, edge.from_node);
+    if (both || !same_end) move_end(e, edge.to_node);
+  }
+
+  // Lanes may have another last segment at their far end then.
+  bool bends_where_limits_moved(int e, const FormerEdge& before) const {
+    const Line& line = edges_[e].line;
+    const SectionLimit &start = layout_.streets.limits[2 * e],
+                       &end = layout_.streets.limits[2 * e + 1];
+    const auto [first, start_end] = std::minmax(before.start.abscissa, start.abscissa);
+    const auto [end_start, last] = std::minmax(before.end.abscissa, end.abscissa);
+    const double margin = std::max(layout_.arms[2 * e].half_start, layout_.arms[2 * e].half_end);
+    bool moved = false, stays = false;
+    double abscissa = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      abscissa += distance(line[i - 1], line[i]);
+      if (abscissa <= first - margin || abscissa >= last + margin) continue;
+      const bool by_moved = (first < start_end && abscissa <= start_end + margin) ||
+                            (end_start < last && abscissa >= end_start - margin);
+      (by_moved ? moved : stays) = true;
+    }
+    return moved && !stays;
+  }
+
+  void move_end(int e, int node) {
+    moved_.nodes[node] = true;
+    lead_on(e, node);
+  }
+
+  // A corner there looked at a node that is met.
+  bool follows_met(std::size_t node) const {
+    const auto& followed = layout_.junctions[node].followed;
+    return std::any_of(followed.begin(), followed.end(), [&](int other) { return met_[other]; });
+  }
+
+  void compare_nodes() {
+    std::map<std::pair<double, double>, std::size_t> at;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+      at.insert({{nodes_[n].point.x, nodes_[n].point.y}, n});
+    for (const FormerNode& node : former_.nodes) {
+      const std::pair place{node.point.x, node.point.y};
+      const auto kept = at.find(place);
+      if (kept == at.end() || moved_.nodes[kept->second])
+        given_up_.push_back({&node.intersection, ends_of_changed_.count(place) > 0});
+      else
+        moved_.intersections[kept->second] = &node.intersection;
+    }
+  }
+
+  const Layout& layout_;
+  const std::vector<Edge>& edges_;
+  const std::vector<Node>& nodes_;
+  const Former& former_;
+  std::vector<bool> met_;
+  std::vector<int> turned_;  // by node: an edge there that turned
+  std::vector<bool> leading_on_;
+  Moved moved_;
+  std::vector<GivenUp> given_up_;
+  std::set<std::pair<double, double>> ends_of_changed_;
+};
+
+// Marks those whose surface lies by ground that was given up: they may get some of it, or close no
+// hole there any more.
+void ask_by(const std::vector<GivenUp>& given_up, const std::vector<const FormerSurface*>& surfaces,
+            std::vector<bool>& asked) {
+  std::vector<Box> boxes;
+  for (const FormerSurface* surface : surfaces)
+    boxes.push_back(surface == nullptr ? Box{} : box_of(surface->ground));
+  const BoxIndex index(boxes);
+  for (const auto& [ground, of_changed] : given_up)
+    for (const int i : index.near(box_of(ground->ground), near_enough))
+      if (!asked[i] && (of_changed || surfaces[i]->contested) &&
+          come_near(surfaces[i]->ground, ground->ground, near_enough))
+        asked[i] = true;
+}
+
+}  // namespace
+
+Moved ask_around_changes(Layout& layout, const Former& former) {
+  Change change(layout, former);
+  Moved moved = change.moved();
+  auto &edges = layout.streets.asked_edges, &nodes = layout.streets.asked_nodes;
+  edges = moved.edges;
+  nodes = moved.nodes;
+  layout.streets.leading_on = change.leading_on();
+  ask_by(change.given_up(), moved.sections, edges);
+  ask_by(change.given_up(), moved.intersections, nodes);
+  for (const GivenUp& given_up : change.given_up()) moved.given_up.push_back(given_up.surface);
+  return moved;
+}
+
+}  // namespace streetgen

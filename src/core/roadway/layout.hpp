@@ -1,0 +1,60 @@
+// What the steps from axes to surfaces share: the network, the arms about its nodes, and the rows
+// that come about.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "roadway/surface_ring.hpp"
+#include "streetgen/street.hpp"
+
+namespace streetgen {
+
+// Where an edge touches a node.
+struct EdgeEnd {
+  int edge = 0;
+  bool at_start = true;
+};
+inline int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
+
+// What meets at a node.
+struct Junction {
+  std::vector<EdgeEnd> ends;  // counter-clockwise
+  std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]; none at a dead end
+  std::optional<Transition> transition;
+  int along = 0;              // index in ends: the axis that the transition is seen along
+  std::vector<int> followed;  // further nodes that a corner looked at
+
+  const EdgeEnd& next(std::size_t i) const { return ends[(i + 1) % ends.size()]; }
+  bool dead_end() const { return ends.size() == 1; }
+  // Index of the end from which sides of the transition are seen: an axis that starts at the node
+  // goes on from it.
+  int transition_from() const { return ends[along].at_start ? 1 - along : along; }
+};
+
+struct Layout {
+  Layout(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
+
+  const StreetAxis& axis_of(int edge) const { return *axes[edge]; }
+  const Arm& arm(const EdgeEnd& end) const { return arms[slot(end)]; }
+  Arm& arm(const EdgeEnd& end) { return arms[slot(end)]; }
+  std::vector<Arm> arms_of(int node) const;
+  // The level with most of the node's edges; ties: the lowest.
+  int level_of(int node) const;
+  // Whether no edge of the node lies within reach of the change.
+  bool outer(int node) const;
+  // Whether one does not.
+  bool meets_outer(int node) const;
+
+  const StreetSettings& settings;
+  Streets streets;
+  std::vector<const StreetAxis*> axes;  // by edge
+  std::vector<Arm> arms;                // by slot
+  std::vector<Junction> junctions;      // by node
+
+ private:
+  void add_arms(int edge);
+  void sort_ends();
+};
+
+}  // namespace streetgen

@@ -1,0 +1,236 @@
+#include "roadway/node_corner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Beyond this angle from a to b the corner lies outside a bend and has no arc.
+constexpr double widest_corner = 200 * M_PI / 180;
+// From here on the borders are nearly one line: an arc that does not fit is left out.
+constexpr double nearly_straight = 160 * M_PI / 180;
+
+constexpr double shortest_arc = 5e-3;  // metres
+
+double heading(const Arm& arm, double abscissa) {
+  const Point d = place_at(arm.line, abscissa).point - arm.line.front();
+  return std::atan2(d.y, d.x);
+}
+
+// Each as wide as at its node.
+std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
+  return corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius);
+}
+std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radius_limit) {
+  return max_corner_radius(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius_limit);
+}
+
+}  // namespace
+
+double angle_between(const Arm& a, const Arm& b) {
+  const double from = heading(a, std::min(1.0, length(a.line)));
+  const double to = heading(b, std::min(1.0, length(b.line)));
+  return std::fmod(to - from + 4 * M_PI, 2 * M_PI);
+}
+
+namespace {
+
+// The kerb lines alone, where there is no arc: they cross, or one arm's flat end sticks out.
+void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
+                       SolvedCorner& solved) {
+  if (angle >= M_PI) return;
+  const auto crossing = corner_arc(a, b, 0);
+  const Point node = planar(a.line.front());
+  if (crossing && distance(crossing->centre, node) <= reach) {
+    solved.gap = {true, *crossing};
+    solved.limit_a = crossing->abscissa_a;
+    solved.limit_b = crossing->abscissa_b;
+    return;
+  }
+  const Point along_a = place_at(a.line, 0).direction, along_b = place_at(b.line, 0).direction;
+  solved.limit_b = std::max(0.0, dot(left_normal(along_a) * a.half_start, along_b));
+  solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.half_start, along_a));
+}
+
+SolvedCorner without_arc(const Arm& a, const Arm& b, const CornerWish& wish) {
+  SolvedCorner solved;
+  solved.method = wish.radius <= 0 ? Method::hypothesis : Method::no_arc;
+  solve_without_arc(a, b, angle_between(a, b), wish.max_arc_distance, solved);
+  return solved;
+}
+
+bool cuts(const CornerArc& arc, const Arm& arm) {
+  return distance_to_line(arc.centre, arm.line) < arm.half_start + arc.radius - 1e-3;
+}
+
+}  // namespace
+
+std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
+  std::vector<std::size_t> order(arms.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t i, double at) {
+    return heading(arms[i], std::min(at, length(arms[i].line)));
+  };
+  std::vector<double> near(arms.size());
+  for (std::size_t i = 0; i < arms.size(); ++i) near[i] = key(i, 1);
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return near[i] != near[j] ? near[i] < near[j] : i < j;
+  });
+  // Arms that leave together part later: the one that turns left comes after.
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const std::size_t i = order[k], j = order[k + 1];
+    if (near[j] - near[i] > 1e-6) continue;
+    for (double at = 2; at < 64; at *= 2) {
+      const double turn = std::remainder(key(j, at) - key(i, at), 2 * M_PI);
+      if (std::abs(turn) <= 1e-6) continue;
+      if (turn < 0) std::swap(order[k], order[k + 1]);
+      break;
+    }
+  }
+  return order;
+}
+
+namespace {
+
+const Point& start_of(const Arm& arm) { return arm.line.front(); }
+const Point& start_of(const Course& course) { return course.front().line.front(); }
+
+// On two arms, or on two courses.
+template <class Street>
+std::optional<SolvedCorner> solve_arc(const Street& a, const Street& b, double angle,
+                                      const CornerWish& wish) {
+  if (angle > widest_corner || wish.radius <= 0) return std::nullopt;
+  SolvedCorner solved;
+  const Point node = planar(start_of(a));
+  const auto near = [&](const CornerArc& c) {
+    return distance(c.centre, node) <= wish.max_arc_distance;
+  };
+  auto found = corner_arc(a, b, wish.radius);
+  if (!found && angle < nearly_straight) {
+    const auto largest = max_corner_radius(a, b, wish.radius);
+    if (largest && *largest > 0.001) found = corner_arc(a, b, *largest);
+    solved.method = Method::radius_reduced;
+  }
+  if (found && !near(*found)) {
+    double least = std::min(wish.radius_minimal, found->radius);
+    solved.method = Method::radius_minimal;
+    for (double high = found->radius; wish.by_hand && high - least > 1e-7;) {
+      const double middle = (least + high) / 2;
+      const auto tried = corner_arc(a, b, middle);
+      (tried && near(*tried) ? least : high) = middle;
+      if (least == middle) solved.method = Method::radius_reduced;
+    }
+    found = corner_arc(a, b, least);
+    if (found && !near(*found) && angle >= nearly_straight) found.reset();
+  }
+  // Borders that are one line touch the circle in one point: no arc is needed.
+  if (!found || distance(found->arc.start, found->arc.end) < shortest_arc) return std::nullopt;
+  solved.gap = {true, *found};
+  solved.limit_a = found->abscissa_a;
+  solved.limit_b = found->abscissa_b;
+  return solved;
+}
+
+}  // namespace
+
+SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish) {
+  const auto solved = solve_arc(a, b, angle_between(a, b), wish);
+  return solved ? *solved : without_arc(a, b, wish);
+}
+
+SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
+                          const CornerWish& wish) {
+  const std::size_t next = (i + 1) % arms.size();
+  const Arm &a = *arms[i], &b = *arms[next];
+  const double angle = angle_between(a, b);
+  SolvedCorner solved = solve_corner(a, b, wish);
+  if (solved.gap.corner.radius > 0 && angle >= nearly_straight)
+    for (std::size_t third = 0; third < arms.size(); ++third)
+      if (third != i && third != next && cuts(solved.gap.corner, *arms[third])) {
+        solved = without_arc(a, b, wish);
+        break;
+      }
+  solved.gap.angle = angle;
+  return solved;
+}
+
+namespace {
+
+double widest_half(const Course& course) {
+  return std::max_element(course.begin(), course.end(),
+                          [](const Leg& l, const Leg& m) { return l.half < m.half; })
+      ->half;
+}
+
+// Up to the arc its circle fits nowhere between the two: farther apart, one comes back there.
+bool beside_each_other(const Course& a, const Course& b, const CornerArc& corner) {
+  const Line on_a = walked(a, corner.abscissa_a), on_b = walked(b, corner.abscissa_b);
+  const double apart = widest_half(a) + widest_half(b) + 2 * corner.radius + 1e-3;
+  const auto all_near = [&](const Line& line, const Line& other) {
+    return std::all_of(line.begin(), line.end(),
+                       [&](const Point& p) { return distance_to_line(p, other) <= apart; });
+  };
+  return all_near(on_a, on_b) && all_near(on_b, on_a);
+}
+
+}  // namespace
+
+bool may_follow(const Arm& a, const Arm& b) { return angle_between(a, b) < nearly_straight; }
+
+std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,
+                                          const Course& onwards_b, const CornerWish& wish) {
+  auto solved = solve_arc(onwards_a, onwards_b, angle_between(a, b), wish);
+  if (!solved || !beside_each_other(onwards_a, onwards_b, solved->gap.corner)) return std::nullopt;
+  const auto crossing = corner_arc(onwards_a, onwards_b, 0);
+  if (!crossing || !beside_each_other(onwards_a, onwards_b, *crossing)) return std::nullopt;
+  solved->gap.angle = angle_between(a, b);
+  solved->gap.beyond = cusp(onwards_a, onwards_b, *crossing, solved->gap.corner);
+  solved->gap.meets = false;
+  solved->method = Method::followed;
+  return solved;
+}
+
+void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner) {
+  a.limit = std::max(a.limit, std::min(corner.limit_a, length(a.line)));
+  b.limit = std::max(b.limit, std::min(corner.limit_b, length(b.line)));
+}
+
+double kerb_clear_limit(const Arm& arm, double limit) {
+  const double total = length(arm.line);
+  const auto clear = [&](double abscissa) {
+    poll_cancel();
+    const double half = half_at(arm, abscissa), window = 4 * half;
+    const Line near =
+        substring(arm.line, std::max(0.0, abscissa - window), std::min(total, abscissa + window));
+    if (near.size() <= 2) return true;
+    const double given = std::abs(arm.half_end - arm.half_start) / std::max(total, 1e-9) * window;
+    for (const Point& kerb : border_across(arm, abscissa))
+      if (comes_within(kerb, near, half - given - 1e-4)) return false;
+    return true;
+  };
+  if (limit >= total || clear(limit)) return limit;
+  std::vector<double> tries;
+  double abscissa = 0;
+  for (std::size_t i = 1; i + 1 < arm.line.size(); ++i) {
+    abscissa += distance(arm.line[i - 1], arm.line[i]);
+    if (abscissa > limit + 4 * half_at(arm, limit) + 20) break;
+    const Point before = unit(arm.line[i] - arm.line[i - 1]);
+    const Point after = unit(arm.line[i + 1] - arm.line[i]);
+    const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
+    const double clear_by = half_at(arm, abscissa) * std::tan(std::min(turn, 3.0) / 2);
+    tries.push_back(abscissa + std::max(clear_by, 0.1) + 1e-6);
+  }
+  for (double step = 0.25; step <= 20; step += 0.25) tries.push_back(limit + step);
+  std::sort(tries.begin(), tries.end());
+  for (const double candidate : tries)
+    if (candidate > limit && candidate < total && clear(candidate)) return candidate;
+  return limit;
+}
+
+}  // namespace streetgen

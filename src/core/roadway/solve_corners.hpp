@@ -1,0 +1,12 @@
+// The corners of every node.  StreetGen paper, section 2.4.
+#pragma once
+
+#include "roadway/layout.hpp"
+#include "roadway/street_override.hpp"
+
+namespace streetgen {
+
+// Corners, gaps and transitions come out, and how far each arm's limit must lie for them.
+void solve_corners(Layout& layout, const RadiiByHand& by_hand);
+
+}  // namespace streetgen

@@ -1,0 +1,400 @@
+#include "roadway/surface_ring.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "geometry/surface_union.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr int corner_quarter = 16;
+constexpr int join_quarter = 8;
+
+// A ring in the making; `whole` ends once a piece did not fit.
+struct Outline {
+  Ring ring;
+  bool whole = true;
+
+  // The kerb's inner points: a border line or a corner already gave an end where one is left out.
+  void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
+    follow(kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side), with_first, with_last);
+  }
+  void follow(const Kerb& kerb, bool with_first, bool with_last) {
+    whole = whole && kerb.whole;
+    for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
+      ring.push_back(kerb.line[i]);
+  }
+
+  // An end of a border line, in the place of what the kerb before it gave there.
+  void reach(const Point& border) {
+    while (!ring.empty() && distance(ring.back(), border) <= same_place) ring.pop_back();
+    ring.push_back(border);
+  }
+};
+
+Point kerb_at_node(const Arm& arm, int side) {
+  return kerb_line(arm.line, 0, 0, arm.half_start, arm.half_end, side).line.front();
+}
+
+// An arc that starts where a border line ends starts at that end.
+void append_corner(Ring& ring, const CornerArc& corner) {
+  if (ring.empty() || distance(ring.back(), corner.arc.start) > same_place)
+    ring.push_back(corner.arc.start);
+  if (corner.radius > 0) {
+    // Clockwise about its centre, but for the slight outside of a nearly straight pair.
+    const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
+    const bool outside = cross(from, to) > 0 && dot(from, to) > 0;
+    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside, corner_quarter);
+  }
+  ring.push_back(corner.arc.end);
+}
+
+// Where the circle touches the round end of an arm behind the node: along that end.
+void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
+  ring.push_back(from);
+  const Point in = from - node, out = to - node;
+  if (cross(in, out) > 1e-9 || dot(in, out) < 0)
+    append_arc(ring, node, from, to, true, join_quarter);
+  ring.push_back(to);
+}
+
+bool as_wide(const Arm& a, const Arm& b) {
+  return std::abs(a.half_start - b.half_start) <= same_width;
+}
+
+// Whether the outside of a bend is round. Two streets of different width that leave within a right
+// angle of each other are no bend but a fork: behind the node both end flat.
+bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
+  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
+}
+
+void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
+  const Point node = planar(a.line.front());
+  if (!gap.meets) {
+    outline.follow(a, a.limit, 0, +1, false, true);
+    if (rounds(a, b, gap))
+      append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
+    outline.follow(b, 0, b.limit, -1, true, false);
+    return;
+  }
+  const CornerArc& corner = gap.corner;
+  outline.follow(a, a.limit, corner.abscissa_a, +1, false, false);
+  if (corner.abscissa_a == 0)
+    append_round_end(outline.ring, node, kerb_at_node(a, +1), corner.arc.start);
+  append_corner(outline.ring, corner);
+  if (corner.abscissa_b == 0)
+    append_round_end(outline.ring, node, corner.arc.end, kerb_at_node(b, -1));
+  outline.follow(b, corner.abscissa_b, b.limit, -1, false, false);
+}
+
+Polygon fan(const Point& centre, const Point& from, const Point& to) {
+  Ring ring{centre, from};
+  append_arc(ring, centre, from, to, true, join_quarter);
+  ring.push_back(to);
+  return {closed(std::move(ring))};
+}
+
+// Between the two axes and the arc: the ground that the corner adds.
+Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
+  Ring ring = planar(substring(a.line, 0, gap.corner.abscissa_a));
+  if (gap.corner.abscissa_a == 0)
+    append_round_end(ring, ring.front(), kerb_at_node(a, +1), gap.corner.arc.start);
+  append_corner(ring, gap.corner);
+  const Line back = planar(substring(b.line, gap.corner.abscissa_b, 0));
+  if (gap.corner.abscissa_b == 0)
+    append_round_end(ring, back.back(), gap.corner.arc.end, kerb_at_node(b, -1));
+  ring.insert(ring.end(), back.begin(), back.end());
+  return {closed(std::move(ring))};
+}
+
+// Left and right of a segment's end, each as far as its half width.
+Line across(const Point& foot, const Point& normal, double left, double right) {
+  return {foot + normal * left, foot - normal * right};
+}
+
+// Quads about the segments and fans about the bends; the first and the last quad end on `from` and
+// `to`, where these are given.
+MultiPolygon pieces(const Line& line, const std::vector<double>& left,
+                    const std::vector<double>& right, const Line& from, const Line& to) {
+  MultiPolygon out;
+  const auto add = [&](Polygon polygon) {
+    if (!polygon.front().empty()) out.push_back(std::move(polygon));
+  };
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point normal = left_normal(unit(line[i] - line[i - 1]));
+    const bool last = i + 1 == line.size();
+    const Line start =
+        i == 1 && !from.empty() ? from : across(line[i - 1], normal, left[i - 1], right[i - 1]);
+    const Line end = last && !to.empty() ? to : across(line[i], normal, left[i], right[i]);
+    // The axis points are part of the ring, so that fans and quads share whole edges.
+    add({closed({start[0], line[i - 1], start[1], end[1], line[i], end[0]})});
+    if (last) break;
+    const Point next = left_normal(unit(line[i + 1] - line[i]));
+    const double turn = cross(normal, next);
+    if (std::abs(turn) < 1e-12 && dot(normal, next) > 0) continue;
+    if (turn > 0)
+      add(fan(line[i], end[1], line[i] - next * right[i]));
+    else
+      add(fan(line[i], line[i] + next * left[i], end[0]));
+  }
+  return out;
+}
+
+Polygon disc(const Point& centre, double radius) {
+  Ring ring;
+  for (int i = 0; i <= 4 * join_quarter; ++i) {
+    const double angle = 2 * M_PI * (i % (4 * join_quarter)) / (4 * join_quarter);
+    ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle), 0});
+  }
+  return {ring};
+}
+
+MultiPolygon arm_pieces(const Arm& arm, double start, double end, const Line& from,
+                        const Line& to) {
+  const Line part = distinct(planar(substring(arm.line, start, end)));
+  std::vector<double> half(part.size());
+  double abscissa = start;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (i > 0) abscissa += distance(part[i - 1], part[i]);
+    half[i] = half_at(arm, abscissa);
+  }
+  return pieces(part, half, half, from, to);
+}
+
+// The ring's vertex nearest to p moves there, or p becomes one on the nearest segment; false where
+// the ring comes nowhere near.
+bool pass_through(Ring& ring, const Point& p) {
+  std::size_t vertex = 0, segment = 0;
+  double to_vertex = distance(ring[0], p), to_segment = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (const double off = distance(ring[i], p); off < to_vertex) {
+      to_vertex = off;
+      vertex = i;
+    }
+    if (const double off = distance_to_segment(p, ring[i - 1], ring[i]); off < to_segment) {
+      to_segment = off;
+      segment = i;
+    }
+  }
+  if (to_vertex <= same_place) {
+    ring[vertex] = p;
+    if (vertex == 0 || vertex + 1 == ring.size()) ring.front() = ring.back() = p;
+    return true;
+  }
+  if (to_segment > same_place) return false;
+  ring.insert(ring.begin() + segment, p);
+  return true;
+}
+
+// A union of pieces with the ends of its border lines, where they lie on its boundary: pieces that
+// meet there may differ by the noise of coordinates.
+MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>& borders) {
+  MultiPolygon moved = surface;
+  std::vector<Ring*> rings;
+  for (Polygon& polygon : moved)
+    for (Ring& ring : polygon) rings.push_back(&ring);
+  for (const Line& border : borders)
+    for (const Point& end : border)
+      std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
+  return same(moved, surface) || !geos.valid(moved) ? surface : moved;
+}
+
+double angle_about(const Point& node, const Point& p) {
+  const Point d = p - node;
+  return std::atan2(d.y, d.x);
+}
+
+// The arm that comes last before a point, counter-clockwise about the node.
+std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
+  const Point& node = arms.front().line.front();
+  const double angle = angle_about(node, p);
+  std::size_t last = 0;
+  double least = 7;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const double of_arm = angle_about(node, place_at(arms[i].line, 1).point);
+    const double turn = std::fmod(angle - of_arm + 4 * M_PI, 2 * M_PI);
+    if (turn >= least) continue;
+    least = turn;
+    last = i;
+  }
+  return last;
+}
+
+// How much a street turns that goes on from one arm to the other.
+double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
+  double angle = 0;
+  for (std::size_t i = from; i != to; i = (i + 1) % gaps.size()) angle += gaps[i].angle;
+  return std::abs(angle - M_PI);
+}
+
+// Whether a street goes on nearly straight to the other arm, and no other one straighter; where it
+// keeps its width, no other one that does.
+bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t from,
+             std::size_t to) {
+  constexpr double nearly_straight = 20 * M_PI / 180;
+  const double own = bend(gaps, from, to);
+  if (own >= nearly_straight) return false;
+  const bool keeps_width = as_wide(arms[from], arms[to]);
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (i != from && i != to && bend(gaps, i, to) < own &&
+        (!keeps_width || as_wide(arms[i], arms[to])))
+      return false;
+  return true;
+}
+
+// Axis and kerbs of every arm: the arc of two arms may cut a third one that leaves between them,
+// and the kerbs of a short one may end beyond its neighbour's. Where the flat end of an arm reaches
+// past its neighbours' axes, their kerbs hold, but beside an arm that goes on from it.
+bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
+            const std::vector<Gap>& gaps) {
+  constexpr double step = 1.0, inwards = 1e-3;  // metres
+  const Ground ground(surface);
+  const auto held = [&](std::size_t arm, const Point& p) {
+    if (ground.holds(p)) return true;
+    const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
+    return at != arm && next != arm && !goes_on(arms, gaps, arm, at) &&
+           !goes_on(arms, gaps, arm, next);
+  };
+  const auto lines_at = [](const Arm& arm, double abscissa) {
+    const Line border = border_across(arm, abscissa);
+    const Point across = unit(border[1] - border[0]) * inwards;
+    return std::array{border[0] + across, (border[0] + border[1]) * 0.5, border[1] - across};
+  };
+  std::vector<double> cuts;
+  // Straight lines that cross nothing are inside where their ends are.
+  const auto covers_whole = [&](const auto& first, const auto& last) {
+    cuts.clear();
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      ground.cut(first[i], last[i], cuts);
+      if (!cuts.empty() || !ground.holds(first[i]) || !ground.holds(last[i])) return false;
+    }
+    return true;
+  };
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    const Arm& arm = arms[k];
+    if (arm.limit <= 0) continue;
+    const auto clamped = [&](double abscissa) {
+      return std::clamp(abscissa, inwards, arm.limit - inwards);
+    };
+    if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
+        covers_whole(lines_at(arm, clamped(0)), lines_at(arm, clamped(arm.limit))))
+      continue;
+    const int steps = static_cast<int>(std::ceil(arm.limit / step));
+    for (int i = 0; i <= steps; ++i)
+      for (const Point& p : lines_at(arm, clamped(arm.limit * i / steps)))
+        if (!held(k, p)) return false;
+  }
+  return true;
+}
+
+// What a simple outline holds; of any other nothing.
+MultiPolygon held_by(Geos& geos, Outline outline) {
+  MultiPolygon held;
+  if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;
+  held.emplace_back().push_back(std::move(outline.ring));
+  if (!geos.valid(held)) held.clear();
+  return held;
+}
+
+}  // namespace
+
+Ring closed(Ring ring) {
+  const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= 1e-9; };
+  ring.erase(std::unique(ring.begin(), ring.end(), together), ring.end());
+  while (ring.size() > 1 && together(ring.back(), ring.front())) ring.pop_back();
+  if (ring.size() < 3) return {};
+  ring.push_back(ring.front());
+  return ring;
+}
+
+Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner) {
+  Outline outline;
+  outline.ring.push_back(crossing.centre);
+  outline.follow(kerb_line(a, crossing.abscissa_a, corner.abscissa_a, +1), false, false);
+  append_corner(outline.ring, corner);
+  outline.follow(kerb_line(b, corner.abscissa_b, crossing.abscissa_b, -1), false, false);
+  outline.ring = closed(std::move(outline.ring));
+  if (outline.ring.empty() || !outline.whole) return {};
+  return {outline.ring};
+}
+
+Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
+                    const Line& end_border) {
+  Outline outline;
+  outline.reach(start_border[1]);
+  outline.follow(arm, start, end, -1, false, false);
+  outline.reach(end_border[1]);
+  outline.reach(end_border[0]);
+  outline.follow(arm, end, start, +1, false, false);
+  outline.reach(start_border[0]);
+  outline.ring = closed(std::move(outline.ring));
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty()) return {std::move(held), false};
+  const MultiPolygon parts = arm_pieces(arm, start, end, start_border, end_border);
+  return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
+          true};
+}
+
+Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+  Outline outline;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    outline.reach(arms[i].border[1]);
+    outline.reach(arms[i].border[0]);
+    append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
+  }
+  outline.reach(arms.front().border[1]);
+  outline.ring = closed(std::move(outline.ring));
+  std::vector<Line> borders;
+  for (const Arm& arm : arms) borders.push_back(arm.border);
+  const auto whole = [&](const std::vector<MultiPolygon>& parts) {
+    return ending_on(geos, united(geos, parts), borders);
+  };
+  std::vector<MultiPolygon> parts;
+  for (const Gap& gap : gaps)
+    if (!gap.beyond.empty()) parts.push_back({gap.beyond});
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty() && covers(held, arms, gaps)) {
+    if (parts.empty()) return {std::move(held), false};
+    parts.push_back(std::move(held));
+    return {whole(parts), false};
+  }
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
+    if (a.limit > 0) parts.push_back(arm_pieces(a, 0, a.limit, {}, a.border));
+    if (gaps[i].meets) {
+      const Polygon ground = fillet(a, b, gaps[i]);
+      if (!ground.front().empty()) parts.push_back({ground});
+    } else if (rounds(a, b, gaps[i])) {
+      const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
+      if (!join.front().empty()) parts.push_back({join});
+    }
+  }
+  if (parts.empty()) return {};
+  return {whole(parts), true};
+}
+
+MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
+                          const std::vector<double>& right, bool round_ends) {
+  MultiPolygon all = pieces(line, left, right, {}, {});
+  if (round_ends) {
+    all.push_back(disc(line.front(), std::max(left.front(), right.front())));
+    all.push_back(disc(line.back(), std::max(left.back(), right.back())));
+  }
+  return geos.polygons(geos.unite({all}).get());
+}
+
+MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
+                           const std::vector<double>& right, const Line& from, const Line& to) {
+  const MultiPolygon parts = pieces(line, left, right, from, to);
+  return ending_on(geos, geos.polygons(geos.unite({parts}).get()), {from, to});
+}
+
+}  // namespace streetgen

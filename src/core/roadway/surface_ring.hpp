@@ -1,0 +1,39 @@
+// Rings put together piece by piece, and what holds when that fails.
+#pragma once
+
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "roadway/arm.hpp"
+#include "roadway/course.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// Between the kerbs that leave `crossing` (left of a, right of b) and the arc of `corner`.
+Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner);
+
+// Without repeated points; empty when fewer than three remain.
+Ring closed(Ring ring);
+
+struct Built {
+  MultiPolygon surface;
+  bool by_union = false;
+};
+
+// The part of one axis between two abscissas; its ends are the given borders (left, right).
+Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
+                    const Line& end_border);
+
+// gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.
+Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
+
+// The union of quads, bends and discs: holds for any line.
+MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
+                          const std::vector<double>& right, bool round_ends);
+
+// The same with flat ends: the given borders (left, right along the line).
+MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
+                           const std::vector<double>& right, const Line& from, const Line& to);
+
+}  // namespace streetgen

@@ -1,0 +1,345 @@
+#include "streetgen/interconnection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
+#include "traffic/kerb_clear_path.hpp"
+#include "traffic/plausibility.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// A driver slows down to this share of the speed, and bears this acceleration to the side.
+constexpr double slowed_down = 0.15;
+constexpr double lateral_acceleration = 3;  // m/s2
+constexpr double car_radius = 3;            // metres, least of a car's path
+
+constexpr double same_direction = 1e-3;  // radians
+constexpr double angle_step = 1e-6;      // degrees, to which angles are rounded
+
+double least_radius(double speed) {
+  const double v = slowed_down * speed / 3.6;
+  return std::max(car_radius, v * v / lateral_acceleration);
+}
+
+double rounded(double angle) {
+  const double steps = std::round(angle / angle_step);
+  return steps * angle_step <= -180 + angle_step / 2 ? 180 : steps * angle_step + 0.0;
+}
+
+// From the place of the first point to the next place; zero where there is none.
+template <class At>
+Point leaving(At first, At end) {
+  const auto next =
+      std::find_if(first, end, [&](const Point& p) { return distance(p, *first) > 0; });
+  return next == end ? Point{} : unit(*next - *first);
+}
+
+struct EdgeLanes {
+  std::size_t first = 0, count = 0;
+};
+
+// A leg of the node, with the lanes behind each of its ends.
+struct NodeLeg {
+  int edge = 0;
+  bool at_start = true;
+  std::vector<int> in, out;  // indices of lanes, from left to right in their driving direction
+};
+
+class Builder {
+ public:
+  Builder(const Streets& streets, const std::vector<StreetAxis>& axes,
+          const std::vector<Lane>& lanes, const InterconnectionSettings& settings)
+      : streets_(streets), lanes_(lanes), settings_(settings) {
+    for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    const auto& edges = streets.network.edges;
+    of_edge_.resize(edges.size());
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      EdgeLanes& own = of_edge_[lanes[i].edge];
+      if (own.count++ == 0) own.first = i;
+    }
+    legs_.resize(streets.network.nodes.size());
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      legs_[edges[e].from_node].push_back(leg_of(e, true));
+      legs_[edges[e].to_node].push_back(leg_of(e, false));
+    }
+  }
+
+  std::vector<Interconnection> run(const std::vector<TurnRestriction>& restrictions) {
+    restrict(restrictions);
+    for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
+      if (!streets_.asked_nodes[n]) continue;
+      poll_cancel();
+      tell_progress("interconnections", n, legs_.size());
+      join(n);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::int64_t axis_of(const NodeLeg& leg) const {
+    return streets_.network.edges[leg.edge].axis_id;
+  }
+
+  NodeLeg leg_of(int edge, bool at_start) const {
+    NodeLeg leg{edge, at_start, {}, {}};
+    const EdgeLanes& own = of_edge_[edge];
+    for (std::size_t i = own.first; i < own.first + own.count; ++i) {
+      if (lanes_[i].kind == LaneKind::parking) continue;
+      (lanes_[i].along_axis == at_start ? leg.out : leg.in).push_back(static_cast<int>(i));
+    }
+    // Positions run from the left kerb in the direction of the axis.
+    std::reverse((at_start ? leg.in : leg.out).begin(), (at_start ? leg.in : leg.out).end());
+    return leg;
+  }
+
+  // Where the lane ends on the axis of its edge.
+  double end_abscissa(const Lane& lane, bool at_front) const {
+    const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
+    if (!limits_crossed(streets_, lane.edge)) return at_front ? start->abscissa : end->abscissa;
+    return at_front ? std::min(start->wanted_abscissa, end->wanted_abscissa)
+                    : std::max(start->wanted_abscissa, end->wanted_abscissa);
+  }
+
+  // Of the lane in the point order of the axis.  Taken from the axis, so that it does not depend
+  // on where the lane's far end lies, unless a bend left the lane another last segment.
+  Point direction_at(const Lane& lane, bool at_front) const {
+    const Line& axis = streets_.network.edges[lane.edge].line;
+    const Roadway& roadway = streets_.roadways[lane.edge];
+    const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
+    const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
+    const Point along = place_at(axis, end_abscissa(lane, at_front)).direction;
+    const Point direction = unit(along + left_normal(along) * (share * widening));
+    const Point own = at_front ? leaving(lane.line.begin(), lane.line.end())
+                               : leaving(lane.line.rbegin(), lane.line.rend()) * -1;
+    return norm(own) == 0 || norm(own - direction) < same_direction ? direction : own;
+  }
+
+  LaneEnd end_of(int index, bool comes_in) const {
+    const Lane& lane = lanes_[index];
+    const bool at_front = lane.along_axis != comes_in;
+    LaneEnd end{lane.kind, lane.turns, {}, {}};
+    end.place = planar(at_front ? lane.line.front() : lane.line.back());
+    end.direction = direction_at(lane, at_front) * (lane.along_axis ? 1 : -1);
+    return end;
+  }
+
+  LaneToNode to_node(int index, const LaneEnd& end, const NodeLeg& leg, int border) const {
+    const Lane& lane = lanes_[index];
+    const Roadway& roadway = streets_.roadways[leg.edge];
+    LaneToNode out{end, {}, border};
+    out.line = lane_to_node(streets_.network.edges[leg.edge].line, roadway.width / 2,
+                            roadway.width_end / 2, end_abscissa(lane, leg.at_start), end.place,
+                            leg.at_start);
+    if (lane.along_axis == leg.at_start) out.end.direction = end.direction * -1;
+    return out;
+  }
+
+  Kerbs kerbs_of(int node) const {
+    std::vector<Line> borders;
+    for (const NodeLeg& leg : legs_[node])
+      borders.push_back(streets_.limits[2 * leg.edge + (leg.at_start ? 0 : 1)].border_line);
+    const auto found = std::lower_bound(
+        streets_.intersections.begin(), streets_.intersections.end(), node,
+        [](const Intersection& intersection, int wanted) { return intersection.node < wanted; });
+    const bool there = found != streets_.intersections.end() && found->node == node;
+    return Kerbs(there ? found->surface : MultiPolygon{}, borders);
+  }
+
+  Leg ends_of(const NodeLeg& leg) const {
+    Leg ends;
+    for (const int lane : leg.in) ends.in.push_back(end_of(lane, true));
+    for (const int lane : leg.out) ends.out.push_back(end_of(lane, false));
+    ends.importance = axes_.at(axis_of(leg))->importance;
+    return ends;
+  }
+
+  void restrict(const std::vector<TurnRestriction>& restrictions) {
+    std::unordered_map<std::int64_t, std::vector<int>> nodes_of;
+    for (const TurnRestriction& r : restrictions) {
+      nodes_of[r.from_axis];
+      nodes_of[r.to_axis];
+    }
+    for (const Edge& edge : streets_.network.edges) {
+      const auto found = nodes_of.find(edge.axis_id);
+      if (found == nodes_of.end()) continue;
+      for (const int node : {edge.from_node, edge.to_node})
+        if (std::find(found->second.begin(), found->second.end(), node) == found->second.end())
+          found->second.push_back(node);
+    }
+    for (const TurnRestriction& r : restrictions) {
+      const std::vector<int>&from = nodes_of[r.from_axis], &to = nodes_of[r.to_axis];
+      int best = -1;
+      double least = 3 * settings_.node_tolerance;
+      for (const int node : from) {
+        const double away = distance(streets_.network.nodes[node].point, r.via);
+        if (away > least || (away == least && best >= 0) ||
+            std::find(to.begin(), to.end(), node) == to.end())
+          continue;
+        best = node;
+        least = away;
+      }
+      if (best >= 0) restrictions_[best].push_back(&r);
+    }
+  }
+
+  // Whether a restriction speaks of the movement, whatever it says of it.
+  bool concerns(const TurnRestriction& r, const NodeLeg& from, const NodeLeg& to,
+                const std::vector<NodeLeg>& legs, double angle) const {
+    if (axis_of(from) != r.from_axis || axis_of(to) != r.to_axis) return false;
+    const auto ends = [&](std::int64_t axis) {
+      return std::count_if(legs.begin(), legs.end(),
+                           [&](const NodeLeg& leg) { return axis_of(leg) == axis; });
+    };
+    const bool certain = ends(r.from_axis) == 1 && ends(r.to_axis) == 1;
+    return certain || !r.turn || *r.turn == turn_of(angle);
+  }
+
+  void join(int node) {
+    const std::vector<NodeLeg>& legs = legs_[node];
+    std::vector<Movement> movements;
+    for (std::size_t a = 0; a < legs.size(); ++a)
+      for (std::size_t b = 0; b < legs.size(); ++b) {
+        if (legs[a].in.empty() || legs[b].out.empty()) continue;
+        if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
+        movements.push_back({static_cast<int>(a), static_cast<int>(b), false, 0, {}, {}});
+      }
+    if (movements.empty()) return;
+    std::vector<Leg> ends;
+    for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
+    const Kerbs kerbs = kerbs_of(node);
+    std::vector<std::vector<Interconnection>> pairs;
+    for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
+    mark_restricted(node, legs, ends, movements);
+    choose_lanes(ends, movements);
+    const std::size_t first = out_.size();
+    for (std::size_t m = 0; m < movements.size(); ++m)
+      for (std::size_t p = 0; p < pairs[m].size(); ++p) {
+        pairs[m][p].plausible = movements[m].verdicts[p].plausible;
+        pairs[m][p].reason = movements[m].verdicts[p].reason;
+        out_.push_back(std::move(pairs[m][p]));
+      }
+    std::sort(
+        out_.begin() + first, out_.end(), [](const Interconnection& a, const Interconnection& b) {
+          return std::make_pair(a.lane_in, a.lane_out) < std::make_pair(b.lane_in, b.lane_out);
+        });
+  }
+
+  std::vector<Interconnection> draw(int node, const std::vector<Leg>& ends, const Kerbs& kerbs,
+                                    Movement& movement) const {
+    const NodeLeg &from = legs_[node][movement.from], &to = legs_[node][movement.to];
+    movement.least_radius =
+        least_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
+    std::vector<Interconnection> pairs;
+    for (std::size_t i = 0; i < from.in.size(); ++i)
+      for (std::size_t o = 0; o < to.out.size(); ++o) {
+        const LaneEnd &in = ends[movement.from].in[i], &out = ends[movement.to].out[o];
+        Interconnection pair;
+        pair.node = node;
+        pair.lane_in = from.in[i];
+        pair.lane_out = to.out[o];
+        pair.angle = rounded(turn_angle(in.direction, out.direction));
+        pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
+                                                                         : turn_of(pair.angle);
+        Trajectory path =
+            trajectory({in.place - in.direction, in.place}, {out.place, out.place + out.direction},
+                       streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
+                       settings_.least_radius);
+        if (kerbs.stop(path.line, movement.from, movement.to)) {
+          auto late = late_turn(to_node(from.in[i], in, from, movement.from),
+                                to_node(to.out[o], out, to, movement.to), settings_.rule,
+                                settings_.tolerance, kerbs);
+          if (late) path = std::move(*late);
+        }
+        pair.control = path.control;
+        pair.line = std::move(path.line);
+        movement.radius.push_back(quarter_radius(pair.line));
+        pairs.push_back(std::move(pair));
+      }
+    return pairs;
+  }
+
+  void mark_restricted(int node, const std::vector<NodeLeg>& legs, const std::vector<Leg>& ends,
+                       std::vector<Movement>& movements) const {
+    const auto found = restrictions_.find(node);
+    if (found == restrictions_.end()) return;
+    std::vector<bool> only(legs.size(), false);
+    std::vector<char> allowed(movements.size(), 0);
+    for (const TurnRestriction* r : found->second)
+      for (std::size_t m = 0; m < movements.size(); ++m) {
+        Movement& movement = movements[m];
+        const double angle = turn_angle(ends[movement.from].in.front().direction,
+                                        ends[movement.to].out.front().direction);
+        if (!concerns(*r, legs[movement.from], legs[movement.to], legs, angle)) continue;
+        if (r->only) {
+          only[movement.from] = true;
+          allowed[m] = 1;
+        } else {
+          movement.restricted = true;
+        }
+      }
+    for (std::size_t m = 0; m < movements.size(); ++m)
+      if (only[movements[m].from] && !allowed[m]) movements[m].restricted = true;
+  }
+
+  const Streets& streets_;
+  const std::vector<Lane>& lanes_;
+  const InterconnectionSettings& settings_;
+  std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  std::vector<EdgeLanes> of_edge_;
+  std::vector<std::vector<NodeLeg>> legs_;  // by node, in the order of edges
+  std::map<int, std::vector<const TurnRestriction*>> restrictions_;
+  std::vector<Interconnection> out_;
+};
+
+}  // namespace
+
+const char* turn_name(Turn turn) noexcept {
+  switch (turn) {
+    case Turn::through:
+      return "through";
+    case Turn::left:
+      return "left";
+    case Turn::right:
+      return "right";
+    case Turn::u_turn:
+      return "u_turn";
+  }
+  return "";
+}
+
+const char* reason_name(Reason reason) noexcept {
+  switch (reason) {
+    case Reason::lane_order:
+      return "lane_order";
+    case Reason::turn_lanes:
+      return "turn_lanes";
+    case Reason::only_way:
+      return "only_way";
+    case Reason::restriction:
+      return "restriction";
+    case Reason::lane_kind:
+      return "lane_kind";
+    case Reason::u_turn:
+      return "u_turn";
+    case Reason::radius:
+      return "radius";
+  }
+  return "";
+}
+
+std::vector<Interconnection> interconnections(const Streets& streets,
+                                              const std::vector<StreetAxis>& axes,
+                                              const std::vector<Lane>& lanes,
+                                              const std::vector<TurnRestriction>& restrictions,
+                                              const InterconnectionSettings& settings) {
+  return Builder(streets, axes, lanes, settings).run(restrictions);
+}
+
+}  // namespace streetgen

@@ -1,0 +1,31 @@
+// What a path about a node may not cross: the kerbs of its intersection.
+#pragma once
+
+#include <vector>
+
+#include "geometry/box.hpp"
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// The boundary of an intersection.  Where it runs along a border line a path may leave it: onto
+// the section behind.
+class Kerbs {
+ public:
+  // border_lines: two points each.
+  Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_lines);
+
+  // Whether the path crosses a kerb, or a border line other than the two at these places in the
+  // list, or comes nearer to a kerb than `clearance`.
+  bool stop(const Line& path, int border_in, int border_out, double clearance = 0) const;
+
+ private:
+  struct Piece {
+    Point start, end;
+    Box box;
+    int border = -1;  // the border line that it runs along; -1: it is a kerb
+  };
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace streetgen

@@ -1,0 +1,93 @@
+#include "traffic/lane_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+
+double LaneStrip::half_at(double abscissa) const {
+  if (half_start == half_end) return half_start;
+  return half_start + (half_end - half_start) * std::clamp(abscissa / length(axis), 0.0, 1.0);
+}
+
+double LaneStrip::width() const { return 2 * half_at(from); }
+
+std::vector<LaneWish> across(const AxisLanes& lanes, DrivingSide side) {
+  std::vector<LaneWish> forward = lanes.forward, backward = lanes.backward;
+  for (LaneWish& lane : forward) lane.along_axis = true;
+  for (LaneWish& lane : backward) lane.along_axis = false;
+  std::reverse(backward.begin(), backward.end());
+  auto &first = side == DrivingSide::right ? backward : forward,
+       &second = side == DrivingSide::right ? forward : backward;
+  first.insert(first.end(), second.begin(), second.end());
+  if (first.empty()) first.emplace_back();
+  return std::move(first);
+}
+
+int ordinality_of(int position, int count, LaneOrder order) {
+  // Twice the distance from the middle, in lanes: 1, 3, 5 where the count is even, else 0, 2, 4.
+  const int apart = std::abs(2 * position - count - 1);
+  if (apart == 0) return 1;
+  const bool left = 2 * position < count + 1;
+  return apart + (left == (order == LaneOrder::left_first) ? 0 : 1);
+}
+
+LaneSide side_of(int position, int count) {
+  const int twice = 2 * position - count - 1;
+  return twice < 0 ? LaneSide::left : twice > 0 ? LaneSide::right : LaneSide::centre;
+}
+
+std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
+                                double narrowest) {
+  double given = 0;
+  int open = 0;
+  for (const LaneWish& wish : wishes) {
+    given += wish.width;
+    if (wish.width <= 0) ++open;
+  }
+  const double rest = open > 0 ? std::max((width - given) / open, narrowest) : 0;
+  const double total = given + rest * open;
+  std::vector<double> shares{0};
+  double sum = 0;
+  for (const LaneWish& wish : wishes) {
+    sum += wish.width > 0 ? wish.width : rest;
+    shares.push_back(sum / total);
+  }
+  shares.back() = 1;
+  return shares;
+}
+
+namespace {
+
+// A bend beside the limit may lie behind the border line, which is normal to the axis about it.
+void drop_behind(Line& line, const Line& border, double reach) {
+  const Point onwards = left_normal(border[1] - border[0]);
+  auto first = line.begin() + 1;
+  while (first + 1 != line.end() && distance(*first, line.front()) < reach &&
+         dot(*first - line.front(), onwards) <= 0)
+    ++first;
+  line.erase(line.begin() + 1, first);
+}
+
+}  // namespace
+
+Line line_at_share(const LaneStrip& strip, double share) {
+  const double of_half = 1 - 2 * share;
+  Line line = offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
+                          of_half * strip.half_end);
+  if (line.size() < 2) line.push_back(line.front());
+  const auto on = [&](const Line& border) { return border[0] + (border[1] - border[0]) * share; };
+  line.front() = on(strip.from_border);
+  line.back() = on(strip.to_border);
+  if (share <= 0 || share >= 1) return line;  // a kerb is that of the section
+  const double reach = strip.half_at(strip.from);
+  drop_behind(line, strip.from_border, reach);
+  line = reversed(std::move(line));
+  drop_behind(line, reversed(strip.to_border), reach);
+  return reversed(std::move(line));
+}
+
+}  // namespace streetgen

@@ -1,0 +1,250 @@
+#include "traffic/marking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+#include "roadway/surface_ring.hpp"
+#include "streetgen/surface.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Metres.
+constexpr double stripe = 0.1, dash = 1.5, gap = 5;
+constexpr double longest_dashed = 1e5;  // beyond it dashes would be without number
+constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a section, for the line
+constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
+constexpr double arrow_lane = 2.5;  // the lane width that an arrow of full size asks for
+constexpr double arrow_before_end = 3;
+constexpr double shortest_band = 1e-9;
+constexpr double least_paint = 0.5;  // lanes narrower than this bear none
+
+bool painted(const Lane& lane) {
+  return lane.kind != LaneKind::parking && lane.width >= least_paint;
+}
+
+// Gives the pieces of a line between abscissas that grow, in one walk.
+template <class Use>
+void cut(const Line& line, const std::vector<std::pair<double, double>>& spans, Use use) {
+  std::size_t segment = 1;
+  double before = 0, size = distance(line[0], line[1]);
+  Line piece;
+  const auto advance_to = [&](double abscissa) {
+    while (segment + 1 < line.size() && before + size < abscissa) {
+      if (!piece.empty()) piece.push_back(line[segment]);
+      before += size;
+      ++segment;
+      size = distance(line[segment - 1], line[segment]);
+    }
+    const double t = size > 0 ? std::clamp((abscissa - before) / size, 0.0, 1.0) : 0;
+    piece.push_back(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+  };
+  for (const auto& [from, to] : spans) {
+    piece.clear();
+    advance_to(from);
+    advance_to(to);
+    use(piece);
+  }
+}
+
+Ring quad(const Point& from, const Point& to, const Point& across) {
+  return {from - across, to - across, to + across, from + across, from - across};
+}
+
+void append_band(const Line& line, double half, MultiPolygon& out) {
+  // Most dashes are straight.
+  if (line.size() == 2) {
+    const Point along = line[1] - line[0];
+    if (norm(along) > shortest_band)
+      out.emplace_back().push_back(quad(line[0], line[1], left_normal(unit(along)) * half));
+    return;
+  }
+  const Line middle = distinct(line);
+  if (middle.size() < 2) return;
+  const double total = length(middle);
+  const Kerb right = kerb_line(middle, 0, total, half, half, -1);
+  const Kerb left = kerb_line(middle, total, 0, half, half, +1);
+  Ring ring = right.line;
+  ring.insert(ring.end(), left.line.begin(), left.line.end());
+  ring = closed(std::move(ring));
+  if (ring.empty()) return;
+  if (middle.size() == 2 || (right.whole && left.whole && Geos().valid(MultiPolygon{{ring}}))) {
+    out.emplace_back().push_back(std::move(ring));
+    return;
+  }
+  const MultiPolygon built = variable_buffer(middle, std::vector<double>(middle.size(), half));
+  out.insert(out.end(), built.begin(), built.end());
+}
+
+// Whether all of the line goes within a sixth of a turn of one direction, so that it gets on by
+// half of its length at least and never comes back.
+bool goes_on(const Line& line) {
+  double turned = 0, least = 0, most = 0;
+  Point before;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    if (norm(along) == 0) continue;
+    turned += norm(before) == 0 ? 0 : std::atan2(cross(before, along), dot(before, along));
+    least = std::min(least, turned);
+    most = std::max(most, turned);
+    before = along;
+  }
+  return most - least < 2 * M_PI / 3;
+}
+
+// As many dashes as fit, as far from one end as from the other.
+std::vector<std::pair<double, double>> dashes(double total, double on, double off) {
+  const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
+  const double start = std::max(0.0, (total - count * (on + off) + off) / 2);
+  std::vector<std::pair<double, double>> spans;
+  spans.reserve(count);
+  for (int i = 0; i < count; ++i)
+    spans.emplace_back(start + i * (on + off), std::min(total, start + i * (on + off) + on));
+  return spans;
+}
+
+// Arrows are drawn towards x, from the origin, at full size.
+MultiPolygon straight_arrow() {
+  const double neck = arrow_length - arrow_head, s = arrow_shaft / 2, h = arrow_head_half;
+  return {{{{0, -s},
+            {neck, -s},
+            {neck, -h},
+            {arrow_length, 0},
+            {neck, h},
+            {neck, s},
+            {0, s},
+            {0, -s}}}};
+}
+
+constexpr double degree = M_PI / 180;
+
+// A branch from the bend of the arrow, turned by `angle` to the left.
+void append_branch(double angle, std::vector<MultiPolygon>& parts) {
+  const double bend = angle == 0 ? arrow_length - arrow_head : 1.8;
+  const Point from{bend, 0};
+  if (angle == 0) {
+    parts.push_back(straight_arrow());
+    return;
+  }
+  const Point direction{std::cos(angle), std::sin(angle)}, side = left_normal(direction);
+  const Point neck = from + direction * (std::abs(angle) > M_PI_2 ? 1.0 : 0.6);
+  parts.push_back({{quad({0, 0}, from, {0, arrow_shaft / 2})}});
+  parts.push_back({{quad(from - direction * (arrow_shaft / 2), neck, side * (arrow_shaft / 2))}});
+  const Point tip = neck + direction * (arrow_head * 0.7);
+  parts.push_back({{{neck - side * arrow_head_half, tip, neck + side * arrow_head_half,
+                     neck - side * arrow_head_half}}});
+}
+
+// From `foot`, `direction` for a full size of one metre.
+MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& direction) {
+  constexpr std::pair<unsigned, double> branches[] = {
+      {turn::reverse, 165 * degree},     {turn::sharp_left, 135 * degree},
+      {turn::left, 90 * degree},         {turn::slight_left, 45 * degree},
+      {turn::merge_left, 30 * degree},   {turn::through, 0},
+      {turn::merge_right, -30 * degree}, {turn::slight_right, -45 * degree},
+      {turn::right, -90 * degree},       {turn::sharp_right, -135 * degree}};
+  std::vector<MultiPolygon> parts;
+  for (const auto& [bit, angle] : branches)
+    if (turns & bit) append_branch(angle, parts);
+  if (parts.empty()) parts.push_back(straight_arrow());
+  const Point side = left_normal(direction);
+  for (MultiPolygon& part : parts)
+    for (Polygon& polygon : part)
+      for (Ring& ring : polygon)
+        for (Point& p : ring) p = foot + direction * p.x + side * p.y;
+  return parts.size() == 1 ? std::move(parts.front()) : geos.polygons(geos.unite(parts).get());
+}
+
+}  // namespace
+
+std::vector<NodeRank> ranks_of(const Streets& streets) {
+  std::vector<NodeRank> ranks(streets.network.nodes.size());
+  for (std::size_t e = 0; e < streets.network.edges.size(); ++e)
+    for (const int node : {streets.network.edges[e].from_node, streets.network.edges[e].to_node}) {
+      ++ranks[node].degree;
+      ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
+    }
+  return ranks;
+}
+
+MultiPolygon paint_of(const LaneSeparator& separator) {
+  if (!separator.painted) return {};
+  MultiPolygon surface;
+  const double total = length(separator.line);
+  if (!separator.dashed || total > longest_dashed) {
+    append_band(separator.line, stripe / 2, surface);
+  } else {
+    const auto spans = dashes(total, dash, gap);
+    surface.reserve(spans.size());
+    cut(separator.line, spans, [&](const Line& piece) { append_band(piece, stripe / 2, surface); });
+  }
+  if (goes_on(separator.line)) return surface;
+  // Dashes of a line that comes back may lie on each other.
+  Geos geos;
+  return geos.valid(surface) ? surface : geos.polygons(geos.unite({surface}).get());
+}
+
+void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
+                         const LaneStrip& strip, const std::vector<Lane>& lanes,
+                         std::vector<Marking>& out) {
+  if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
+  const Edge& edge = streets.network.edges[lanes.front().edge];
+  for (const bool at_start : {true, false}) {
+    const int node = at_start ? edge.from_node : edge.to_node;
+    const int lower = streets.roadways[lanes.front().edge].importance - ranks[node].importance;
+    if (ranks[node].degree < 3 || lower < 1) continue;
+    for (const Lane& lane : lanes) {
+      if (lane.along_axis == at_start || !painted(lane)) continue;
+      const Line end =
+          at_start ? substring(lane.line, 0, stop_width)
+                   : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
+      const Point inwards = end.back() - end.front();
+      const Point across = unit((at_start ? strip.from_border : strip.to_border)[1] -
+                                (at_start ? strip.from_border : strip.to_border)[0]) *
+                           (lane.width / 2);
+      const Point middle = end.front() + inwards * 0.5;
+      Marking marking;
+      marking.kind = lower > 1 ? MarkingKind::stop : MarkingKind::yield;
+      marking.edge = lane.edge;
+      marking.position = lane.position;
+      marking.node = node;
+      marking.line = {middle - across, middle + across};
+      const auto spans = lower > 1 ? std::vector<std::pair<double, double>>{{0, lane.width}}
+                                   : dashes(lane.width, yield_dash, yield_dash);
+      for (const auto& [from, to] : spans) {
+        const Line piece = substring(marking.line, from, to);
+        marking.surface.push_back(
+            {quad(piece.front(), piece.back(), left_normal(unit(across)) * (stop_width / 2))});
+      }
+      out.push_back(std::move(marking));
+    }
+  }
+}
+
+void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out) {
+  for (const Lane& lane : lanes) {
+    if (!painted(lane)) continue;
+    const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
+    const Line way = lane.along_axis ? lane.line : reversed(lane.line);
+    const double total = length(way);
+    if (total < reach) continue;
+    const double tip =
+        total > 2 * (reach + arrow_before_end) ? total - arrow_before_end : (total + reach) / 2;
+    Marking marking;
+    marking.kind = MarkingKind::arrow;
+    marking.edge = lane.edge;
+    marking.position = lane.position;
+    marking.node = lane.along_axis ? edge.to_node : edge.from_node;
+    const Point foot = place_at(way, tip - reach).point, head = place_at(way, tip).point;
+    if (distance(foot, head) < 0.9 * reach) continue;
+    marking.line = {foot, head};
+    marking.surface = arrow(geos, lane.turns, foot, unit(head - foot) * size);
+    out.push_back(std::move(marking));
+  }
+}
+
+}  // namespace streetgen

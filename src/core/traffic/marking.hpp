@@ -1,0 +1,31 @@
+// What is painted on the lanes, in the manner of French towns: stripes, stop and yield lines,
+// arrows.
+#pragma once
+
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "streetgen/lane.hpp"
+#include "traffic/lane_layout.hpp"
+
+namespace streetgen {
+
+// Who waits at a node.
+struct NodeRank {
+  int degree = 0;
+  int importance = 99;  // of its most important edge
+};
+std::vector<NodeRank> ranks_of(const Streets& streets);
+
+// Across each lane that comes to a node of three and more edges where another is more important:
+// a yield line, or a stop line where it is so by two.  None on parking and very narrow lanes.
+void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
+                         const LaneStrip& strip, const std::vector<Lane>& lanes,
+                         std::vector<Marking>& out);
+
+// The way that each lane runs, and the turns that it allows: before its end, or in the middle of
+// a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes.
+void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out);
+
+}  // namespace streetgen

@@ -1,0 +1,49 @@
+#include "frame/border.hpp"
+
+extern "C" {
+__attribute__((visibility("default"))) extern const Pg_magic_struct* Pg_magic_func(void);
+PG_MODULE_MAGIC;
+}
+
+namespace streetgen::pg {
+
+int sqlstate_of(ErrorKind kind) noexcept {
+  switch (kind) {
+    case ErrorKind::invalid_input:
+      return ERRCODE_INVALID_PARAMETER_VALUE;
+    case ErrorKind::degenerate:
+      return ERRCODE_DATA_EXCEPTION;
+    case ErrorKind::unsupported:
+      return ERRCODE_FEATURE_NOT_SUPPORTED;
+    case ErrorKind::cancelled:
+      return ERRCODE_QUERY_CANCELED;
+    case ErrorKind::leads_on:
+      return MAKE_SQLSTATE('S', 'G', '0', '0', '1');
+  }
+  return ERRCODE_INTERNAL_ERROR;
+}
+
+bool cancel_requested() noexcept { return QueryCancelPending || ProcDiePending; }
+
+void report(const Outcome& outcome) {
+  if (outcome.sqlstate == 0) return;
+  CHECK_FOR_INTERRUPTS();
+  ereport(ERROR, (errcode(outcome.sqlstate), errmsg("%s", outcome.message),
+                  outcome.hint[0] != '\0' ? errhint("%s", outcome.hint) : 0));
+}
+
+std::string_view bytes_of(Datum datum) {
+  const auto* value = reinterpret_cast<const struct varlena*>(DatumGetPointer(datum));
+  return {VARDATA_ANY(value), VARSIZE_ANY_EXHDR(value)};
+}
+
+std::string text_of(Datum datum) { return std::string(bytes_of(datum)); }
+
+Datum bytes_datum(const std::string& bytes) {
+  auto* out = static_cast<bytea*>(palloc(VARHDRSZ + bytes.size()));
+  SET_VARSIZE(out, VARHDRSZ + bytes.size());
+  memcpy(VARDATA(out), bytes.data(), bytes.size());
+  return PointerGetDatum(out);
+}
+
+}  // namespace streetgen::pg

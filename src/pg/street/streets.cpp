@@ -1,0 +1,139 @@
+// streetgen._streets: the whole pipeline over a set of axes, and the tables of what it computed.
+#include <initializer_list>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "frame/progress.hpp"
+#include "street/streets_call.hpp"
+#include "street/streets_give.hpp"
+#include "street/streets_input.hpp"
+#include "street/streets_rows.hpp"
+
+extern "C" {
+#include <utils/array.h>
+}
+
+namespace streetgen::pg {
+namespace {
+
+// As many as the hint of an error holds, with room for one more and the brace; others turn up in
+// the run with these.
+std::string array_of(const std::vector<std::int64_t>& axes) {
+  std::string text = "{" + std::to_string(axes.front());
+  for (std::size_t i = 1; i < axes.size() && text.size() + 24 < sizeof(Outcome::hint); ++i)
+    text += "," + std::to_string(axes[i]);
+  return text + "}";
+}
+
+ComputedStreets compute_streets(const StreetsCall& call) {
+  const StreetsInput input = read_input(call);
+  try {
+    return {street_model(input.model), input.srid, input.has_z};
+  } catch (const LeadsOn& leads_on) {
+    throw Error(ErrorKind::leads_on, leads_on.what(), array_of(leads_on.axes()));
+  }
+}
+
+// Computations of statements under way, by number: each is there until its statement has ended.
+class Kept {
+ public:
+  explicit Kept(ComputedStreets computed) : computed_(std::move(computed)) {
+    all()[number_] = this;
+  }
+  ~Kept() { all().erase(number_); }
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+
+  std::int64_t number() const { return number_; }
+
+  const ComputedStreets& computed() const { return computed_; }
+  bool knows(const Table& table) const { return forgotten_.count(&table) == 0; }
+  void forget(const Table& table) {
+    forgotten_.insert(&table);
+    table.forget(computed_);
+  }
+
+  static Kept* find(std::int64_t number) {
+    const auto found = all().find(number);
+    return found == all().end() ? nullptr : found->second;
+  }
+
+ private:
+  static std::unordered_map<std::int64_t, Kept*>& all() {
+    static std::unordered_map<std::int64_t, Kept*> kept;
+    return kept;
+  }
+  static std::int64_t next() {
+    static std::int64_t last = 0;
+    return ++last;
+  }
+
+  std::int64_t number_ = next();
+  ComputedStreets computed_;
+  std::unordered_set<const Table*> forgotten_;
+};
+
+Ids take_ids(FunctionCallInfo fcinfo, int argument) {
+  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
+  if (ARR_NDIM(array) > 1 || ARR_HASNULL(array))
+    ereport(ERROR,
+            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("ids are no list of numbers")));
+  return {reinterpret_cast<const std::int64_t*>(ARR_DATA_PTR(array)),
+          static_cast<std::size_t>(ArrayGetNItems(ARR_NDIM(array), ARR_DIMS(array)))};
+}
+
+// Whose ids stand in the arguments after the first, in their order.
+using IdsOf = Ids Named::*;
+
+Datum give_table(FunctionCallInfo fcinfo, const Table& table,
+                 std::initializer_list<IdsOf> arguments) {
+  Kept* kept = Kept::find(PG_GETARG_INT64(0));
+  if (kept == nullptr || !kept->knows(table))
+    ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
+                    errmsg("no streets of number %lld are kept",
+                           static_cast<long long>(PG_GETARG_INT64(0))),
+                    errhint("They are kept until the statement ends that computed them, and most "
+                            "of their rows until they were given.")));
+  Named named;
+  int argument = 0;
+  for (const IdsOf ids : arguments) named.*ids = take_ids(fcinfo, ++argument);
+  const Datum given = give(fcinfo, table, kept->computed(), named);
+  if (table.forget != nullptr) report(compute([&] { kept->forget(table); }));
+  return given;
+}
+
+}  // namespace
+}  // namespace streetgen::pg
+
+STREETGEN_FUNCTION(streetgen_streets) {
+  using namespace streetgen::pg;
+  if (PG_ARGISNULL(0) || PG_ARGISNULL(2)) PG_RETURN_NULL();
+  StreetsCall call;
+  take(fcinfo, &call);
+  Slot<Kept>* slot = make_slot<Kept>(fcinfo->flinfo->fn_mcxt);
+  begin_progress(call.axes.count);
+  const Outcome outcome = compute([&] { slot->value = new Kept(compute_streets(call)); });
+  end_progress();
+  report(outcome);
+  PG_RETURN_INT64(slot->value->number());
+}
+
+#define STREETGEN_TABLE(table, ...)                                                        \
+  STREETGEN_FUNCTION(streetgen_computed_##table) {                                         \
+    using streetgen::pg::Named;                                                            \
+    return streetgen::pg::give_table(fcinfo, streetgen::pg::table##_table, {__VA_ARGS__}); \
+  }
+
+STREETGEN_TABLE(node)
+STREETGEN_TABLE(edge)
+STREETGEN_TABLE(section_limit, &Named::edges)
+STREETGEN_TABLE(section, &Named::edges)
+STREETGEN_TABLE(corner, &Named::nodes, &Named::edges)
+STREETGEN_TABLE(intersection, &Named::nodes)
+STREETGEN_TABLE(lane, &Named::edges)
+STREETGEN_TABLE(lane_separator, &Named::edges)
+STREETGEN_TABLE(marking, &Named::nodes, &Named::edges)
+STREETGEN_TABLE(interconnection, &Named::nodes, &Named::lanes)
+STREETGEN_TABLE(report)

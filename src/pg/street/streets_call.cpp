@@ -1,0 +1,190 @@
+#include "street/streets_call.hpp"
+
+extern "C" {
+#include <access/htup_details.h>
+#include <catalog/pg_type.h>
+#include <utils/array.h>
+#include <utils/jsonb.h>
+#include <utils/typcache.h>
+}
+
+namespace streetgen::pg {
+
+namespace {
+
+// An argument that is an array of rows; NULL is none.
+struct Rows {
+  const char* of;
+  int count = 0;
+  TupleDesc type = nullptr;
+  Datum* values = nullptr;  // column by column
+  bool* nulls = nullptr;
+};
+
+Rows rows(FunctionCallInfo fcinfo, int argument, const char* of) {
+  Rows rows{of};
+  if (PG_ARGISNULL(argument)) return rows;
+  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
+  Datum* elements;
+  bool* missing;
+  deconstruct_array(array, ARR_ELEMTYPE(array), -1, false, TYPALIGN_DOUBLE, &elements, &missing,
+                    &rows.count);
+  rows.type = lookup_rowtype_tupdesc_copy(ARR_ELEMTYPE(array), -1);
+  const int width = rows.type->natts;
+  auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * width));
+  auto* nulls = static_cast<bool*>(palloc(sizeof(bool) * width));
+  rows.values = static_cast<Datum*>(
+      palloc_extended(sizeof(Datum) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
+  rows.nulls = static_cast<bool*>(
+      palloc_extended(sizeof(bool) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
+  for (int row = 0; row < rows.count; ++row) {
+    if (missing[row])
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+                      errmsg("row %d of the %s is NULL", row + 1, of)));
+    HeapTupleHeader header = DatumGetHeapTupleHeader(elements[row]);
+    HeapTupleData tuple;
+    tuple.t_len = HeapTupleHeaderGetDatumLength(header);
+    ItemPointerSetInvalid(&tuple.t_self);
+    tuple.t_tableOid = InvalidOid;
+    tuple.t_data = header;
+    heap_deform_tuple(&tuple, rows.type, values, nulls);
+    for (int i = 0; i < width; ++i) {
+      const Size at = static_cast<Size>(i) * rows.count + row;
+      rows.nulls[at] = nulls[i];
+      const bool packed = TupleDescAttr(rows.type, i)->attlen == -1 && !nulls[i];
+      rows.values[at] = packed ? PointerGetDatum(PG_DETOAST_DATUM_PACKED(values[i])) : values[i];
+    }
+  }
+  return rows;
+}
+
+// A column of the row type, by its name there; NULL where it may be missing.
+Column column_or_null(const Rows& rows, const char* name, Oid type) {
+  if (rows.type == nullptr) return {};
+  for (int i = 0; i < rows.type->natts; ++i) {
+    const FormData_pg_attribute* attribute = TupleDescAttr(rows.type, i);
+    const Size first = static_cast<Size>(i) * rows.count;
+    if (strcmp(NameStr(attribute->attname), name) == 0 && attribute->atttypid == type)
+      return {rows.values + first, rows.nulls + first};
+  }
+  elog(ERROR, "the %s have no column %s", rows.of, name);
+}
+
+Column column(const Rows& rows, const char* name, Oid type) {
+  const Column found = column_or_null(rows, name, type);
+  for (int row = 0; row < rows.count; ++row)
+    if (found.nulls[row])
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+                      errmsg("%s is NULL in row %d of the %s", name, row + 1, rows.of)));
+  return found;
+}
+
+// A JSON object of words; what is no word there has no value.
+void take_settings(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
+  auto& settings = call->settings;
+  settings.count = 0;
+  if (PG_ARGISNULL(argument)) return;
+  Jsonb* object = PG_GETARG_JSONB_P(argument);
+  if (!JB_ROOT_IS_OBJECT(object))
+    ereport(ERROR,
+            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("settings are no JSON object")));
+  const Size bytes = sizeof(char*) * (JB_ROOT_COUNT(object) + 1);
+  settings.names = static_cast<const char**>(palloc(bytes));
+  settings.values = static_cast<const char**>(palloc(bytes));
+  JsonbIterator* iterator = JsonbIteratorInit(&object->root);
+  JsonbValue item;
+  JsonbIteratorToken token;
+  while ((token = JsonbIteratorNext(&iterator, &item, true)) != WJB_DONE) {
+    const bool word = item.type == jbvString;
+    if (token == WJB_KEY)
+      settings.names[settings.count] = pnstrdup(item.val.string.val, item.val.string.len);
+    else if (token == WJB_VALUE)
+      settings.values[settings.count++] =
+          word ? pnstrdup(item.val.string.val, item.val.string.len) : nullptr;
+  }
+}
+
+}  // namespace
+
+void take(FunctionCallInfo fcinfo, StreetsCall* call) {
+  call->srid = PG_GETARG_INT32(0);
+  take_settings(fcinfo, 1, call);
+
+  const Rows axes = rows(fcinfo, 2, "axes");
+  call->axes = {axes.count,
+                column(axes, "axis_id", INT8OID),
+                column(axes, "geom", BYTEAOID),
+                column(axes, "level", INT4OID),
+                column(axes, "width", FLOAT8OID),
+                column(axes, "width_end", FLOAT8OID),
+                column(axes, "radius", FLOAT8OID),
+                column(axes, "importance", INT4OID),
+                column(axes, "speed", FLOAT8OID),
+                column(axes, "lanes_forward", INT4OID),
+                column(axes, "lanes_backward", INT4OID),
+                column_or_null(axes, "kind_forward", TEXTOID),
+                column_or_null(axes, "kind_backward", TEXTOID),
+                column_or_null(axes, "lane_width_forward", TEXTOID),
+                column_or_null(axes, "lane_width_backward", TEXTOID),
+                column_or_null(axes, "turn_forward", TEXTOID),
+                column_or_null(axes, "turn_backward", TEXTOID),
+                column(axes, "changed", BOOLOID),
+                column(axes, "outer_axis", BOOLOID)};
+
+  const Rows transitions = rows(fcinfo, 3, "transitions");
+  call->transitions = {transitions.count, column(transitions, "axis_id", INT8OID),
+                       column(transitions, "which", TEXTOID), column(transitions, "kind", TEXTOID),
+                       column(transitions, "length", FLOAT8OID)};
+
+  const Rows limits = rows(fcinfo, 4, "section limits");
+  call->limits = {limits.count, column(limits, "axis_id", INT8OID),
+                  column(limits, "abscissa", FLOAT8OID), column(limits, "which", TEXTOID)};
+
+  const Rows corners = rows(fcinfo, 5, "corners");
+  call->corners = {corners.count,
+                   column(corners, "axis_a", INT8OID),
+                   column(corners, "axis_b", INT8OID),
+                   column(corners, "x", FLOAT8OID),
+                   column(corners, "y", FLOAT8OID),
+                   column(corners, "radius", FLOAT8OID)};
+
+  const Rows lanes = rows(fcinfo, 6, "lanes");
+  call->lanes = {lanes.count,
+                 column(lanes, "axis_id", INT8OID),
+                 column(lanes, "abscissa", FLOAT8OID),
+                 column(lanes, "ordinality", INT4OID),
+                 column_or_null(lanes, "along_axis", BOOLOID),
+                 column_or_null(lanes, "width", FLOAT8OID),
+                 column_or_null(lanes, "line", BYTEAOID)};
+
+  const Rows restrictions = rows(fcinfo, 7, "turn restrictions");
+  call->restrictions = {restrictions.count,
+                        column(restrictions, "from_axis", INT8OID),
+                        column(restrictions, "to_axis", INT8OID),
+                        column(restrictions, "x", FLOAT8OID),
+                        column(restrictions, "y", FLOAT8OID),
+                        column(restrictions, "kind", TEXTOID),
+                        column_or_null(restrictions, "turn", TEXTOID)};
+
+  const Rows edges = rows(fcinfo, 8, "former edges");
+  call->former_edges = {edges.count,
+                        column(edges, "axis_id", INT8OID),
+                        column(edges, "start_abscissa", FLOAT8OID),
+                        column(edges, "end_abscissa", FLOAT8OID),
+                        column(edges, "geom", BYTEAOID),
+                        column(edges, "wanted_start", FLOAT8OID),
+                        column(edges, "start", FLOAT8OID),
+                        column(edges, "border_start", BYTEAOID),
+                        column(edges, "wanted_end", FLOAT8OID),
+                        column(edges, "end", FLOAT8OID),
+                        column(edges, "border_end", BYTEAOID),
+                        column(edges, "surface", BYTEAOID),
+                        column(edges, "contested", BOOLOID)};
+
+  const Rows nodes = rows(fcinfo, 9, "former nodes");
+  call->former_nodes = {nodes.count, column(nodes, "x", FLOAT8OID), column(nodes, "y", FLOAT8OID),
+                        column(nodes, "surface", BYTEAOID), column(nodes, "contested", BOOLOID)};
+  call->onwards = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
+}
+
+}  // namespace streetgen::pg

@@ -1,0 +1,62 @@
+// The arguments of streetgen._streets: PostgreSQL's memory, plain pointers.
+#pragma once
+
+#include "frame/border.hpp"
+
+namespace streetgen::pg {
+
+// A column of rows that are one argument together.
+struct Column {
+  const Datum* values;
+  const bool* nulls;
+};
+
+struct StreetsCall {
+  int srid;
+  struct {
+    int count;
+    const char **names, **values;  // NULL: no value
+  } settings;
+  struct {
+    int count;
+    Column axis_id, geom, level, width, width_end, radius, importance, speed;
+    Column lanes_forward, lanes_backward, kind_forward, kind_backward;
+    Column lane_width_forward, lane_width_backward, turn_forward, turn_backward;
+    Column changed, outer_axis;
+  } axes;
+  struct {
+    int count;
+    Column axis_id, which, kind, length;
+  } transitions;
+  struct {
+    int count;
+    Column axis_id, abscissa, which;
+  } limits;
+  struct {
+    int count;
+    Column axis_a, axis_b, x, y, radius;
+  } corners;
+  struct {
+    int count;
+    Column axis_id, abscissa, ordinality, along_axis, width, line;
+  } lanes;
+  struct {
+    int count;
+    Column from_axis, to_axis, x, y, kind, turn;
+  } restrictions;
+  struct {
+    int count;
+    Column axis_id, start_abscissa, end_abscissa, geom;
+    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested;
+  } former_edges;
+  struct {
+    int count;
+    Column x, y, surface, contested;
+  } former_nodes;
+  bool onwards;
+};
+
+// Raises where a row lacks a value that it needs.
+void take(FunctionCallInfo fcinfo, StreetsCall* call);
+
+}  // namespace streetgen::pg

@@ -1,0 +1,307 @@
+#include "street/streets_input.hpp"
+
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "frame/argument.hpp"
+#include "value/lane_text.hpp"
+#include "value/wkb.hpp"
+
+namespace streetgen::pg {
+
+namespace {
+
+ReadLine line_of(std::string_view wkb, const std::string& what, int srid) {
+  const ReadLine read = read_line(wkb, what);
+  if (read.srid != srid)
+    throw Error(ErrorKind::invalid_input, what + " has SRID " + std::to_string(read.srid) +
+                                              ", expected " + std::to_string(srid));
+  return read;
+}
+
+TransitionKind transition_kind_of(const std::string& word) {
+  return word_of<TransitionKind>(word, "transition_kind",
+                                 {{"symmetric", TransitionKind::symmetric},
+                                  {"left", TransitionKind::left},
+                                  {"right", TransitionKind::right}});
+}
+
+bool is_start(Datum which, const char* of) {
+  return word_of<bool>(text_of(which), of, {{"start", true}, {"end", false}});
+}
+
+std::string text_or_empty(const Column& column, int row) {
+  return column.nulls[row] ? "" : text_of(column.values[row]);
+}
+
+// Its own transitions, by axis and whether at the axis' start.
+std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const StreetsCall& call) {
+  std::map<std::pair<std::int64_t, bool>, Transition> transitions;
+  const auto& rows = call.transitions;
+  for (int i = 0; i < rows.count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(rows.axis_id.values[i]);
+    const bool start = is_start(rows.which.values[i], "transition end");
+    const double length = in_range(DatumGetFloat8(rows.length.values[i]), 0, 1000,
+                                   "transition length of axis " + std::to_string(axis_id));
+    transitions[{axis_id, start}] = {transition_kind_of(text_of(rows.kind.values[i])), length};
+  }
+  return transitions;
+}
+
+std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
+  std::vector<StreetAxis> axes;
+  std::unordered_set<std::int64_t> seen;
+  const auto transitions = transitions_of(call);
+  const auto own = [&](std::int64_t axis_id, bool at_start) {
+    const auto found = transitions.find({axis_id, at_start});
+    return found == transitions.end() ? std::nullopt : std::optional(found->second);
+  };
+  const auto& rows = call.axes;
+  for (int i = 0; i < rows.count; ++i) {
+    StreetAxis axis;
+    axis.axis_id = DatumGetInt64(rows.axis_id.values[i]);
+    const std::string of_axis = " of axis " + std::to_string(axis.axis_id);
+    if (!seen.insert(axis.axis_id).second)
+      throw Error(ErrorKind::invalid_input,
+                  "axis " + std::to_string(axis.axis_id) + " stands more than once in the list");
+    const ReadLine read =
+        line_of(bytes_of(rows.geom.values[i]), "the geometry" + of_axis, call.srid);
+    *has_z = *has_z || read.has_z;
+    axis.line = read.line;
+    const auto measure = [&](const Column& column, double low, double high, const char* name) {
+      return in_range(DatumGetFloat8(column.values[i]), low, high, name + of_axis);
+    };
+    axis.width = measure(rows.width, 1e-3, 200, "width");
+    axis.width_end = measure(rows.width_end, 1e-3, 200, "width_end");
+    axis.radius = measure(rows.radius, 0, 1000, "radius");
+    axis.importance = DatumGetInt32(rows.importance.values[i]);
+    axis.level = DatumGetInt32(rows.level.values[i]);
+    axis.speed = measure(rows.speed, 0, 1000, "speed");
+    axis.changed = DatumGetBool(rows.changed.values[i]);
+    axis.outer = DatumGetBool(rows.outer_axis.values[i]);
+    axis.transition_start = own(axis.axis_id, true);
+    axis.transition_end = own(axis.axis_id, false);
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+// The settings of the model, by name.
+class Settings {
+ public:
+  explicit Settings(const StreetsCall& call) {
+    for (int i = 0; i < call.settings.count; ++i)
+      if (call.settings.values[i] != nullptr)
+        values_[call.settings.names[i]] = call.settings.values[i];
+  }
+
+  // streetgen._default_setting() has the range of each; here stands what the core can bear.
+  double measure(const char* name, double low = 0) const {
+    const std::string& text = word(name);
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0')
+      throw Error(ErrorKind::invalid_input,
+                  "setting " + std::string(name) + " is \"" + text + "\", expected a number");
+    return in_range(value, low, 1000, "setting " + std::string(name));
+  }
+
+  template <class Meaning>
+  Meaning choice(const char* name,
+                 std::initializer_list<std::pair<const char*, Meaning>> words) const {
+    return word_of<Meaning>(word(name), name, words);
+  }
+
+  const std::string& word(const char* name) const {
+    const auto found = values_.find(name);
+    if (found == values_.end())
+      throw Error(ErrorKind::invalid_input, "setting " + std::string(name) + " has no value");
+    return found->second;
+  }
+
+ private:
+  std::map<std::string, std::string> values_;
+};
+
+StreetSettings street_settings_of(const Settings& given) {
+  StreetSettings settings;
+  settings.tolerance = given.measure("tolerance", 1e-6);
+  settings.crossing =
+      given.choice<Crossing>("crossing", {{"over", Crossing::over}, {"split", Crossing::split}});
+  settings.max_arc_distance = given.measure("max_arc_distance");
+  settings.radius_minimal = given.measure("radius_minimal");
+  settings.transition = {transition_kind_of(given.word("transition_kind")),
+                         given.measure("transition_length")};
+  settings.radius_rule = given.choice<RadiusRule>(
+      "radius_rule",
+      {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
+  settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
+  settings.max_hole_area = given.measure("max_hole_area");
+  settings.reach = given.measure("reach");
+  settings.short_axis = given.choice<ShortAxis>(
+      "short_axis", {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
+  return settings;
+}
+
+std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given) {
+  const KindWidths defaults{given.measure("cycle_lane_width"), given.measure("parking_lane_width")};
+  std::vector<LanesOfAxis> axes;
+  const auto& rows = call.axes;
+  for (int i = 0; i < rows.count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(rows.axis_id.values[i]);
+    const std::string of_axis = " of axis " + std::to_string(axis_id);
+    const auto read = [&](const Column& count, const Column& kinds, const Column& widths,
+                          const Column& turns) {
+      const int lanes =
+          static_cast<int>(in_range(DatumGetInt32(count.values[i]), 0, 100, "lanes" + of_axis));
+      return read_lanes(lanes, text_or_empty(kinds, i), text_or_empty(widths, i),
+                        text_or_empty(turns, i), defaults, of_axis);
+    };
+    axes.push_back(
+        {axis_id,
+         {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward, rows.turn_forward),
+          read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
+               rows.turn_backward)}});
+  }
+  return axes;
+}
+
+Point place_of(const Column& x, const Column& y, int row, const std::string& of) {
+  return {finite(DatumGetFloat8(x.values[row]), "x of " + of),
+          finite(DatumGetFloat8(y.values[row]), "y of " + of), 0};
+}
+
+StreetOverrides street_overrides_of(const StreetsCall& call) {
+  StreetOverrides overrides;
+  const auto& limits = call.limits;
+  for (int i = 0; i < limits.count; ++i)
+    overrides.limits.push_back(
+        {DatumGetInt64(limits.axis_id.values[i]),
+         finite(DatumGetFloat8(limits.abscissa.values[i]), "abscissa of a section limit override"),
+         is_start(limits.which.values[i], "end of a section limit override")});
+  const auto& corners = call.corners;
+  for (int i = 0; i < corners.count; ++i)
+    overrides.corners.push_back({place_of(corners.x, corners.y, i, "a corner override"),
+                                 DatumGetInt64(corners.axis_a.values[i]),
+                                 DatumGetInt64(corners.axis_b.values[i]),
+                                 in_range(DatumGetFloat8(corners.radius.values[i]), 0, 1000,
+                                          "radius of a corner override")});
+  return overrides;
+}
+
+std::vector<LaneOverride> lane_overrides_of(const StreetsCall& call) {
+  using Direction = LaneOverride::Direction;
+  std::vector<LaneOverride> overrides;
+  const auto& rows = call.lanes;
+  for (int i = 0; i < rows.count; ++i) {
+    LaneOverride put;
+    put.axis_id = DatumGetInt64(rows.axis_id.values[i]);
+    put.abscissa = DatumGetFloat8(rows.abscissa.values[i]);
+    put.ordinality = DatumGetInt32(rows.ordinality.values[i]);
+    if (!rows.along_axis.nulls[i])
+      put.direction =
+          DatumGetBool(rows.along_axis.values[i]) ? Direction::along : Direction::against;
+    if (!rows.width.nulls[i])
+      put.width =
+          in_range(DatumGetFloat8(rows.width.values[i]), 0, 200, "width of a lane override");
+    if (!rows.line.nulls[i])
+      put.line =
+          line_of(bytes_of(rows.line.values[i]),
+                  "the line of a lane override of axis " + std::to_string(put.axis_id), call.srid)
+              .line;
+    overrides.push_back(std::move(put));
+  }
+  return overrides;
+}
+
+LaneSettings lane_settings_of(const Settings& given) {
+  LaneSettings settings =
+      read_lane_settings(given.word("lane_order").c_str(), given.word("driving_side").c_str(),
+                         given.measure("lane_width_minimal"));
+  settings.edge_lines = given.choice<bool>("edge_line", {{"none", false}, {"solid", true}});
+  return settings;
+}
+
+std::vector<TurnRestriction> restrictions_of(const StreetsCall& call) {
+  std::vector<TurnRestriction> restrictions;
+  const auto& rows = call.restrictions;
+  for (int i = 0; i < rows.count; ++i) {
+    TurnRestriction restriction;
+    restriction.from_axis = DatumGetInt64(rows.from_axis.values[i]);
+    restriction.to_axis = DatumGetInt64(rows.to_axis.values[i]);
+    restriction.via = place_of(rows.x, rows.y, i, "a turn restriction");
+    restriction.only = word_of<bool>(text_of(rows.kind.values[i]), "kind of a turn restriction",
+                                     {{"no", false}, {"only", true}});
+    if (!rows.turn.nulls[i])
+      restriction.turn = word_of<Turn>(text_of(rows.turn.values[i]), "turn of a turn restriction",
+                                       {{turn_name(Turn::through), Turn::through},
+                                        {turn_name(Turn::left), Turn::left},
+                                        {turn_name(Turn::right), Turn::right},
+                                        {turn_name(Turn::u_turn), Turn::u_turn}});
+    restrictions.push_back(restriction);
+  }
+  return restrictions;
+}
+
+InterconnectionSettings interconnection_settings_of(const Settings& given) {
+  InterconnectionSettings settings;
+  settings.u_turn = given.choice<bool>("u_turn", {{"true", true}, {"false", false}});
+  settings.rule = given.choice<TrajectoryRule>(
+      "trajectory", {{"bezier", TrajectoryRule::bezier}, {"arcs", TrajectoryRule::arcs}});
+  settings.tolerance = given.measure("trajectory_tolerance", 1e-3);
+  settings.least_radius = given.measure("trajectory_radius");
+  settings.node_tolerance = given.measure("tolerance", 1e-6);
+  return settings;
+}
+
+FormerSurface former_surface(const Column& surface, const Column& contested, int row) {
+  return {read_surface(bytes_of(surface.values[row]), "a former surface"),
+          DatumGetBool(contested.values[row])};
+}
+
+Former former_of(const StreetsCall& call) {
+  Former former;
+  const auto& edges = call.former_edges;
+  for (int i = 0; i < edges.count; ++i) {
+    const auto limit = [&](const Column& wanted, const Column& abscissa, const Column& border) {
+      return FormerLimit{DatumGetFloat8(wanted.values[i]), DatumGetFloat8(abscissa.values[i]),
+                         read_line(bytes_of(border.values[i]), "a former border line").line};
+    };
+    former.edges.push_back({DatumGetInt64(edges.axis_id.values[i]),
+                            DatumGetFloat8(edges.start_abscissa.values[i]),
+                            DatumGetFloat8(edges.end_abscissa.values[i]),
+                            read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
+                            limit(edges.wanted_start, edges.start, edges.border_start),
+                            limit(edges.wanted_end, edges.end, edges.border_end),
+                            former_surface(edges.surface, edges.contested, i)});
+  }
+  const auto& nodes = call.former_nodes;
+  for (int i = 0; i < nodes.count; ++i)
+    former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
+                            former_surface(nodes.surface, nodes.contested, i)});
+  former.onwards = call.onwards;
+  return former;
+}
+
+}  // namespace
+
+StreetsInput read_input(const StreetsCall& call) {
+  const Settings settings(call);
+  StreetsInput input;
+  input.srid = call.srid;
+  input.model.axes = axes_of(call, &input.has_z);
+  input.model.settings = street_settings_of(settings);
+  input.model.former = former_of(call);
+  input.model.lanes = lanes_of(call, settings);
+  input.model.overrides = street_overrides_of(call);
+  input.model.lane_overrides = lane_overrides_of(call);
+  input.model.lane_settings = lane_settings_of(settings);
+  input.model.restrictions = restrictions_of(call);
+  input.model.interconnection_settings = interconnection_settings_of(settings);
+  return input;
+}
+
+}  // namespace streetgen::pg

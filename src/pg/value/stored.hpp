@@ -1,0 +1,18 @@
+// Geometries as PostGIS 3 stores them (GSERIALIZED, second form), its varlena head included: what
+// is written so is a geometry, and nothing has to read it first.
+#pragma once
+
+#include <memory>
+
+#include "streetgen/geometry.hpp"
+#include "value/wkb.hpp"
+
+namespace streetgen::pg {
+
+using Stored = std::unique_ptr<char[]>;
+
+Stored stored_point(const Point& point, Form form);
+Stored stored_line(const Line& line, Form form);
+Stored stored_surface(const MultiPolygon& surface, Form form);  // MULTIPOLYGON
+
+}  // namespace streetgen::pg

@@ -1,0 +1,97 @@
+#include "streetgen/corner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+namespace {
+
+Line ray(double angle, double size) {
+  return {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}};
+}
+
+double degrees(double d) { return d * M_PI / 180; }
+
+// Two straight axes: the derivation is in docs/geometry.md.
+TEST(CornerArc, StraightAxesHaveTheDerivedLimit) {
+  for (const double phi : {30., 60., 90., 120., 150.}) {
+    const double p = degrees(phi), a = 3.5, b = 3.5, r = 5;
+    const auto corner = corner_arc(ray(0, 100), ray(p, 100), 2 * a, 2 * b, r);
+    ASSERT_TRUE(corner) << phi;
+    EXPECT_NEAR(corner->abscissa_a, ((b + r) + (a + r) * std::cos(p)) / std::sin(p), 1e-9) << phi;
+  }
+}
+
+TEST(CornerArc, TouchesAxesWithoutWidth) {
+  const auto corner = corner_arc(ray(0, 100), ray(degrees(90), 100), 0, 0, 5);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(distance(corner->centre, {5, 5, 0}), 0, 1e-9);
+  EXPECT_NEAR(corner->abscissa_a, 5, 1e-9);
+  EXPECT_NEAR(corner->abscissa_b, 5, 1e-9);
+}
+
+TEST(CornerArc, TouchesBothBordersWhateverTheWidthsAndTheAngle) {
+  std::mt19937_64 random(20261121);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * (random() >> 11) * 0x1p-53;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const double start = between(0, 2 * M_PI), phi = degrees(between(20, 160));
+    const double wa = between(3, 20), wb = between(3, 20), r = between(0.15, 15);
+    const Line a = ray(start, 500), b = ray(start + phi, 500);
+    const auto corner = corner_arc(a, b, wa, wb, r);
+    ASSERT_TRUE(corner) << wa << ' ' << wb << ' ' << phi;
+    EXPECT_NEAR(distance_to_line(corner->centre, a), wa / 2 + r, 1e-6);
+    EXPECT_NEAR(distance_to_line(corner->centre, b), wb / 2 + r, 1e-6);
+    EXPECT_NEAR(distance_to_line(corner->arc.start, a), wa / 2, 1e-6);
+    EXPECT_NEAR(distance_to_line(corner->arc.end, b), wb / 2, 1e-6);
+    for (const Point& p : {corner->arc.start, corner->arc.middle, corner->arc.end})
+      EXPECT_NEAR(distance(p, corner->centre), r, 1e-6);
+  }
+}
+
+TEST(CornerArc, LiesCounterClockwiseFromAToB) {
+  const auto corner = corner_arc(ray(0, 50), ray(degrees(90), 50), 6, 6, 4);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(corner->centre.x, 7, 1e-9);
+  EXPECT_NEAR(corner->centre.y, 7, 1e-9);
+  EXPECT_NEAR(corner->arc.start.y, 3, 1e-9);
+  EXPECT_NEAR(corner->arc.end.x, 3, 1e-9);
+}
+
+// b runs back beside a: the centre nearest to the node by Euclid is found on the bend.
+TEST(CornerArc, FindsTheCornerOfBentAxes) {
+  const Line a{{0, 0, 0}, {20, 0, 0}, {20, 30, 0}};
+  const Line b{{0, 0, 0}, {0, 40, 0}};
+  const auto corner = corner_arc(a, b, 6, 6, 4);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(corner->centre.x, 7, 1e-9);
+  EXPECT_NEAR(corner->centre.y, 7, 1e-9);
+}
+
+TEST(CornerArc, NoneWhereOneAxisLiesWithinTheOther) {
+  const Line a = ray(0, 30), b = ray(degrees(2), 10);
+  EXPECT_FALSE(corner_arc(a, b, 20, 4, 5));
+  EXPECT_FALSE(arc_centre(a, b, 20, 4, 5));
+}
+
+TEST(MaxCornerRadius, EqualsTheDerivedOne) {
+  for (const double phi : {40., 60., 90., 120.}) {
+    const double p = degrees(phi), a = 3, b = 4, size = 30;
+    const auto radius = max_corner_radius(ray(0, size), ray(p, 300), 2 * a, 2 * b);
+    const double fits_a = (size * std::sin(p) - b - a * std::cos(p)) / (1 + std::cos(p));
+    ASSERT_TRUE(radius);
+    EXPECT_NEAR(*radius, fits_a, 1e-5) << phi;
+  }
+}
+
+TEST(MaxCornerRadius, NoneWhereNotEvenTheBordersMeet) {
+  EXPECT_FALSE(max_corner_radius(ray(0, 2), ray(degrees(10), 2), 6, 6));
+}
+
+}  // namespace
+}  // namespace streetgen

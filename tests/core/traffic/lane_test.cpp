@@ -1,0 +1,369 @@
+#include "streetgen/lane.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "random_town.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+namespace {
+
+AxisLanes general(int forward, int backward) {
+  return {std::vector<LaneWish>(forward), std::vector<LaneWish>(backward)};
+}
+
+const Line straight{{0, 0, 0}, {100, 0, 0}};
+
+std::vector<Lane> on_straight(const AxisLanes& wanted, LaneSettings settings = {},
+                              double width = 12) {
+  return axis_lanes(straight, width, width, wanted, settings);
+}
+
+std::vector<int> ordinalities(int count, LaneOrder order) {
+  LaneSettings settings;
+  settings.order = order;
+  std::vector<int> out;
+  for (const Lane& lane : on_straight(general(count, 0), settings)) out.push_back(lane.ordinality);
+  return out;
+}
+
+TEST(Lane, IsNumberedFromTheMiddleOutwards) {
+  using V = std::vector<int>;
+  EXPECT_EQ(ordinalities(1, LaneOrder::left_first), (V{1}));
+  EXPECT_EQ(ordinalities(2, LaneOrder::left_first), (V{1, 2}));
+  EXPECT_EQ(ordinalities(3, LaneOrder::left_first), (V{2, 1, 3}));
+  EXPECT_EQ(ordinalities(4, LaneOrder::left_first), (V{3, 1, 2, 4}));
+  EXPECT_EQ(ordinalities(5, LaneOrder::left_first), (V{4, 2, 1, 3, 5}));
+  EXPECT_EQ(ordinalities(2, LaneOrder::right_first), (V{2, 1}));
+  EXPECT_EQ(ordinalities(3, LaneOrder::right_first), (V{3, 1, 2}));
+  EXPECT_EQ(ordinalities(4, LaneOrder::right_first), (V{4, 2, 1, 3}));
+}
+
+TEST(Lane, RunsAlongTheAxisOnTheSideThatOneDrivesOn) {
+  for (const DrivingSide side : {DrivingSide::left, DrivingSide::right}) {
+    LaneSettings settings;
+    settings.driving_side = side;
+    for (const Lane& lane : on_straight(general(3, 1), settings)) {
+      const bool on_own_side = side == DrivingSide::right ? lane.position > 1 : lane.position < 4;
+      EXPECT_EQ(lane.along_axis, on_own_side);
+      EXPECT_LT(lane.line.front().x, lane.line.back().x) << "lines keep the order of the axis";
+    }
+  }
+}
+
+TEST(Lane, SharesTheRoadwayEquallyAndKnowsItsSide) {
+  const std::vector<Lane> lanes = on_straight(general(2, 1));
+  ASSERT_EQ(lanes.size(), 3u);
+  const LaneSide sides[] = {LaneSide::left, LaneSide::centre, LaneSide::right};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(lanes[i].width, 4, 1e-12);
+    EXPECT_NEAR(lanes[i].axis_offset, 4 - 4 * i, 1e-12);
+    EXPECT_NEAR(lanes[i].line.front().y, 4 - 4 * i, 1e-12);
+    EXPECT_EQ(lanes[i].side, sides[i]);
+    EXPECT_NEAR(area(lanes[i].surface), 400, 1e-9);
+  }
+}
+
+TEST(Lane, KeepsItsOwnWidthAndLeavesTheRestToTheOthers) {
+  AxisLanes wanted = general(3, 1);
+  wanted.forward[2].width = 1.5;
+  wanted.forward[2].kind = LaneKind::cycle;
+  const std::vector<Lane> lanes = on_straight(wanted);
+  EXPECT_NEAR(lanes[3].width, 1.5, 1e-12);
+  EXPECT_EQ(lanes[3].kind, LaneKind::cycle);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(lanes[i].width, 3.5, 1e-12);
+}
+
+TEST(Lane, FillsTheRoadwayInProportionWhereWidthsDoNotSumToIt) {
+  AxisLanes wanted = general(2, 0);
+  wanted.forward[0].width = 4;
+  wanted.forward[1].width = 2;
+  EXPECT_NEAR(on_straight(wanted, {}, 3)[0].width, 2, 1e-12);
+  EXPECT_NEAR(on_straight(wanted, {}, 12)[0].width, 8, 1e-12);
+  wanted.forward[1].width = 0;  // nothing left: as if it were as narrow as may be
+  const std::vector<Lane> lanes = on_straight(wanted, {}, 3);
+  EXPECT_NEAR(lanes[0].width, 2, 1e-12);
+  EXPECT_NEAR(lanes[1].width, 1, 1e-12);
+}
+
+TEST(Lane, WithoutAnyWishIsOneAlongTheAxis) {
+  const std::vector<Lane> lanes = on_straight({});
+  ASSERT_EQ(lanes.size(), 1u);
+  EXPECT_TRUE(lanes[0].along_axis);
+  EXPECT_EQ(lanes[0].side, LaneSide::centre);
+}
+
+TEST(Lane, FollowsAWidthThatChanges) {
+  const std::vector<Lane> lanes = axis_lanes(straight, 6, 12, general(1, 1), {});
+  EXPECT_NEAR(lanes[0].line.front().y, 1.5, 1e-12);
+  EXPECT_NEAR(lanes[0].line.back().y, 3, 1e-12);
+  EXPECT_NEAR(area(lanes[0].surface), 450, 1e-9);
+}
+
+Line random_line(std::mt19937_64& random, int points, double step) {
+  Line line{{0, 0, 0}};
+  double heading = 0;
+  for (int i = 1; i < points; ++i) {
+    heading += (random() % 1000 / 1000.0 - 0.5) * 1.2;
+    const Point last = line.back();
+    line.push_back({last.x + step * std::cos(heading), last.y + step * std::sin(heading), 0});
+  }
+  return line;
+}
+
+TEST(OffsetLine, LiesAtItsOffset) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 50; ++i) {
+    const Line axis = random_line(random, 4, 30);
+    for (const double offset : {-3.0, -0.5, 0.5, 3.0}) {
+      const Line line = offset_line(axis, offset, offset);
+      ASSERT_GE(line.size(), 2u);
+      for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        const Point middle = (line[k] + line[k + 1]) * 0.5;
+        EXPECT_NEAR(distance_to_line(middle, axis), std::abs(offset), 0.01 * std::abs(offset));
+        EXPECT_GT(offset * cross(place_at(axis, 0).direction, line.front() - axis.front()), 0);
+      }
+    }
+  }
+}
+
+// Bends tighter than the offset: what is nearer to the axis than the offset must go.
+TEST(OffsetLine, HasNoLoopInATightBend) {
+  Line axis{{0, 0, 0}};
+  for (int i = 0; i <= 16; ++i) {
+    const double angle = -M_PI_2 + M_PI * i / 16;
+    axis.push_back({50 + 2 * std::cos(angle), 2 + 2 * std::sin(angle), 0});
+  }
+  axis.push_back({0, 24, 0});
+  const Line inside = offset_line(axis, 3, 3);
+  double nearest = 3;
+  for (const Point& p : inside) nearest = std::min(nearest, distance_to_line(p, axis));
+  EXPECT_NEAR(nearest, 3, 1e-6);
+  const Line outside = offset_line(axis, -3, -3);
+  for (const Point& p : outside) EXPECT_NEAR(distance_to_line(p, axis), 3, 0.05);
+}
+
+std::vector<StreetAxis> bent_town(unsigned seed, int count) {
+  std::mt19937_64 random(seed);
+  const std::vector<Point> places = random_places(random, count / 2);
+  std::vector<StreetAxis> axes;
+  for (int i = 0; i < count; ++i) {
+    const Point &a = places[random() % places.size()], &b = places[random() % places.size()];
+    if (distance(a, b) < 1) continue;
+    const Point bend = (a + b) * 0.5 + left_normal(b - a) * (random() % 100 / 300.0 - 0.15);
+    StreetAxis axis;
+    axis.axis_id = i + 1;
+    axis.line = {a, bend, b};
+    axis.width = 3 + random() % 120 / 10.0;
+    axis.width_end = i % 3 == 0 ? 3 + random() % 120 / 10.0 : axis.width;
+    axis.radius = random() % 80 / 10.0;
+    axis.importance = 1 + random() % 5;
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
+std::vector<LanesOfAxis> random_lanes(unsigned seed, int count) {
+  std::mt19937_64 random(seed);
+  std::vector<LanesOfAxis> axes;
+  for (int i = 0; i < count; ++i) {
+    axes.push_back({i + 1, general(random() % 4, random() % 3)});
+    for (LaneWish& wish : axes.back().lanes.forward) {
+      wish.width = random() % 3 == 0 ? 1 + random() % 3 : 0;
+      wish.turns = random() % 1024;
+    }
+  }
+  return axes;
+}
+
+struct Town {
+  Streets streets;
+  Lanes lanes;
+};
+
+constexpr unsigned towns = 3;
+
+const Town& town(unsigned seed) {
+  static std::map<unsigned, Town> made;
+  const auto found = made.find(seed);
+  if (found != made.end()) return found->second;
+  StreetSettings settings;
+  settings.crossing = Crossing::split;
+  Town town{streetgen::streets(bent_town(seed, 30), settings), {}};
+  LaneSettings with_edges;
+  with_edges.edge_lines = true;
+  town.lanes = lanes(town.streets, random_lanes(seed, 30), {}, with_edges);
+  return made.emplace(seed, std::move(town)).first->second;
+}
+
+TEST(Lanes, TileTheirSection) {
+  for (unsigned seed = 1; seed <= towns; ++seed) {
+    const Town& made = town(seed);
+    Geos geos;
+    std::vector<double> sum(made.streets.sections.size());
+    for (const Lane& lane : made.lanes.lanes) {
+      EXPECT_TRUE(geos.valid(geos.surface(lane.surface).get()));
+      sum[lane.edge] += area(lane.surface);
+    }
+    for (const Section& section : made.streets.sections) {
+      if (section.method == Method::crossed_limits) {
+        EXPECT_EQ(sum[section.edge], 0);
+      }
+      if (section.method == Method::hypothesis && section.contested_area == 0) {
+        EXPECT_NEAR(sum[section.edge], area(section.surface), 1e-6 * area(section.surface));
+      }
+    }
+  }
+}
+
+TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
+  for (unsigned seed = 1; seed <= towns; ++seed) {
+    const Town& made = town(seed);
+    for (const Lane& lane : made.lanes.lanes) {
+      const SectionLimit &start = made.streets.limits[2 * lane.edge],
+                         &end = made.streets.limits[2 * lane.edge + 1];
+      const Line axis = planar(made.streets.network.edges[lane.edge].line);
+      const bool crossed = start.method == Method::crossed_limits;
+      const double u =
+          crossed ? std::min(start.wanted_abscissa, end.wanted_abscissa) : start.abscissa;
+      const double v =
+          crossed ? std::max(start.wanted_abscissa, end.wanted_abscissa) : end.abscissa;
+      const Point from = place_at(axis, u).point, to = place_at(axis, v).point;
+      EXPECT_NEAR(distance(lane.line.front(), from), std::abs(lane.axis_offset), 0.02);
+      EXPECT_LT(distance(lane.line.back(), to), 8);
+      if (v - u > 1) {
+        EXPECT_GT(dot(lane.line[1] - lane.line[0], place_at(axis, u).direction), 0);
+      }
+    }
+  }
+}
+
+TEST(Lanes, AreNumberedOncePerEdge) {
+  const Town& made = town(3);
+  std::vector<std::vector<int>> seen(made.streets.network.edges.size());
+  for (const Lane& lane : made.lanes.lanes) seen[lane.edge].push_back(lane.ordinality);
+  for (std::vector<int>& ordinality : seen) {
+    std::sort(ordinality.begin(), ordinality.end());
+    ASSERT_FALSE(ordinality.empty());
+    for (std::size_t i = 0; i < ordinality.size(); ++i)
+      EXPECT_EQ(ordinality[i], static_cast<int>(i) + 1);
+  }
+}
+
+TEST(Lanes, DoNotDependOnTheOrderOfWishes) {
+  const Streets streets = streetgen::streets(random_town(4, 20), {});
+  std::vector<LanesOfAxis> axes = random_lanes(4, 20);
+  const Lanes first = lanes(streets, axes, {}, {});
+  std::reverse(axes.begin(), axes.end());
+  const Lanes second = lanes(streets, axes, {}, {});
+  ASSERT_EQ(first.lanes.size(), second.lanes.size());
+  ASSERT_EQ(first.markings.size(), second.markings.size());
+  for (std::size_t i = 0; i < first.lanes.size(); ++i)
+    EXPECT_EQ(first.lanes[i].width, second.lanes[i].width);
+}
+
+TEST(Lane, AlongABentAxisHasNoPointTwice) {
+  const Line bent{{0, 0, 0}, {100, 0, 0}, {140, 30, 0}, {180, 0, 0}, {180, 90, 0}};
+  const std::vector<Lane> made = axis_lanes(bent, 4, 4, general(1, 0), {});
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].line.size(), bent.size());
+  for (std::size_t i = 1; i < made[0].line.size(); ++i)
+    EXPECT_GT(distance(made[0].line[i - 1], made[0].line[i]), 1);
+}
+
+TEST(Lanes, MarkingsAreValidSurfaces) {
+  Geos geos;
+  const Town& made = town(2);
+  ASSERT_FALSE(made.lanes.markings.empty());
+  for (const Marking& marking : made.lanes.markings) {
+    EXPECT_GT(area(marking.surface), 0);
+    EXPECT_TRUE(geos.valid(geos.surface(marking.surface).get()))
+        << "kind " << static_cast<int>(marking.kind) << " of edge " << marking.edge;
+  }
+  for (const LaneSeparator& separator : made.lanes.separators)
+    EXPECT_TRUE(geos.valid(geos.surface(paint_of(separator)).get()));
+}
+
+// East, west and south of the origin; the street south is the less important one.
+Streets tee(int lower_importance) {
+  return streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 8, 8, 5, 3},
+                  {2, {{0, 0, 0}, {100, 0, 0}}, 0, 8, 8, 5, 3},
+                  {3, {{0, 0, 0}, {0, -100, 0}}, 0, 6, 6, 5, lower_importance}},
+                 {});
+}
+
+int count_of(const Lanes& lanes, MarkingKind kind) {
+  return std::count_if(lanes.markings.begin(), lanes.markings.end(),
+                       [&](const Marking& marking) { return marking.kind == kind; });
+}
+
+TEST(Lanes, OfALessImportantStreetWait) {
+  const std::vector<LanesOfAxis> two_ways{
+      {1, general(1, 1)}, {2, general(1, 1)}, {3, general(1, 1)}};
+  EXPECT_EQ(count_of(lanes(tee(3), two_ways, {}, {}), MarkingKind::yield), 0);
+  const Lanes yields = lanes(tee(4), two_ways, {}, {});
+  ASSERT_EQ(count_of(yields, MarkingKind::yield), 1);
+  EXPECT_EQ(count_of(yields, MarkingKind::stop), 0);
+  for (const Marking& marking : yields.markings) {
+    if (marking.kind != MarkingKind::yield) continue;
+    // Towards the node one drives north, on the east half of the 6 m wide street.
+    const double low = std::min(marking.line.front().x, marking.line.back().x);
+    EXPECT_NEAR(low, 0, 1e-9);
+    EXPECT_NEAR(length(marking.line), 3, 1e-9);
+  }
+  EXPECT_EQ(count_of(lanes(tee(5), two_ways, {}, {}), MarkingKind::stop), 1);
+}
+
+TEST(Lanes, PartDirectionsByACentreLine) {
+  const Lanes made =
+      lanes(tee(3), {{1, general(2, 1)}, {2, general(2, 0)}, {3, general(1, 1)}}, {}, {});
+  std::vector<SeparatorKind> kinds;
+  std::vector<bool> dashed;
+  for (const LaneSeparator& separator : made.separators) {
+    kinds.push_back(separator.kind);
+    dashed.push_back(separator.dashed);
+  }
+  EXPECT_EQ(kinds,
+            (std::vector<SeparatorKind>{SeparatorKind::centre, SeparatorKind::same_direction,
+                                        SeparatorKind::same_direction, SeparatorKind::centre}));
+  EXPECT_EQ(dashed, (std::vector<bool>{false, true, true, true}));
+}
+
+TEST(Lanes, OfAnEndlessStreetAreStillLanes) {
+  const Lanes made = lanes(streets({{1, {{-1e12, 0, 0}, {1e12, 5, 0}}, 0, 8, 8, 5, 3}}, {}),
+                           {{1, general(1, 1)}}, {}, {});
+  ASSERT_EQ(made.lanes.size(), 2u);
+  ASSERT_EQ(made.separators.size(), 1u);
+  EXPECT_EQ(paint_of(made.separators[0]).size(), 1u);
+}
+
+TEST(Lanes, ObeyOverridesOfTheirPlace) {
+  using Direction = LaneOverride::Direction;
+  const std::vector<LanesOfAxis> axes{{1, general(1, 1)}, {2, general(1, 1)}, {3, general(1, 1)}};
+  const Lanes made = lanes(tee(3), axes,
+                           {{1, 10, 2, Direction::against, 0},
+                            {2, 10, 1, Direction::as_is, 2.5},
+                            {2, 10, 7, Direction::along, 9},
+                            {3, 1e6, 1, Direction::along, 9}},
+                           {});
+  ASSERT_EQ(made.lanes.size(), 6u);
+  EXPECT_EQ(made.lanes[0].method, Method::hypothesis);
+  EXPECT_EQ(made.lanes[1].method, Method::by_hand);
+  EXPECT_FALSE(made.lanes[1].along_axis);
+  EXPECT_NEAR(made.lanes[1].width, 4, 1e-12);
+  EXPECT_NEAR(made.lanes[2].width, 2.5, 1e-12);
+  EXPECT_NEAR(made.lanes[3].width, 5.5, 1e-12);
+  EXPECT_NEAR(made.lanes[4].width, 3, 1e-12);
+  EXPECT_FALSE(made.lanes[4].along_axis);
+}
+
+}  // namespace
+}  // namespace streetgen
