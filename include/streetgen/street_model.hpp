@@ -9,7 +9,14 @@
 
 namespace streetgen {
 
+// What is computed on the roadway.  A subject that needs another one comes out empty without it.
+struct Subjects {
+  bool lane = true;             // lanes, separators and markings
+  bool interconnection = true;  // needs lane
+};
+
 struct StreetModelInput {
+  Subjects subjects;
   std::vector<StreetAxis> axes;
   StreetSettings settings;
   StreetOverrides overrides;

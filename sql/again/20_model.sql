@@ -92,9 +92,12 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 
-CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
+    subjects text[] DEFAULT NULL) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    wanted constant text[] := streetgen._with_needs(subjects);
 BEGIN
     IF model IS NULL OR model = '' THEN
         RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023', HINT = 'It names the schema of the model''s tables.';
@@ -114,20 +117,16 @@ BEGIN
     EXECUTE format('CREATE SCHEMA %I', model);
     EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     PERFORM streetgen._make_street_tables(model, srid, dimension);
-    PERFORM streetgen._make_lane_tables(model, srid);
-    PERFORM streetgen._make_interconnection_tables(model, srid);
+    PERFORM streetgen._make_decision_tables(model, srid);
+    PERFORM streetgen._make_subject_tables(model, srid, wanted);
     EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
     EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._register_model(model, srid, dimension);
     PERFORM streetgen._add_tables(model, srid);
-    PERFORM streetgen._make_views(model);
-    PERFORM streetgen._make_functions(model);
-    PERFORM streetgen._make_remap(model);
-    PERFORM streetgen._make_edit_views(model);
-    PERFORM streetgen._make_edit_log(model);
+    PERFORM streetgen._make_dependents(model);
     PERFORM streetgen._comment_model(model);
 END $$;
-COMMENT ON FUNCTION streetgen.create_model(name, integer, integer) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). An existing schema: 42P06; an unfit SRID: 22023 with a hint; a role that may not create schemas: 42501.';
+COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[]) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). dimension: 3 keeps the heights of axes and nodes. subjects: what is computed besides network and surface, each with what it needs (streetgen.subject lists them); NULL: all of today; another word: 22023. An existing schema: 42P06; an unfit SRID: 22023 with a hint; a role that may not create schemas: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -193,11 +192,7 @@ BEGIN
     PERFORM streetgen._register_model(schema, srid, dimension);
     PERFORM streetgen._add_tables(schema, srid);
     before := streetgen._relations(schema);
-    PERFORM streetgen._make_views(schema);
-    PERFORM streetgen._make_functions(schema);
-    PERFORM streetgen._make_remap(schema);
-    PERFORM streetgen._make_edit_views(schema);
-    PERFORM streetgen._make_edit_log(schema);
+    PERFORM streetgen._make_dependents(schema);
     PERFORM streetgen._hand_over(schema, before);
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);

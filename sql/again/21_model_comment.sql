@@ -229,7 +229,9 @@ CREATE OR REPLACE FUNCTION streetgen._comment_model(model name) RETURNS void
 DECLARE
     remark record;
 BEGIN
-    FOR remark IN SELECT * FROM streetgen._model_column() LOOP
+    FOR remark IN SELECT * FROM streetgen._model_column() c
+        WHERE to_regclass(format('%I.%I', model, c.relation)) IS NOT NULL
+    LOOP
         EXECUTE format('COMMENT ON COLUMN %I.%I.%I IS %L', model, remark.relation, remark.attribute, remark.description);
     END LOOP;
 END $$;

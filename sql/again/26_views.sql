@@ -1,5 +1,27 @@
 -- Views of a model: its axes with the values used, and what is seen of several tables at once.
 
+CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('conflict', 'interconnection') $$;
+COMMENT ON FUNCTION streetgen._subject_view() IS
+    'The views of a model that are there only while it computes a subject.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_conflict_view(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
+SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b,
+       CASE WHEN a.lane_out = b.lane_out THEN 'merging' ELSE 'crossing' END AS kind,
+       CASE WHEN a.lane_out = b.lane_out THEN ST_EndPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom
+FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
+WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -77,14 +99,9 @@ WITH RECURSIVE crossed AS (
 )
 SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id) GROUP BY node_id, i.level
 $sql$, model);
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
-SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b,
-       CASE WHEN a.lane_out = b.lane_out THEN 'merging' ELSE 'crossing' END AS kind,
-       CASE WHEN a.lane_out = b.lane_out THEN ST_EndPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom
-FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
-WHERE a.connecting AND b.connecting AND a.lane_in <> b.lane_in AND (a.lane_out = b.lane_out OR ST_Intersects(a.geom, b.geom))
-$sql$, model);
+    IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_conflict_view(model);
+    END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
 SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind, importance, e.level, e.width, e.lane_count, surface
@@ -97,7 +114,6 @@ FROM %1$I.intersection i LEFT JOIN LATERAL (
 LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.roadway IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without overlap. An intersection is named after its first edge: the most important, then the widest, then that of the smallest axis_id'$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, or merge in one lane; geom is where'$sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the smallest node of each names it'$sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';

@@ -11,12 +11,12 @@ COMMENT ON FUNCTION streetgen._filled(text, jsonb) IS 'A text with its places, {
 CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, whole boolean, bare boolean DEFAULT false, first boolean DEFAULT false) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT jsonb_build_object('model', quote_ident(model), 'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
+    SELECT jsonb_build_object('subjects', streetgen._subjects(model), 'model', quote_ident(model), 'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
         'whole', whole, 'bare', bare, 'first', first, 'by_key', CASE WHEN whole THEN '' ELSE 'OFFSET 0' END,
         'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
             format('streetgen._with_height(c.geom, (SELECT a.geom FROM %I.axis a WHERE a.axis_id = c.axis_id))', model) END)
     FROM streetgen.model m WHERE m.name = model $$;
-COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean, boolean) IS 'The places of the one statement. {model}: the schema; {quoted_model}: the same between quotes; {srid}; {whole}: all axes are asked, {bare}: no derived row is there, {first}: none of the asked axes, and what is there was computed with them: true or false, which the planner takes out. {by_key}: where rows are few beside those of the model, keeps a lateral subquery apart, so that it is looked up row by row and not joined. {geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
+COMMENT ON FUNCTION streetgen._upsert_places(name, boolean, boolean, boolean) IS 'The places of the one statement, with the subjects that the model computes. {model}: the schema; {quoted_model}: the same between quotes; {srid}; {whole}: all axes are asked, {bare}: no derived row is there, {first}: none of the asked axes, and what is there was computed with them: true or false, which the planner takes out. {by_key}: where rows are few beside those of the model, keeps a lateral subquery apart, so that it is looked up row by row and not joined. {geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.
 CREATE OR REPLACE FUNCTION streetgen._with_height(place geometry, axis geometry) RETURNS geometry
@@ -34,7 +34,7 @@ CREATE OR REPLACE FUNCTION streetgen._columns_of(name text, columns text) RETURN
     AS $$ SELECT regexp_replace(columns, '\w+', name || '.\&', 'g') $$;
 COMMENT ON FUNCTION streetgen._columns_of(text, text) IS 'A list of columns, each with the name of the row that has it.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, id text, columns text, rows text, same text DEFAULT NULL,
+CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, columns text, rows text,
     named boolean DEFAULT false, there text DEFAULT NULL) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -87,18 +87,34 @@ gone_{relation} AS (
             'on_conflict', CASE WHEN bare THEN '' ELSE format(E'\n    ON CONFLICT (%s) DO UPDATE SET (%s) = ROW (%s)',
                 id, others, streetgen._columns_of('excluded', others)) END,
             'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M'))))
-    FROM (SELECT (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c WHERE c <> ALL (string_to_array(coalesce(same, ''), ', '))) AS others, (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(same, id) FROM '^\w+') AS parent,
+    FROM (SELECT key AS id, identity AS same, (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c WHERE c <> ALL (string_to_array(coalesce(identity, ''), ', '))) AS others, (places ->> 'whole')::boolean AS whole, (places ->> 'bare')::boolean AS bare, substring(coalesce(identity, key) FROM '^\w+') AS parent,
         -- In a bare model from where the sequence stands, which streetgen._pass_ids moves on.
-        format(CASE WHEN (places ->> 'bare')::boolean THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)' ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', relation, id) AS next_id) t $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, text, text, boolean, text) IS 'Part of the one statement: a table (relation) gets the rows of a query, which has their number. id: its key; same: those of the columns that tell which row there is the same, which then keeps its id; others get a new one, {next_id} in a query that gives it, by their numbers, in whose order rows come; NULL: the query gives the id. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), count_relation says how many, and of how many method is other than hypothesis (hard), gone_relation has a row for each that is gone.';
+        format(CASE WHEN (places ->> 'bare')::boolean THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)' ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', c.relation, key) AS next_id
+        FROM streetgen._computed_table() c WHERE c.relation = _upsert_rows.relation::name) t $$;
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, text) IS 'Part of the one statement: a computed table (relation) gets the rows of a query, which has their number. Its key, and the columns that tell which row there is the same, stand in streetgen._computed_table(); a new row gets a new key, {next_id} in a query that gives it, by their numbers, in whose order rows come. columns: what else is written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with others. new_relation has all columns of the query (of a whole model only where they changed; in a bare one none but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), count_relation says how many, and of how many method is other than hypothesis (hard), gone_relation has a row for each that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be put there the planner looks through all of them.
-    SELECT 'WITH RECURSIVE ' || concat_ws(',', streetgen._upsert_input(places), streetgen._upsert_network(places), streetgen._upsert_surfaces(places),
-            streetgen._upsert_lanes(places), streetgen._upsert_interconnections(places), streetgen._upsert_report(places)) || E'\n' || streetgen._upsert_counts() $$;
-COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS 'The statement that computes streets and upserts them, of three arrays: $1 the axes whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, updated, deleted, unchanged, hard.';
+DECLARE
+    parts text[] := ARRAY[streetgen._upsert_input(places)];
+    subject text;
+    part text;
+BEGIN
+    FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
+        EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
+        parts := parts || part;
+    END LOOP;
+    -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be
+    -- put there the planner looks through all of them.
+    RETURN 'WITH RECURSIVE ' || array_to_string(parts || streetgen._upsert_report(places), ',') || E'\n'
+        || streetgen._upsert_counts(places);
+END $$;
+COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS
+    'The statement that computes streets and upserts them, of the subjects of a model and of three arrays: $1 the axes '
+    'whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all three '
+    'are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, '
+    'updated, deleted, unchanged, hard.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[], bare boolean DEFAULT false, first boolean DEFAULT false, onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)

@@ -56,5 +56,5 @@ computed AS MATERIALIZED (
             FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
                 LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
                 LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
-        onwards => {whole} OR $4) AS streets)$part$, places) $$;
+        onwards => {whole} OR $4, subjects => string_to_array('{subjects}', ',')) AS streets)$part$, places || jsonb_build_object('subjects', (SELECT string_agg(s, ',') FROM jsonb_array_elements_text(places -> 'subjects') s))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS 'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

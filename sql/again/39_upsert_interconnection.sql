@@ -1,6 +1,6 @@
 -- The one statement, interconnections: pairs of lanes as computed or as decided by hand.
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_interconnections(places jsonb) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_interconnection(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._filled($part$
 rule AS MATERIALIZED (
@@ -20,7 +20,7 @@ drawn AS MATERIALIZED (
     JOIN new_node n USING (node_id) JOIN new_lane i ON i.lane_id = p.lane_in JOIN new_lane o ON o.lane_id = p.lane_out
     LEFT JOIN decided d USING (lane_in, lane_out)
     WHERE ((SELECT NOT of_core FROM rule) OR EXISTS (SELECT FROM decided)) AND (NOT r.of_core OR d.lane_in IS NOT NULL))$part$, places),
-    streetgen._upsert_rows(places, 'interconnection', id => 'interconnection_id', same => 'lane_in, lane_out',
+    streetgen._upsert_rows(places, 'interconnection',
         columns => 'node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method', rows => $part$
         SELECT number, node_id, lane_in, lane_out, turn, angle, plausible, reason, coalesce(d.connecting, plausible) AS connecting,
                CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control END AS control,
@@ -42,4 +42,4 @@ left_interconnection AS MATERIALIZED (
                 IN (SELECT axis_id FROM asked_axis)
             AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane WHERE lane_id = k.lane_out))
                 IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
-COMMENT ON FUNCTION streetgen._upsert_interconnections(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';
+COMMENT ON FUNCTION streetgen._upsert_interconnection(jsonb) IS 'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';

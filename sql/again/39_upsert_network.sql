@@ -16,7 +16,7 @@ written_node AS MATERIALIZED (
 old_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id FROM asked_axis) AS asked
     FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM asked_axis UNION SELECT unnest(anchor_axis) FROM written_node))))$part$, places),
-    streetgen._upsert_rows(places, 'node', id => 'node_id', named => true, columns => 'geom', rows => $part$
+    streetgen._upsert_rows(places, 'node', named => true, columns => 'geom', rows => $part$
         SELECT coalesce(node_id, {next_id}) AS node_id, number, asked, {geom_with_height} AS geom
         FROM (SELECT n.number, n.asked, n.geom, anchor_axis[1] AS axis_id, k.node_id
               FROM written_node n LEFT JOIN (
@@ -33,7 +33,7 @@ old_edge AS MATERIALIZED (
         there => 'SELECT node_id FROM left_node'),
     streetgen._filled($part$
 same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa))$part$, places),
-    streetgen._upsert_rows(places, 'edge', id => 'edge_id', named => true,
+    streetgen._upsert_rows(places, 'edge', named => true,
         columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, '
             'width, width_end, lane_count, lanes_forward, lanes_backward, speed, importance, estimated, input_hash, setting_hash',
         rows => $part$

@@ -19,15 +19,15 @@ gone_report AS (
     RETURNING 1)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_report(jsonb) IS 'Part of the one statement: the reports that name an asked axis.';
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_counts() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT string_agg(format(
-        'SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, hard FROM count_%1$s', relation, each, gone_with), E' UNION ALL\n' ORDER BY array_position(streetgen._derived_tables(), relation::name))
+    SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, hard '
+        'FROM count_%1$s', relation, gone_each, gone_with), E' UNION ALL\n' ORDER BY place)
         || $part$ UNION ALL
-SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report), (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
-    -- Limits and sections go with their edge.
-    FROM (VALUES ('node', 1, 'node'), ('edge', 1, 'edge'), ('section_limit', 2, 'edge'), ('section', 1, 'edge'), ('corner', 1, 'corner'),
-        ('intersection', 1, 'intersection'), ('lane', 1, 'lane'), ('lane_separator', 1, 'lane_separator'), ('marking', 1, 'marking'),
-        ('interconnection', 1, 'interconnection')) t(relation, each, gone_with) $$;
-COMMENT ON FUNCTION streetgen._upsert_counts() IS 'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those computed have a method other than hypothesis.';
+SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
+    (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
+    FROM streetgen._computed_table() WHERE key IS NOT NULL AND places -> 'subjects' ? subject $$;
+COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
+    'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those computed '
+    'have a method other than hypothesis.';

@@ -1,10 +1,5 @@
 -- A whole model at once. Where nothing was derived yet its rows come first, then keys, indexes and statistics.
 
-CREATE OR REPLACE FUNCTION streetgen._derived_tables() RETURNS name[]
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT '{node,edge,section_limit,section,corner,intersection,lane,lane_separator,marking,interconnection,report}'::name[] $$;
-COMMENT ON FUNCTION streetgen._derived_tables() IS 'The tables of a model that generate writes.';
-
 CREATE OR REPLACE FUNCTION streetgen._is_bare(model name) RETURNS boolean
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -15,13 +10,13 @@ DECLARE
     held boolean;
 BEGIN
     EXECUTE format('SELECT count(*) < $1 FROM (SELECT FROM %I.axis LIMIT $1) a', model) INTO held USING worth_it;
-    FOREACH relation IN ARRAY streetgen._derived_tables() LOOP
+    FOREACH relation IN ARRAY streetgen._computed_tables(model) LOOP
         EXIT WHEN held;
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
     END LOOP;
     -- Triggers of others may see rows as they come; ids that others step by are asked for one by one.
     RETURN NOT held AND NOT EXISTS (SELECT FROM pg_sequence JOIN pg_class c ON c.oid = seqrelid WHERE relnamespace = quote_ident(model)::regnamespace AND seqincrement <> 1) AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
-        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables()) AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model)) AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
 END $$;
 COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, its tables the caller''s and without triggers of others, and its ids in steps of one?';
 
@@ -60,8 +55,8 @@ DECLARE
     relations name[];
     statements text[];
 BEGIN
-    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._derived_tables()) d(relation));
-    WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._derived_tables())),
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation), ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._computed_tables(model)) d(relation));
+    WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model))),
     -- Foreign keys between them.
     reference AS (
         SELECT k.*, d.relname, d.name AS relation, format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname, pg_get_constraintdef(k.oid)) AS back,
@@ -119,7 +114,7 @@ CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass FROM unnest(streetgen._derived_tables()) d(relation));
+    derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass FROM unnest(streetgen._computed_tables(model)) d(relation));
 BEGIN
     -- TRUNCATE refuses a table that one of others refers to.
     IF current_setting('wal_level') = 'minimal' AND NOT EXISTS (SELECT FROM pg_constraint WHERE contype = 'f' AND confrelid = ANY (derived)) THEN
@@ -133,7 +128,7 @@ CREATE OR REPLACE FUNCTION streetgen._pass_ids(model name) RETURNS void
     AS $$
 BEGIN
     EXECUTE (SELECT 'SELECT ' || string_agg(format('setval(%L, (SELECT max(%I) FROM %s))', pg_get_serial_sequence(attrelid::regclass::text, attname), attname, attrelid::regclass), ', ')
-        FROM unnest(streetgen._derived_tables()) d(relation) JOIN pg_attribute ON attrelid = format('%I.%I', model, d.relation)::regclass AND attidentity <> '');
+        FROM unnest(streetgen._computed_tables(model)) d(relation) JOIN pg_attribute ON attrelid = format('%I.%I', model, d.relation)::regclass AND attidentity <> '');
 END $$;
 COMMENT ON FUNCTION streetgen._pass_ids(name) IS 'Moves the sequences of the derived tables to the last id: the rows of a bare model take as many from where each stands, which asks it once and not a row.';
 

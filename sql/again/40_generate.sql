@@ -52,7 +52,7 @@ BEGIN
         RETURN QUERY SELECT u.relation, sum(u.inserted)::bigint, sum(u.updated)::bigint, sum(u.deleted)::bigint, sum(u.unchanged)::bigint,
                 CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, sum(u.hard)::bigint
             FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed) u
-            GROUP BY u.relation ORDER BY array_position(streetgen._derived_tables(), u.relation);
+            GROUP BY u.relation ORDER BY array_position(streetgen._computed_tables(model), u.relation);
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
 EXCEPTION WHEN lock_not_available THEN

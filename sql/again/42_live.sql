@@ -138,7 +138,7 @@ BEGIN
     END IF;
     IF TG_OP = 'TRUNCATE' THEN
         IF live THEN
-            TRUNCATE %1$I.node, %1$I.edge, %1$I.section_limit, %1$I.section, %1$I.corner, %1$I.intersection, %1$I.lane, %1$I.lane_separator, %1$I.marking, %1$I.interconnection, %1$I.report;
+            TRUNCATE %3$s;
             PERFORM pg_notify('qgis', %2$L);
         END IF;
         RETURN NULL;
@@ -164,7 +164,8 @@ BEGIN
         PERFORM streetgen._follow(%2$L, changed || remapped);
     END IF;
     RETURN NULL;
-END $body$ $sql$, model, model);
+END $body$ $sql$, model, model, (SELECT string_agg(format('%I.%I', model, r), ', ' ORDER BY n)
+        FROM unnest(streetgen._computed_tables(model)) WITH ORDINALITY t(r, n)));
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT

@@ -180,6 +180,9 @@ CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa
 DECLARE
     lanes bigint;
 BEGIN
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
     EXECUTE format('SELECT count(*) FROM %1$I.lane JOIN %1$I.edge USING (edge_id) WHERE axis_id = $1 AND $2 >= start_abscissa AND $2 < end_abscissa', model) INTO lanes USING axis, abscissa;
     RETURN lanes;
 END $$;
@@ -191,6 +194,9 @@ CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place ge
 DECLARE
     lanes bigint;
 BEGIN
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
     EXECUTE format('SELECT count(*) FROM %1$I.lane WHERE edge_id = (SELECT edge_id FROM %1$I.edge WHERE axis_id = $1 ORDER BY geom <-> $2, edge_id LIMIT 1)', model) INTO lanes USING axis, place;
     RETURN lanes;
 END $$;

@@ -1,25 +1,25 @@
 -- Edit views: what a plain GIS user writes to. Each shows what is there and turns an edit into a change of axes or overrides.
 
 CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
-    RETURNS TABLE(name text, description text, columns text[], query text)
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT v.name, v.description, v.columns, format(v.query, model, srid) FROM (VALUES
+    SELECT v.name, v.description, v.columns, format(v.query, model, srid), v.subject FROM (VALUES
     ('axis_editing', 'Edit layer: draw, reshape, delete axes; width and lanes of a street',
         ARRAY['key; NULL for a new axis', 'the axis of the road', 'width kerb to kerb, metres; NULL: estimated', 'number of lanes of both directions; NULL: estimated', 'both, direct or reverse',
               'km/h; NULL: estimated', 'importance, 1 the highest; NULL: that of the class', 'name of the street', 'level above the ground'],
-        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level FROM %1$I.axis$sql$),
+        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level FROM %1$I.axis$sql$, 'network'),
     ('node_editing', 'Edit layer: drag a node, and all axes that meet there follow',
         ARRAY['key', 'place'],
-        $sql$SELECT node_id, geom FROM %1$I.node$sql$),
+        $sql$SELECT node_id, geom FROM %1$I.node$sql$, 'network'),
     ('edge_editing', 'Edit layer: redraw a piece of an axis between two nodes',
         ARRAY['key', 'the axis that it is a piece of', 'the piece; where its ends move, the axis follows'],
-        $sql$SELECT edge_id, axis_id, geom FROM %1$I.edge$sql$),
+        $sql$SELECT edge_id, axis_id, geom FROM %1$I.edge$sql$, 'network'),
     ('section_limit_editing', 'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge', 'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
             EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which) AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, l.geom
-        FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$),
+        FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$, 'surface'),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what was decided by hand',
         ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back', 'centre of the arc; where there is none, the place on the kerb where the corner begins'],
         $sql$SELECT c.corner_id, c.node_id, c.radius,
@@ -31,20 +31,20 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
               UNION ALL SELECT k.*, CASE l.which WHEN 'start' THEN ST_StartPoint(l.border_line) ELSE ST_EndPoint(l.border_line) END::geometry(Point, %2$s)
               FROM %1$I.corner k JOIN %1$I.section_limit l ON (l.edge_id, l.which) = (k.edge_a, k.end_a) WHERE k.centre IS NULL) c
         JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
-        CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b) d$sql$),
+        CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b) d$sql$, 'surface'),
     ('kerb_point_editing', 'Edit layer: drop a point on a kerb, and the width of the nearest axis follows; DELETE takes it back',
         ARRAY['key; NULL for a new point', 'the axis; NULL: the nearest', 'width of the axis that the point means, metres', 'the place on the kerb'],
-        $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$),
+        $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$, 'surface'),
     ('lane_editing', 'Edit layer: flip a lane, redraw it, give it a width of its own; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'number from the middle outwards', 'does traffic run in the direction of the axis', 'width, metres', 'decided by hand; false takes it back', 'centre line, in the direction of the axis'],
         $sql$SELECT l.lane_id, l.edge_id, l.ordinality, l.along_axis, l.width,
             EXISTS (SELECT FROM %1$I.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality) AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
-        FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$),
+        FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
     ('interconnection_editing', 'Edit layer: say whether a lane goes on to another, or drag the middle point of its path; DELETE takes back what was decided by hand',
         ARRAY['key', 'the node', 'the lane that comes in', 'the lane that goes out', 'through, left, right or u_turn', 'does it connect', 'would traffic take it', 'decided by hand; false takes it back', 'start, control point and end of the path'],
         $sql$SELECT c.interconnection_id, c.node_id, c.lane_in, c.lane_out, c.turn, c.connecting, c.plausible, c.method = 'by_hand' AS by_hand,
             ST_MakeLine(ARRAY[ST_StartPoint(c.geom), coalesce(c.control, ST_LineInterpolatePoint(c.geom, 0.5)), ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
-        FROM %1$I.interconnection c$sql$)) v(name, description, columns, query) $$;
+        FROM %1$I.interconnection c$sql$, 'interconnection')) v(name, description, columns, query, subject) $$;
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS 'The edit views of a model: their comments, those of their columns, and their queries.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_edit_indexes(model name, srid integer) RETURNS void
@@ -55,11 +55,15 @@ BEGIN
     EXECUTE format($sql$
 CREATE INDEX IF NOT EXISTS corner_centre ON %1$I.corner USING gist (centre);
 CREATE INDEX IF NOT EXISTS section_limit_kerb ON %1$I.section_limit USING gist ((CASE which WHEN 'start' THEN ST_StartPoint(border_line) ELSE ST_EndPoint(border_line) END::geometry(Point, %2$s)));
-CREATE INDEX IF NOT EXISTS interconnection_handle ON %1$I.interconnection
-    USING gist ((ST_MakeLine(ARRAY[ST_StartPoint(geom), coalesce(control, ST_LineInterpolatePoint(geom, 0.5)), ST_EndPoint(geom)])::geometry(LineString, %2$s)));
 CREATE INDEX IF NOT EXISTS report_collapsed ON %1$I.report USING gist (ST_Expand(geom, measure)) WHERE issue = 'collapsed_axis';
 CREATE INDEX IF NOT EXISTS report_other ON %1$I.report (axis_b)
 $sql$, model, srid);
+    IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
+        EXECUTE format($sql$
+CREATE INDEX IF NOT EXISTS interconnection_handle ON %1$I.interconnection USING gist ((ST_MakeLine(ARRAY[
+    ST_StartPoint(geom), coalesce(control, ST_LineInterpolatePoint(geom, 0.5)), ST_EndPoint(geom)])::geometry(LineString, %2$s)))
+$sql$, model, srid);
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_edit_indexes(name, integer) IS 'Makes the indexes by which a GIS finds rows of corner_editing and interconnection_editing in its window, and an edit axes too short for an edge and reports of an axis.';
 
@@ -87,7 +91,9 @@ DECLARE
     layer record;
     attribute record;
 BEGIN
-    FOR layer IN SELECT v.* FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v WHERE m.name = model LOOP
+    FOR layer IN SELECT v.* FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v
+        WHERE m.name = model AND v.subject = ANY (streetgen._subjects(model))
+    LOOP
         -- By its registry the view hangs on the extension: both go together.
         EXECUTE format('CREATE OR REPLACE VIEW %I.%I WITH (security_invoker = true) AS SELECT * FROM (%s) v WHERE EXISTS (SELECT FROM streetgen.model)', model, layer.name, layer.query);
         EXECUTE format('COMMENT ON VIEW %I.%I IS %L', model, layer.name, layer.description);
@@ -108,7 +114,7 @@ DECLARE
     held record;
 BEGIN
     FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, privilege_type AS privilege, v.name AS view
-        FROM pg_class c, aclexplode(c.relacl) JOIN streetgen._edit_view('m', 0) v ON true
+        FROM pg_class c, aclexplode(c.relacl) JOIN streetgen._edit_view('m', 0) v ON v.subject = ANY (streetgen._subjects(model))
         WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.view, held.role);

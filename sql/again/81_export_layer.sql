@@ -29,6 +29,8 @@ BEGIN
     -- OFFSET 0: a surface is snapped once, not again to see whether it is empty.
     RETURN QUERY SELECT l.layer, l.geometry_type || CASE WHEN m.dimension = 3 AND of_axes THEN 'Z' ELSE '' END,
         format('SELECT * FROM (SELECT ' || fields || ', streetgen._for_exchange(' || geometry || ', ' || wgs84 || ') AS geom FROM %1$I.' || l.source || ' OFFSET 0) l WHERE NOT ST_IsEmpty(geom) ORDER BY id', model)
-    FROM streetgen._export_layer() l, streetgen.model m WHERE m.name = model ORDER BY turn;
+    FROM streetgen._export_layer() l, streetgen.model m
+    -- The first word is the relation: layers of a subject that the model does not compute are not there.
+    WHERE m.name = model AND to_regclass(format('%I.%I', model, split_part(l.source, ' ', 1))) IS NOT NULL ORDER BY turn;
 END $$;
 COMMENT ON FUNCTION streetgen.export_layer(name, boolean) IS 'The layers of a model for exchange, as data/streetgen export writes them: name, type of the geometry, and a query of their rows with a unique integer id first and geom last, in the reference of the model or in WGS 84. Surfaces lie on a grid of a micrometre; what is narrower is left out. An unknown model: 3F000.';

@@ -51,7 +51,7 @@ DECLARE
   marks text;
 BEGIN
   EXECUTE (SELECT 'SELECT md5(string_agg(mark, '','' ORDER BY mark)) FROM (' || string_agg(format('SELECT concat_ws('' '', %1$L, ctid, xmin, xmax) FROM %2$I.%1$I', relation, model), ' UNION ALL ') || ') m(mark)'
-    FROM unnest(streetgen._derived_tables()) relation) INTO marks;
+    FROM unnest(streetgen._computed_tables(model)) relation) INTO marks;
   RETURN marks;
 END $$;
 CREATE TABLE public.before AS SELECT test.rows('once') AS rows, pg_temp.marks('once') AS marks;

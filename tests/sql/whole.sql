@@ -39,7 +39,7 @@ SELECT 'indexes are made after the rows', (SELECT key FROM before WHERE what LIK
 SELECT 'and are, with constraints, comments, rights and replica identities, as before', NOT EXISTS ((SELECT what FROM before EXCEPT ALL SELECT what FROM made_of('whole')) UNION ALL (SELECT what FROM made_of('whole') EXCEPT ALL SELECT what FROM before));
 SELECT 'ids begin where their sequence stands and have no gap', min(lane_id) = 42 AND max(lane_id) = 41 + count(*) FROM whole.lane;
 SELECT format('SELECT ''the sequence of %1$s goes on after its last id'', max(%2$I) = pg_sequence_last_value(%3$L) FROM whole.%1$I', relation, attname, pg_get_serial_sequence('whole.' || relation, attname))
-    FROM unnest(streetgen._derived_tables()) relation JOIN pg_attribute ON attrelid = ('whole.' || relation)::regclass AND attidentity <> '' \gexec
+    FROM unnest(streetgen._computed_tables('whole')) relation JOIN pg_attribute ON attrelid = ('whole.' || relation)::regclass AND attidentity <> '' \gexec
 SELECT 'and so are keys of rows', (SELECT key FROM before WHERE what LIKE '% node_pkey %') <> 'whole.node_pkey'::regclass AND (SELECT key FROM before WHERE what LIKE '% lane_edge_id_ordinality_key %') <> 'whole.lane_edge_id_ordinality_key'::regclass;
 SELECT 'but not where a view or a table of others builds on them', (SELECT key FROM before WHERE what LIKE '% lane_pkey %') = 'whole.lane_pkey'::regclass AND (SELECT key FROM before WHERE what LIKE '% intersection_pkey %') = 'whole.intersection_pkey'::regclass;
 SELECT 'keys of rows hold', test.state($$INSERT INTO whole.node SELECT * FROM whole.node LIMIT 1$$) = '23505';

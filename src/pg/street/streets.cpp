@@ -109,7 +109,7 @@ Datum give_table(FunctionCallInfo fcinfo, const Table& table,
 
 STREETGEN_FUNCTION(streetgen_streets) {
   using namespace streetgen::pg;
-  if (PG_ARGISNULL(0) || PG_ARGISNULL(2)) PG_RETURN_NULL();
+  if (PG_ARGISNULL(0) || PG_ARGISNULL(2) || PG_ARGISNULL(11)) PG_RETURN_NULL();
   StreetsCall call;
   take(fcinfo, &call);
   Slot<Kept>* slot = make_slot<Kept>(fcinfo->flinfo->fn_mcxt);

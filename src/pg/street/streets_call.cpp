@@ -4,6 +4,7 @@ extern "C" {
 #include <access/htup_details.h>
 #include <catalog/pg_type.h>
 #include <utils/array.h>
+#include <utils/builtins.h>
 #include <utils/jsonb.h>
 #include <utils/typcache.h>
 }
@@ -104,6 +105,20 @@ void take_settings(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
   }
 }
 
+void take_subjects(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
+  Datum* words;
+  bool* nulls;
+  deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), TEXTOID, -1, false, TYPALIGN_INT, &words,
+                    &nulls, &call->subjects.count);
+  call->subjects.words =
+      static_cast<const char**>(palloc(sizeof(char*) * (call->subjects.count + 1)));
+  for (int i = 0; i < call->subjects.count; ++i) {
+    if (nulls[i])
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED), errmsg("a subject is NULL")));
+    call->subjects.words[i] = TextDatumGetCString(words[i]);
+  }
+}
+
 }  // namespace
 
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {
@@ -185,6 +200,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->former_nodes = {nodes.count, column(nodes, "x", FLOAT8OID), column(nodes, "y", FLOAT8OID),
                         column(nodes, "surface", BYTEAOID), column(nodes, "contested", BOOLOID)};
   call->onwards = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
+  take_subjects(fcinfo, 11, call);
 }
 
 }  // namespace streetgen::pg

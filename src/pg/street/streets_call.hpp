@@ -54,6 +54,10 @@ struct StreetsCall {
     Column x, y, surface, contested;
   } former_nodes;
   bool onwards;
+  struct {
+    int count;
+    const char** words;
+  } subjects;
 };
 
 // Raises where a row lacks a value that it needs.
