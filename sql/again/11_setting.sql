@@ -43,7 +43,7 @@ COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._check_reader(model);
@@ -65,7 +65,7 @@ BEGIN
     END IF;
     IF value IS NULL THEN
         IF setting = 'max_width_per_lane' THEN RETURN; END IF;
-        RAISE EXCEPTION 'setting "%" of model "%" is NULL or missing', setting, model USING ERRCODE = '22004',
+        RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
     IF known.choice IS NOT NULL THEN
@@ -109,6 +109,7 @@ CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) R
     AS $$
 BEGIN
     PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_given('setting', setting);
     PERFORM streetgen._check_setting(model, setting, value);
     -- One at a time, since each goes on to hold out the other.
     EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);

@@ -20,6 +20,19 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_model(name) IS 'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    FOR i IN 1 .. cardinality(given) BY 2 LOOP
+        IF given[i + 1] IS NULL THEN
+            RAISE EXCEPTION 'argument % is NULL', given[i] USING ERRCODE = '22004',
+                HINT = 'NULL means nothing there: give a value, or leave the argument out where it has a default.';
+        END IF;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_given(text[]) IS 'Raises 22004 for the first argument that is NULL; arguments as pairs of name and value.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_reader(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -99,11 +112,12 @@ CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dime
 DECLARE
     wanted constant text[] := streetgen._with_needs(subjects);
 BEGIN
-    IF model IS NULL OR model = '' THEN
+    PERFORM streetgen._check_given('model', model, 'srid', srid::text, 'dimension', dimension::text);
+    IF model = '' THEN
         RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023', HINT = 'It names the schema of the model''s tables.';
     END IF;
-    IF dimension IS NULL OR dimension NOT IN (2, 3) THEN
-        RAISE EXCEPTION 'dimension is %, expected 2 or 3', coalesce(dimension::text, 'NULL') USING ERRCODE = '22023', HINT = '3 keeps the heights of axes and nodes.';
+    IF dimension NOT IN (2, 3) THEN
+        RAISE EXCEPTION 'dimension is %, expected 2 or 3', dimension USING ERRCODE = '22023', HINT = '3 keeps the heights of axes and nodes.';
     END IF;
     PERFORM streetgen._check_srid(srid);
     IF EXISTS (SELECT FROM pg_namespace WHERE nspname = model) THEN
@@ -129,7 +143,7 @@ END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[]) IS 'Makes schema model with the tables of a street model in the given SRID (projected, metres). dimension: 3 keeps the heights of axes and nodes. subjects: what is computed besides network and surface, each with what it needs (streetgen.subject lists them); NULL: all of today; another word: 22023. An existing schema: 42P06; an unfit SRID: 22023 with a hint; a role that may not create schemas: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     schema oid;
@@ -170,7 +184,7 @@ CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
 COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
 
 CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     srid integer;
@@ -179,6 +193,7 @@ DECLARE
     reader oid;
     before oid[];
 BEGIN
+    PERFORM streetgen._check_given('schema', schema);
     missing := ARRAY(SELECT name FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit', 'section', 'corner', 'intersection', 'report']) name
         WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
     IF missing <> '{}' THEN
@@ -208,10 +223,10 @@ END $$;
 COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role, 'kind', kind);
     IF kind NOT IN ('reader', 'editor') THEN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
     ELSIF role <> 'public' AND NOT EXISTS (SELECT FROM pg_roles WHERE rolname = role) THEN

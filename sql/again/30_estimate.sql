@@ -3,12 +3,12 @@
 CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END;
-COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS 'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count believes all.';
+COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS 'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count believes all. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8, width_default float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN least(coalesce(lane_count * lane_width, class_width, width_default), 200);
-COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default.';
+COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS 'Width in metres from the lanes, else from the class, else the default. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._by_importance(entries jsonb) RETURNS float8[]
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -43,27 +43,27 @@ COMMENT ON FUNCTION streetgen._estimated_speed(integer, float8, float8[], float8
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._estimated_speed(importance, width, streetgen._by_importance(speed_by_importance), speed_per_width);
-COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110.';
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN width BETWEEN 0 AND 1e6 AND lane_width BETWEEN 1e-3 AND 1e6 THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)))::integer) END;
-COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN.';
+COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS 'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) + cardinality(array_positions(string_to_array(kinds, '|'), 'bus'));
-COMMENT ON FUNCTION streetgen.driving_lanes(text) IS 'How many lanes of a list of kinds are general or bus lanes.';
+COMMENT ON FUNCTION streetgen.driving_lanes(text) IS 'How many lanes of a list of kinds are general or bus lanes. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width float8, parking_lane_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'cycle')) * cycle_lane_width + cardinality(array_positions(string_to_array(kinds, '|'), 'parking')) * parking_lane_width;
-COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds.';
+COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer, lane_count integer) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated ELSE greatest(lane_count - against, 1) END;
-COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic).';
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer) IS 'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of lane_count, at least one. A direction that is closed to traffic has none but those that a list of kinds names (a bus lane against the traffic). An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text, near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -80,7 +80,7 @@ CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus
                     array_remove(ARRAY[CASE WHEN near_parking THEN 'parking' END, CASE WHEN near_cycle THEN 'cycle' END], NULL) AS near_inwards,
                     array_remove(ARRAY[CASE WHEN far_cycle THEN 'cycle' END, CASE WHEN far_parking THEN 'parking' END], NULL) AS far,
                     array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END], NULL) AS far_inwards) k $$;
-COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general, or driving is not 0 to 40.';
+COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS 'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where all are general, or driving is not 0 to 40. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -91,7 +91,7 @@ COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS 'The form of a list of
 CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
-COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said).';
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said). NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8, radii float8[], mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -102,7 +102,7 @@ COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, fl
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._wanted_radius(radius, importance, speed, width, streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode);
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius.';
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)

@@ -24,7 +24,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._check_reader(model);
     IF k IS NULL THEN
-        RAISE EXCEPTION 'the number of clusters of model "%" is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
+        RAISE EXCEPTION 'k, the number of clusters of model "%", is NULL', model USING ERRCODE = '22004', HINT = 'At least 1, at most one an axis.';
     END IF;
     SELECT coalesce(array_agg(c.axis_id), '{}'), array_agg(ST_X(centroid)), array_agg(ST_Y(centroid)) INTO ids, x, y
         FROM (SELECT l.axis_id, ST_Centroid(geom) AS centroid FROM streetgen._axis_lines(model) l ORDER BY 1 OFFSET 0) c;

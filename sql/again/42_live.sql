@@ -244,13 +244,13 @@ END $$;
 COMMENT ON FUNCTION streetgen._stale_axes(name) IS 'How many axes of a model changed, or came, since their streets were computed.';
 
 CREATE OR REPLACE FUNCTION streetgen.live(model name, live boolean) RETURNS bigint
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     trigger record;
     stale bigint;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_owner(model), streetgen._check_given('live', live::text);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid
         -- What deletes the results of an axis with it, or marks axes as stale, stays on.
         WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%' AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
@@ -268,7 +268,7 @@ COMMENT ON FUNCTION streetgen.live(name, boolean) IS 'Switches on or off that th
 
 CREATE OR REPLACE FUNCTION streetgen.activity(model name)
     RETURNS TABLE(pid integer, who name, application text, since timestamptz, holds text, waits_for integer[], query text)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._check_model(model);

@@ -6,14 +6,14 @@ CREATE OR REPLACE FUNCTION streetgen.set_transition(model name, node bigint, kin
 DECLARE
     ends record;
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._check_reader(model), streetgen._check_given('node', node::text);
     PERFORM streetgen._lock_axes(model, format('SELECT axis_id FROM %I.edge WHERE from_node = %L OR to_node = %2$L', model, node));
     -- A node may get another id, an end of an axis stays: the override is kept there.
     EXECUTE format($sql$
 SELECT array_agg(axis_id ORDER BY axis_id, which DESC) AS axis_id, array_agg(which ORDER BY axis_id, which DESC) AS which
 FROM (SELECT axis_id, 'start' AS which FROM %1$I.edge WHERE from_node = $1 UNION ALL SELECT axis_id, 'end' FROM %1$I.edge WHERE to_node = $1) e $sql$, model) INTO ends USING node;
     IF ends.axis_id IS NULL THEN
-        RAISE EXCEPTION 'model "%" has no node %', model, coalesce(node::text, 'NULL') USING ERRCODE = '22023', HINT = 'Nodes get another id where they come anew: look it up by its place.';
+        RAISE EXCEPTION 'model "%" has no node %', model, node USING ERRCODE = '22023', HINT = 'Nodes get another id where they come anew: look it up by its place.';
     ELSIF cardinality(ends.axis_id) <> 2 THEN
         RAISE EXCEPTION 'node % of model "%" joins % edges, expected 2', node, model, cardinality(ends.axis_id) USING ERRCODE = '22023',
             HINT = 'A width changes where one axis goes on as another.';

@@ -1,6 +1,6 @@
 CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     RETURNS TABLE(severity text, rule text, relation text, id bigint, measure float8, geom geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 BEGIN
     PERFORM streetgen._check_reader(model);

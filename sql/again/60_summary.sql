@@ -1,5 +1,5 @@
 CREATE OR REPLACE FUNCTION streetgen.summary(model name) RETURNS TABLE(subject text, amount numeric, unit text)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._check_reader(model);

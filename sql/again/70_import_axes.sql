@@ -269,7 +269,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._copy_classes(name) IS 'Copies the classes of a model to where the rows of the import are taken.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._check_owner(model);
@@ -355,12 +355,12 @@ COMMENT ON FUNCTION streetgen._mapped(regclass, jsonb) IS 'The columns of the im
 
 CREATE OR REPLACE FUNCTION streetgen.import_axes(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     query text;
 BEGIN
-    PERFORM streetgen._take_classes(model);
+    PERFORM streetgen._take_classes(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     query := format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source);
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;

@@ -63,7 +63,7 @@ COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS 'The table PREFI
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm', schemas name[] DEFAULT current_schemas(true))
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     source regclass := streetgen._osm_table('_line', prefix, schemas);
@@ -78,11 +78,11 @@ DECLARE
     driving_side text;
     query text;
 BEGIN
+    PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
     IF source IS NULL THEN
         RAISE EXCEPTION 'there is no table %', quote_ident(prefix || '_line') USING ERRCODE = '42P01',
             HINT = 'osm2pgsql -O flex -S data/osm2pgsql_flex.lua makes it; a schema that is not in search_path stands before the prefix: ''gis.osm''.';
     END IF;
-    PERFORM streetgen._take_classes(model);
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
     query := format($sql$
 -- A city's ways have few wordings of tags, and each is read once.

@@ -7,21 +7,21 @@ COMMENT ON FUNCTION streetgen._number(text, float8, float8) IS 'A text as the nu
 
 CREATE OR REPLACE FUNCTION streetgen.import_bdtopo(model name, source regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Model column, then the source's names for it, V3 before V2.
+    -- Model column, then the source's names for it, V3 (as a table, as a shapefile) before V2.
     known constant jsonb := '{"id": ["cleabs", "id", "ogc_fid", "gid", "fid"], "width": ["largeur_de_chaussee", "largeur"], "lane_count": ["nombre_de_voies", "nb_voies"],
-        "sens": ["sens_de_circulation", "sens"], "speed": ["vitesse_moyenne_vl"], "importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"],
-        "class": ["nature"], "name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_rue_g", "nom_voie_g"], "fictif": ["fictif"],
-        "bus": ["reserve_aux_bus"], "cycle": ["bande_cyclable"]}';
+        "sens": ["sens_de_circulation", "sens"], "speed": ["vitesse_moyenne_vl", "vit_moy_vl"], "importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"],
+        "class": ["nature"], "name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_coll_g", "nom_1_g", "nom_rue_g", "nom_voie_g"], "fictif": ["fictif"],
+        "bus": ["reserve_aux_bus", "bus"], "cycle": ["bande_cyclable", "cyclable"]}';
     driving_side text;
     present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source AND t.typname = 'geometry' AND NOT attisdropped ORDER BY attnum LIMIT 1);
     found jsonb;
     query text;
 BEGIN
-    PERFORM streetgen._take_classes(model);
+    PERFORM streetgen._take_classes(model), streetgen._check_given('source', source::text);
     SELECT jsonb_object_agg(key, (SELECT quote_ident(n) || '::text' FROM jsonb_array_elements_text(value) WITH ORDINALITY AS c(n, i) WHERE n = ANY (present) ORDER BY i LIMIT 1)) INTO found FROM jsonb_each(known);
     IF shape IS NULL OR found ->> 'class' IS NULL OR coalesce(found ->> 'width', found ->> 'lane_count') IS NULL THEN
         RAISE EXCEPTION 'table % is no BD TOPO road table', source USING ERRCODE = '22023',

@@ -12,11 +12,10 @@ COMMENT ON FUNCTION streetgen._check_topology() IS 'Raises 0A000 where the exten
 
 CREATE OR REPLACE FUNCTION streetgen.import_topology(model name, topology name, level integer DEFAULT 0)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_topology();
-    PERFORM streetgen._take_classes(model);
+    PERFORM streetgen._take_classes(model), streetgen._check_given('topology', topology, 'level', level::text), streetgen._check_topology();
     IF NOT EXISTS (SELECT FROM topology.topology t WHERE t.name = import_topology.topology) THEN
         RAISE EXCEPTION 'topology "%" does not exist', topology USING ERRCODE = '3F000', HINT = 'SELECT name FROM topology.topology lists them.';
     END IF;

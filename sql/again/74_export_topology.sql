@@ -26,7 +26,7 @@ COMMENT ON FUNCTION streetgen._check_planar(name, integer) IS 'Raises 55000, nam
 
 CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology text)
     RETURNS TABLE(name name, level integer, nodes bigint, edges bigint, faces bigint, doubled bigint[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- Nothing is known of rows just computed: joins are on equal keys, or by an index.
     SET jit = off SET enable_nestloop = off
     AS $$
@@ -34,8 +34,7 @@ DECLARE
     target record;
     wanted text;
 BEGIN
-    PERFORM streetgen._check_topology();
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._check_reader(model), streetgen._check_given('topology', topology), streetgen._check_topology();
     SELECT srid, dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
     FOR level IN EXECUTE format('SELECT DISTINCT level FROM %I.edge ORDER BY level', model) LOOP
         wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;

@@ -96,13 +96,13 @@ COMMENT ON FUNCTION streetgen._make_follower(name, regclass, jsonb) IS 'Makes th
 
 CREATE OR REPLACE FUNCTION streetgen.follow(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE
     relation record;
     nameless boolean;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     SELECT c.relkind, n.nspname IN (SELECT name FROM streetgen.model) AS derived, relispartition OR EXISTS (SELECT FROM pg_inherits WHERE inhrelid = c.oid OR inhparent = c.oid) AS shared
         INTO relation FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace WHERE c.oid = source;
     IF relation.relkind IS DISTINCT FROM 'r' OR relation.shared THEN
@@ -153,13 +153,13 @@ END $$;
 COMMENT ON FUNCTION streetgen._follow_again(name) IS 'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a warning for each that cannot be followed now.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE
     follower record;
     forgotten bigint;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text);
     SELECT p.oid::regprocedure AS signature, p.proname AS name INTO follower FROM pg_trigger t JOIN pg_proc p ON p.oid = t.tgfoid
         WHERE t.tgrelid = source AND p.pronamespace = quote_ident(model)::regnamespace AND p.proname LIKE '\_follow\_%' LIMIT 1;
     EXECUTE format('DELETE FROM %I.followed f WHERE f.source = $1 OR streetgen._follower(f.source) = $2', model) USING source::text, follower.name;

@@ -38,10 +38,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_city(srid integer, x float8, y float
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._check_given('srid', srid::text, 'x', x::text, 'y', y::text, 'width', width::text, 'height', height::text, 'seed', seed::text);
     PERFORM streetgen._check_srid(srid);
-    IF num_nulls(x, y, width, height, seed) > 0 THEN
-        RAISE EXCEPTION 'the extent or the seed of the virtual city is NULL' USING ERRCODE = '22004', HINT = 'Give the lower left corner, width and height in metres, and a whole number as seed.';
-    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_city(integer, float8, float8, float8, float8, bigint) IS 'Raises 22023 as _check_srid, 22004 for an argument that is NULL.';
 
@@ -67,7 +65,7 @@ DECLARE
 BEGIN
     RETURN streetgen._city_density(at_x, at_y, x, y, width, height, given.names, given.numbers);
 END $$;
-COMMENT ON FUNCTION streetgen.city_density(float8, float8, float8, float8, float8, float8, jsonb) IS 'Density of a virtual city at a place, 0 to 1: exp(-dx^2 / 2 sx^2 - dy^2 / 2 sy^2) about the centre where it is greatest, sx and sy the share deviation of width and height. A road starts only where it is at least a number drawn anew from option threshold. Bad values: 22023.';
+COMMENT ON FUNCTION streetgen.city_density(float8, float8, float8, float8, float8, float8, jsonb) IS 'Density of a virtual city at a place, 0 to 1: exp(-dx^2 / 2 sx^2 - dy^2 / 2 sy^2) about the centre where it is greatest, sx and sy the share deviation of width and height. A road starts only where it is at least a number drawn anew from option threshold. Bad values: 22023. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_virtual_city(model name, srid integer, x float8, y float8, width float8, height float8, seed bigint, options jsonb DEFAULT '{}') RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -75,7 +73,7 @@ CREATE OR REPLACE FUNCTION streetgen.create_virtual_city(model name, srid intege
 DECLARE
     drawn bigint;
 BEGIN
-    PERFORM streetgen._check_city(srid, x, y, width, height, seed);
+    PERFORM streetgen._check_given('model', model), streetgen._check_city(srid, x, y, width, height, seed);
     PERFORM streetgen.create_model(model, srid);
     PERFORM streetgen._pause();
     EXECUTE format('INSERT INTO %I.axis (geom, width, lane_count, importance, name, direction, speed, source, source_ref)

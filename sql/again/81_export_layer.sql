@@ -22,10 +22,10 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer() RETURNS TABLE(turn integer,
 COMMENT ON FUNCTION streetgen._export_layer() IS 'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: with heights where axes have them. No name of a field is longer than the ten characters that a shapefile holds.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_layer(model name, wgs84 boolean DEFAULT false) RETURNS TABLE(layer text, geometry_type text, query text)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._check_model(model), streetgen._check_given('wgs84', wgs84::text);
     -- OFFSET 0: a surface is snapped once, not again to see whether it is empty.
     RETURN QUERY SELECT l.layer, l.geometry_type || CASE WHEN m.dimension = 3 AND of_axes THEN 'Z' ELSE '' END,
         format('SELECT * FROM (SELECT ' || fields || ', streetgen._for_exchange(' || geometry || ', ' || wgs84 || ') AS geom FROM %1$I.' || l.source || ' OFFSET 0) l WHERE NOT ST_IsEmpty(geom) ORDER BY id', model)

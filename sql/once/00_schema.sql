@@ -1,5 +1,5 @@
 CREATE SCHEMA streetgen;
-COMMENT ON SCHEMA streetgen IS 'StreetGen: road axes in, streets out. Models live in schemas of their owners.';
+COMMENT ON SCHEMA streetgen IS 'StreetGen: road axes in, streets out. Models live in schemas of their owners. A function that gets NULL for an argument without a default raises 22004 and names the argument, unless its comment says what NULL means.';
 
 CREATE TABLE streetgen.model (
     name name PRIMARY KEY,

@@ -51,3 +51,11 @@ DO $$ BEGIN
   PERFORM streetgen.drop_model('import_v2');
   PERFORM streetgen.drop_model('import_v3');
 END $$;
+-- The names of version 3 as a shapefile has them.
+CREATE TABLE import_shape (id text, nature text, nom_coll_g text, largeur float8, nb_voies integer, pos_sol text, sens text, vit_moy_vl integer, cyclable text, bus text, fictif text, geom geometry(MultiLineString, 32631));
+INSERT INTO import_shape VALUES ('E', 'Route à 1 chaussée', 'R DE LA PAIX', 9, 3, '1', 'Sens direct', 30, 'Sens direct', 'Sens inverse', 'Non', 'SRID=32631;MULTILINESTRING((0 0, 100 0))'),
+  ('F', 'Route à 1 chaussée', 'R HAUTE', 5, 2, '0', 'Double sens', 20, NULL, NULL, 'Non', 'SRID=32631;MULTILINESTRING((0 50, 100 50))');
+SELECT streetgen.create_model('import_shp', 32631) \g /dev/null
+DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_shp', 'import_shape'); END $$;
+SELECT 'version 3, shapefile: name, speed, level, bus and cycle lanes', array_agg((name, speed, level, kind_forward, kind_backward)::text ORDER BY source_ref) = ARRAY['("R DE LA PAIX",30,1,general|general|cycle,bus)', '("R HAUTE",20,0,,)'] FROM import_shp.axis;
+DROP TABLE import_shape;

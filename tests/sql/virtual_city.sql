@@ -84,7 +84,7 @@ CREATE TABLE bad(what, arguments, expected, says) AS VALUES
     ('a threshold upside down', $$2177, 0, 0, 1000, 1000, 1, '{"threshold": [0.75, 0.5]}'$$, '22023', 'threshold'),
     ('half a centre', $$2177, 0, 0, 1000, 1000, 1, '{"centres": [0.5, 0.5, 0.1]}'$$, '22023', 'centres'),
     ('axes in a thread', $$2177, 0, 0, 1e6, 1, 1, '{"axes": 1000}'$$, '22023', '1000 axes need'),
-    ('a name that is NULL', NULL, '22023', 'needs a name'),
+    ('a name that is NULL', NULL, '22004', 'argument model is NULL'),
     ('a place where the projection fails', '2177, 0, 0, 3000, 3000, 1', '22023', 'scale');
 SELECT what || ' is refused', state = expected AND said LIKE '%' || says || '%' AND hint <> ''
 FROM bad, test.refusal(CASE WHEN arguments IS NULL THEN 'SELECT streetgen.create_virtual_city(NULL, 2177, 6560000, 5570000, 1000, 1000, 1)' ELSE format('SELECT streetgen.create_virtual_city(''lost'', %s)', arguments) END);
