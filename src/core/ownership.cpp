@@ -4,8 +4,10 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "arrangement.hpp"
+#include "crumb.hpp"
 #include "overlap.hpp"
 #include "polyline.hpp"
 #include "rivalry.hpp"
@@ -16,8 +18,6 @@
 namespace streetgen {
 
 namespace {
-
-constexpr double crumb = 1e-6;  // square metres: no part worth keeping
 
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
                                                    const std::vector<Ground>& grounds) {
@@ -51,17 +51,6 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-void append_rings(const MultiPolygon& surface, std::vector<LineView>& lines) {
-  for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
-}
-
-MultiPolygon without_crumbs(MultiPolygon ground) {
-  ground.erase(std::remove_if(ground.begin(), ground.end(),
-                              [](const Polygon& part) { return area({part}) <= crumb; }),
-               ground.end());
-  return ground;
-}
-
 // Who owns what, of claims whose ground comes in unsettled.
 class Settlement {
  public:
@@ -75,6 +64,8 @@ class Settlement {
         opponents_(streetgen::opponents(claims, disputes)) {
     grounds_.reserve(claims.size());
     for (const Claim& claim : claims) grounds_.emplace_back(*claim.surface);
+    for (std::size_t i = 0; i < claims.size(); ++i)
+      if (claims[i].whole != nullptr) wholes_.emplace(i, *claims[i].whole);
     for (const auto& [i, j] : disputes) ++first_[i + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
@@ -155,8 +146,14 @@ class Settlement {
   const Rivalry& rivalry(std::size_t dispute) {
     auto& slot = rivalries_[dispute];
     const auto [i, j] = disputes_[dispute];
-    if (!slot) slot.emplace(Party{&claims_[i], &grounds_[i]}, Party{&claims_[j], &grounds_[j]});
+    if (!slot) slot.emplace(Party{&claims_[i], &whole(i)}, Party{&claims_[j], &whole(j)});
     return *slot;
+  }
+
+  // A rivalry is the same wherever crowds took of the two.
+  const Ground& whole(int claim) const {
+    const auto found = wholes_.find(claim);
+    return found == wholes_.end() ? grounds_[claim] : found->second;
   }
 
   struct Duel {
@@ -270,6 +267,7 @@ class Settlement {
   std::vector<std::size_t> first_;                 // dispute of each claim as the first of a pair
   std::vector<std::vector<int>> opponents_;        // by claim
   std::vector<Ground> grounds_;
+  std::unordered_map<int, Ground> wholes_;  // where they are not these
 };
 
 }  // namespace
@@ -320,9 +318,15 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     tell_progress("owners", i, claims.size());
     settled.emplace_back(i, settlement.ground_of(i));
   }
+  const auto lose = [](Claim& claim, const MultiPolygon& to_share, const MultiPolygon& left) {
+    claim.contested_area = std::max(0.0, area(to_share) - area(left));
+  };
+  for (Claim& claim : claims)
+    if (claim.whole != nullptr) lose(claim, *claim.whole, *claim.surface);
   for (auto& [i, ground] : settled) {
-    claims[i].contested_area = std::max(0.0, area(*claims[i].surface) - area(ground));
-    *claims[i].surface = std::move(ground);
+    Claim& claim = claims[i];
+    lose(claim, claim.whole != nullptr ? *claim.whole : *claim.surface, ground);
+    *claim.surface = std::move(ground);
   }
 }
 
