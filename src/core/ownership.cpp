@@ -51,6 +51,8 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
+constexpr std::size_t few_parties = 5;  // whose duels are all looked at
+
 // Who owns what, of claims whose ground comes in unsettled.
 class Settlement {
  public:
@@ -223,13 +225,51 @@ class Settlement {
     for (const int other : opponents_[claim])
       if (grounds_[other].holds(place)) contest.parties.push_back(other);
     std::sort(contest.parties.begin(), contest.parties.end());
-    each_dispute(contest.parties, [&](std::size_t dispute) {
-      const Rivalry& between = rivalry(dispute);
-      const auto [i, j] = disputes_[dispute];
-      const bool first = between.first_owns(place);
-      contest.duels.push_back({first ? i : j, first ? j : i, between.crossed()});
-    });
+    if (settled_by_champion(claim, place, contest)) return contest;
+    contest.duels.clear();
+    each_dispute(contest.parties,
+                 [&](std::size_t dispute) { contest.duels.push_back(duel(dispute, place)); });
     return contest;
+  }
+
+  Duel duel(std::size_t dispute, const Point& place) {
+    const Rivalry& between = rivalry(dispute);
+    const auto [i, j] = disputes_[dispute];
+    const bool first = between.first_owns(place);
+    return {first ? i : j, first ? j : i, between.crossed()};
+  }
+
+  std::optional<Duel> duel(int i, int j, const Point& place) {
+    const std::pair<int, int> pair(std::min(i, j), std::max(i, j));
+    const auto end = disputes_.begin() + first_[pair.first + 1];
+    const auto found = std::lower_bound(disputes_.begin() + first_[pair.first], end, pair);
+    if (found == end || *found != pair) return std::nullopt;
+    return duel(found - disputes_.begin(), place);
+  }
+
+  // One that beats all others leaves nothing to tell but how the claim fares: a few duels of each
+  // instead of all.
+  bool settled_by_champion(int claim, const Point& place, Contest& contest) {
+    const auto& parties = contest.parties;
+    if (parties.size() < few_parties) return false;
+    int champion = parties.front();
+    for (const int party : parties) {
+      if (party == champion) continue;
+      const auto met = duel(champion, party, place);
+      if (!met) return false;
+      champion = met->winner;
+    }
+    for (const int one : {champion, claim}) {
+      for (const int party : parties) {
+        if (party == one || (one == claim && party == champion)) continue;
+        const auto met = duel(one, party, place);
+        if (!met && one == champion) return false;
+        if (met && one == champion && met->loser == one) return false;
+        if (met) contest.duels.push_back(*met);
+      }
+      if (claim == champion) break;
+    }
+    return true;
   }
 
   // Who loses to nobody owns the place, and those that it beats leave. A crossing goes by rank, all
