@@ -58,6 +58,8 @@ struct StreetSettings {
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
+  // More surfaces that come into a square of 10 m of a fixed grid share the ground there by rank.
+  int overlaps_maximal = 50;
 };
 
 // By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.
@@ -99,6 +101,7 @@ enum class Method {
   crossed_limits,   // the limits of the edge would cross: both at their meeting
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface
+  crowded,          // very many surfaces claim part of the ground: it went by rank
   robust_fallback,  // the ring was built by union, not piece by piece
   by_hand,          // as an override says
 };

@@ -8,6 +8,10 @@
 
 namespace streetgen {
 
+inline void append_rings(const MultiPolygon& surface, std::vector<LineView>& lines) {
+  for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
+}
+
 // The stretches of the surface's rings whose sides, told by their ends, are near.
 template <class Near>
 void append_stretches(const MultiPolygon& surface, const Near& near, std::vector<LineView>& lines) {

@@ -38,6 +38,7 @@ class Vicinity {
   // where all near it are known.
   std::vector<int> enclosing(int claim, const std::vector<bool>& known);
   std::vector<int> near(const Box& box) const;
+  const std::vector<Extent>& extents() const { return extents_; }
 
  private:
   const std::vector<int>& touching(int claim);

@@ -4,9 +4,11 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "geometry/arrangement.hpp"
 #include "geometry/border_stretches.hpp"
+#include "geometry/crumb.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
@@ -50,16 +52,7 @@ std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& cla
   return pairs;
 }
 
-void append_rings(const MultiPolygon& surface, std::vector<LineView>& lines) {
-  for (const Polygon& polygon : surface) lines.insert(lines.end(), polygon.begin(), polygon.end());
-}
-
-MultiPolygon without_crumbs(MultiPolygon ground) {
-  ground.erase(std::remove_if(ground.begin(), ground.end(),
-                              [](const Polygon& part) { return area({part}) <= least_part; }),
-               ground.end());
-  return ground;
-}
+constexpr std::size_t few_parties = 5;  // whose duels are all looked at
 
 // Who owns what, of claims whose ground comes in unsettled.
 class Settlement {
@@ -74,6 +67,8 @@ class Settlement {
         opponents_(streetgen::opponents(claims, disputes)) {
     grounds_.reserve(claims.size());
     for (const Claim& claim : claims) grounds_.emplace_back(*claim.surface);
+    for (std::size_t i = 0; i < claims.size(); ++i)
+      if (claims[i].whole != nullptr) wholes_.emplace(i, *claims[i].whole);
     for (const auto& [i, j] : disputes) ++first_[i + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
@@ -154,8 +149,14 @@ class Settlement {
   const Rivalry& rivalry(std::size_t dispute) {
     auto& slot = rivalries_[dispute];
     const auto [i, j] = disputes_[dispute];
-    if (!slot) slot.emplace(Party{&claims_[i], &grounds_[i]}, Party{&claims_[j], &grounds_[j]});
+    if (!slot) slot.emplace(Party{&claims_[i], &whole(i)}, Party{&claims_[j], &whole(j)});
     return *slot;
+  }
+
+  // A rivalry is the same wherever crowds took of the two.
+  const Ground& whole(int claim) const {
+    const auto found = wholes_.find(claim);
+    return found == wholes_.end() ? grounds_[claim] : found->second;
   }
 
   struct Duel {
@@ -225,13 +226,51 @@ class Settlement {
     for (const int other : opponents_[claim])
       if (grounds_[other].holds(place)) contest.parties.push_back(other);
     std::sort(contest.parties.begin(), contest.parties.end());
-    each_dispute(contest.parties, [&](std::size_t dispute) {
-      const Rivalry& between = rivalry(dispute);
-      const auto [i, j] = disputes_[dispute];
-      const bool first = between.first_owns(place);
-      contest.duels.push_back({first ? i : j, first ? j : i, between.crossed()});
-    });
+    if (settled_by_champion(claim, place, contest)) return contest;
+    contest.duels.clear();
+    each_dispute(contest.parties,
+                 [&](std::size_t dispute) { contest.duels.push_back(duel(dispute, place)); });
     return contest;
+  }
+
+  Duel duel(std::size_t dispute, const Point& place) {
+    const Rivalry& between = rivalry(dispute);
+    const auto [i, j] = disputes_[dispute];
+    const bool first = between.first_owns(place);
+    return {first ? i : j, first ? j : i, between.crossed()};
+  }
+
+  std::optional<Duel> duel(int i, int j, const Point& place) {
+    const std::pair<int, int> pair(std::min(i, j), std::max(i, j));
+    const auto end = disputes_.begin() + first_[pair.first + 1];
+    const auto found = std::lower_bound(disputes_.begin() + first_[pair.first], end, pair);
+    if (found == end || *found != pair) return std::nullopt;
+    return duel(found - disputes_.begin(), place);
+  }
+
+  // One that beats all others leaves nothing to tell but how the claim fares: a few duels of each
+  // instead of all.
+  bool settled_by_champion(int claim, const Point& place, Contest& contest) {
+    const auto& parties = contest.parties;
+    if (parties.size() < few_parties) return false;
+    int champion = parties.front();
+    for (const int party : parties) {
+      if (party == champion) continue;
+      const auto met = duel(champion, party, place);
+      if (!met) return false;
+      champion = met->winner;
+    }
+    for (const int one : {champion, claim}) {
+      for (const int party : parties) {
+        if (party == one || (one == claim && party == champion)) continue;
+        const auto met = duel(one, party, place);
+        if (!met && one == champion) return false;
+        if (met && one == champion && met->loser == one) return false;
+        if (met) contest.duels.push_back(*met);
+      }
+      if (claim == champion) break;
+    }
+    return true;
   }
 
   // Who loses to nobody owns the place, and those that it beats leave. A crossing goes by rank, all
@@ -269,6 +308,7 @@ class Settlement {
   std::vector<std::size_t> first_;                 // dispute of each claim as the first of a pair
   std::vector<std::vector<int>> opponents_;        // by claim
   std::vector<Ground> grounds_;
+  std::unordered_map<int, Ground> wholes_;  // where they are not these
 };
 
 }  // namespace
@@ -319,9 +359,15 @@ void settle_ownership(Geos& geos, std::vector<Claim>& claims,
     tell_progress("owners", i, claims.size());
     settled.emplace_back(i, settlement.ground_of(i));
   }
+  const auto lose = [](Claim& claim, const MultiPolygon& to_share, const MultiPolygon& left) {
+    claim.contested_area = std::max(0.0, area(to_share) - area(left));
+  };
+  for (Claim& claim : claims)
+    if (claim.whole != nullptr) lose(claim, *claim.whole, *claim.surface);
   for (auto& [i, ground] : settled) {
-    claims[i].contested_area = std::max(0.0, area(*claims[i].surface) - area(ground));
-    *claims[i].surface = std::move(ground);
+    Claim& claim = claims[i];
+    lose(claim, claim.whole != nullptr ? *claim.whole : *claim.surface, ground);
+    *claim.surface = std::move(ground);
   }
 }
 

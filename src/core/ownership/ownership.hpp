@@ -21,6 +21,7 @@ struct Stretch {
 // A surface that may claim ground.
 struct Claim {
   MultiPolygon* surface = nullptr;
+  const MultiPolygon* whole = nullptr;  // the surface before crowds took of it; nullptr: the same
   int level = 0;
   std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
   int importance = 99;            // of its most important axis, 1 the highest

@@ -1,6 +1,7 @@
 #include "ownership/settle_owners.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "ownership/claim.hpp"
 #include "ownership/claim_index.hpp"
+#include "ownership/crowd.hpp"
 #include "ownership/hole.hpp"
 #include "ownership/ownership.hpp"
 #include "roadway/street_surface.hpp"
@@ -77,14 +79,16 @@ class Owners {
 
   // What is wanted, and whatever may take part in what that becomes.
   std::vector<bool> needed_by_wanted() {
-    if (std::all_of(claims_.begin(), claims_.end(), [](const Claim& c) { return c.wanted; }))
-      return std::vector<bool>(claims_.size(), true);
+    if (all_wanted()) return std::vector<bool>(claims_.size(), true);
     std::vector<bool> needed(claims_.size());
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
       needed[i] = true;
       for (const int other : vicinity().opponents(i)) needed[other] = true;
     }
+    for (const Crowd& crowd : crowds_about())
+      if (any_claim(crowd, [&](int i) { return claims_[i].wanted; }))
+        each_claim(crowd, [&](int i) { needed[i] = true; });
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!claims_[i].wanted || served_[i]) continue;
       served_[i] = true;
@@ -116,6 +120,36 @@ class Owners {
     return *vicinity_;
   }
 
+  // Where there may be a crowd, or may have been one: of the claims by their extents, and after
+  // them of what was given up.
+  const std::vector<Crowd>& crowds_about() {
+    if (!crowds_) {
+      const std::vector<Extent>& extents = vicinity().extents();
+      std::vector<Box> boxes;
+      for (const Extent& extent : extents) boxes.push_back(extent.box);
+      for (const FormerSurface* given_up : given_up_) boxes.push_back(box_of(given_up->ground));
+      crowds_ = crowds(boxes, most_overlaps(), [&](int i, const Box& square) {
+        return i >= static_cast<int>(extents.size()) || extents[i].meets({square, {square}}, 0);
+      });
+    }
+    return *crowds_;
+  }
+
+  std::size_t most_overlaps() const { return layout_.settings.overlaps_maximal; }
+
+  template <class Use>
+  void each_claim(const Crowd& crowd, Use use) const {
+    for (const int i : crowd.members)
+      if (i < static_cast<int>(claims_.size())) use(i);
+  }
+
+  template <class Holds>
+  bool any_claim(const Crowd& crowd, Holds holds) const {
+    bool any = false;
+    each_claim(crowd, [&](int i) { any = any || holds(i); });
+    return any;
+  }
+
   // Whether it was not asked for yet.
   bool ask(int i) {
     if (claims_[i].wanted) return false;
@@ -135,6 +169,32 @@ class Owners {
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
       if (moved_[i])
         for (const int other : all[i]) ask(other);
+  }
+
+  bool all_wanted() const {
+    return std::all_of(claims_.begin(), claims_.end(), [](const Claim& c) { return c.wanted; });
+  }
+
+  // What comes into one square with something that moved, or came there before.
+  void ask_crowds() {
+    if (all_wanted()) return;
+    for (const Crowd& crowd : crowds_about())
+      if (crowd.members.back() >= static_cast<int>(claims_.size()) ||
+          any_claim(crowd, [&](int i) { return bool(moved_[i]); }))
+        each_claim(crowd, [&](int i) { ask(i); });
+  }
+
+  // From the surfaces as they were built.
+  void leave_to_crowds() {
+    for (auto& [i, whole] : wholes_) {
+      surfaces_[i].ground = std::move(whole);
+      claims_[i].whole = nullptr;
+    }
+    wholes_.clear();
+    for (auto& [i, left] : left_by_crowds(geos_, claims_, most_overlaps())) {
+      claims_[i].whole = &wholes_.emplace(i, std::move(surfaces_[i].ground)).first->second;
+      surfaces_[i].ground = std::move(left);
+    }
   }
 
   // Whose ground before, holes that it was given included, lies where something that moved lies
@@ -176,6 +236,10 @@ class Owners {
       if (outer(i)) beside.insert(j);
       if (outer(j)) beside.insert(i);
     }
+    if (!turned_.empty())
+      for (const Crowd& crowd : crowds_about())
+        if (any_claim(crowd, [&](int i) { return outer(i); }))
+          each_claim(crowd, [&](int i) { beside.insert(i); });
     for (const Turned& turned : turned_)
       for (const int e : turned.edges) {
         const Edge& edge = layout_.streets.network.edges[e];
@@ -212,14 +276,17 @@ class Owners {
     lead_turned_on_from_given_up();
     for (;;) {
       build(needed_by_wanted());
+      leave_to_crowds();
       disputes_ = disputes(claims_);
       ask_opponents();
+      ask_crowds();
       ask_below_moved();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();
       vicinity_.reset();
+      crowds_.reset();
       return holes;
     }
   }
@@ -235,8 +302,9 @@ class Owners {
 
   template <class Row>
   void settle_row(Row& row, int i) {
-    row.method =
-        claims_[i].contested_area > contested_at_least ? Method::contested : surfaces_[i].method;
+    row.method = claims_[i].whole != nullptr                      ? Method::crowded
+                 : claims_[i].contested_area > contested_at_least ? Method::contested
+                                                                  : surfaces_[i].method;
     row.contested_area = claims_[i].contested_area;
     row.surface = std::move(surfaces_[i].ground);
   }
@@ -272,6 +340,8 @@ class Owners {
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;
   std::optional<Vicinity> vicinity_;
+  std::optional<std::vector<Crowd>> crowds_;
+  std::map<int, MultiPolygon> wholes_;  // of what came into a crowd, as it was built
   std::vector<std::pair<int, int>> disputes_;
 };
 

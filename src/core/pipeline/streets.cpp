@@ -61,6 +61,8 @@ const char* method_name(Method method) noexcept {
       return "transition";
     case Method::contested:
       return "contested";
+    case Method::crowded:
+      return "crowded";
     case Method::robust_fallback:
       return "robust_fallback";
     case Method::by_hand:
