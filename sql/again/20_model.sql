@@ -222,6 +222,32 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501.';
 
+CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- 0 is everybody.
+    holder constant oid := coalesce((SELECT oid FROM pg_roles WHERE rolname = role), 0);
+    held record;
+BEGIN
+    IF role <> 'public' AND holder = 0 THEN
+        RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704', HINT = 'SELECT rolname FROM pg_roles lists them; public is everybody.';
+    ELSIF holder = (SELECT nspowner FROM pg_namespace WHERE nspname = model) THEN
+        RAISE EXCEPTION 'role "%" owns model "%" and keeps all rights', role, model USING ERRCODE = '22023',
+            HINT = format('Another role owns it after ALTER SCHEMA %I OWNER TO …, and the same for its tables and views.', model);
+    END IF;
+    FOR held IN SELECT c.oid::regclass AS relation FROM pg_class c
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind IN ('r', 'p', 'v', 'm', 'f', 'S') AND relowner <> holder
+            AND (EXISTS (SELECT FROM aclexplode(relacl) a WHERE a.grantee = holder)
+                OR EXISTS (SELECT FROM pg_attribute, aclexplode(attacl) a WHERE attrelid = c.oid AND a.grantee = holder))
+    LOOP
+        EXECUTE format('REVOKE ALL ON %s FROM %I CASCADE', held.relation, role);
+    END LOOP;
+    EXECUTE format('REVOKE ALL ON SCHEMA %I FROM %I CASCADE', model, role);
+END $$;
+COMMENT ON FUNCTION streetgen._take_back(name, name) IS
+    'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner of the model: 22023.';
+
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -229,9 +255,8 @@ BEGIN
     PERFORM streetgen._check_owner(model), streetgen._check_given('role', role, 'kind', kind);
     IF kind NOT IN ('reader', 'editor') THEN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
-    ELSIF role <> 'public' AND NOT EXISTS (SELECT FROM pg_roles WHERE rolname = role) THEN
-        RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704', HINT = 'SELECT rolname FROM pg_roles lists them; public is everybody.';
     END IF;
+    PERFORM streetgen._take_back(model, role);
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
     IF kind = 'editor' THEN
@@ -239,4 +264,26 @@ BEGIN
     END IF;
     PERFORM streetgen._grant_edit_views(model);
 END $$;
-COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor); role public: everybody. An unknown role: 42704.';
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
+    'Sets the rights of a role on a model: to read it (reader), or also to edit its input: axes, turn restrictions, overrides (editor). Rights beyond these are taken back. '
+    'Role public: everybody. An unknown role: 42704; the owner of the model, who keeps all rights: 22023; another kind: 22023. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE FUNCTION streetgen.revoke(model name, role name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    through text;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._take_back(model, role);
+    -- What a role has by others it is not alone to lose.
+    SELECT string_agg(CASE grantee WHEN 0 THEN 'public' ELSE grantee::regrole::text END, ', ' ORDER BY grantee) INTO through
+        FROM pg_namespace, aclexplode(nspacl) WHERE nspname = model AND privilege_type = 'USAGE' AND role <> 'public'
+            AND CASE WHEN grantee = 0 THEN true ELSE pg_has_role(role, grantee, 'USAGE') END;
+    IF through IS NOT NULL THEN
+        RAISE WARNING 'role "%" still has rights on model "%" through %', role, model, through USING HINT = 'Revoke those too, or take the role out of these roles.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen.revoke(name, name) IS
+    'Takes all rights on a model from a role; role public: what everybody has. A warning names the roles through which it still has some. '
+    'An unknown role: 42704; the owner of the model, who keeps all rights: 22023. Needs the rights of the owner (42501).';

@@ -116,37 +116,6 @@ END $body$ $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_reach(name) IS 'Makes the function of a model that tells how far a run for some axes reaches.';
 
-CREATE OR REPLACE FUNCTION streetgen._outside(model name, axes bigint[], missed integer[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    reach float8;
-    far float8;
-    outside bigint[];
-BEGIN
-    -- No pair of roadways reaches farther.
-    EXECUTE format($sql$SELECT max(value::float8), max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')$sql$, model) INTO reach, far;
-    EXECUTE format($sql$
-WITH line AS MATERIALIZED (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge),
-size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
-held AS MATERIALIZED (
-    SELECT geom FROM %1$I.edge WHERE axis_id IN (
-        SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2))),
--- With the edges along which an intersection claims ground beside these.
-reached AS MATERIALIZED (
-    SELECT geom FROM held UNION ALL SELECT e.geom FROM %1$I.edge e JOIN %1$I.section_limit l USING (edge_id)
-    WHERE greatest(e.width, e.width_end) / 2 + CASE l.which WHEN 'start' THEN l.abscissa ELSE ST_Length(e.geom) - l.abscissa END > $4
-        AND EXISTS (SELECT FROM held h WHERE ST_DWithin(h.geom, e.geom, $3))),
-inside AS (
-    SELECT axis_id FROM line, size, streetgen._cell(ST_XMin(geom) - $3, ST_YMin(geom) - $3, ST_XMax(geom) + $3, ST_YMax(geom) + $3, size) cell
-    WHERE axis_id = ANY ($1) AND cell = ANY ($2)
-    UNION ALL SELECT a.axis_id FROM reached r JOIN %1$I.axis a ON ST_DWithin(a.geom, r.geom, $3)
-    UNION ALL SELECT e.axis_id FROM reached r JOIN %1$I.edge e ON ST_DWithin(e.geom, r.geom, $3))
-SELECT coalesce(array_agg(id), '{}') FROM (SELECT unnest($1) EXCEPT SELECT axis_id FROM inside) o(id) $sql$, model) INTO outside USING axes, missed, far, reach;
-    RETURN outside;
-END $$;
-COMMENT ON FUNCTION streetgen._outside(name, bigint[], integer[]) IS 'Those of the axes for which a run reads or writes nothing in the cells missed.';
-
 CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT asked bigint[], OUT written bigint[], OUT gathered bigint[], OUT cells integer[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -249,17 +218,191 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_tables(name, text) IS 'Raises 55P03, naming who holds rows or tables of the model.';
 
+-- Keys of axes stand above those of cells; that of the door comes before all others.
+CREATE OR REPLACE FUNCTION streetgen._axis_key(axis_id bigint) RETURNS integer
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    BEGIN ATOMIC SELECT 1025 + (axis_id & 1023)::integer; END;
+COMMENT ON FUNCTION streetgen._axis_key(bigint) IS
+    'The key (1025 to 2048) by which a session that holds places tells others that it writes rows of an axis.';
+
+CREATE OR REPLACE FUNCTION streetgen._door() RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC SELECT '-2147483648'::integer; END;
+COMMENT ON FUNCTION streetgen._door() IS
+    'The key of the door of a model. A run beside others shuts it, so that nobody takes places that it does not know of.';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_places(model name, alone integer[], shared integer[], wait boolean) RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    model_key constant integer := hashtext('streetgen.' || model);
+    place record;
+    free boolean := true;
+BEGIN
+    FOR place IN SELECT key, true AS alone FROM unnest(_lock_places.alone) key
+        UNION ALL SELECT key, false FROM unnest(_lock_places.shared) key ORDER BY key
+    LOOP
+        CASE
+            WHEN wait AND place.alone THEN PERFORM pg_advisory_xact_lock(model_key, place.key);
+            WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, place.key);
+            WHEN place.alone THEN free := pg_try_advisory_xact_lock(model_key, place.key);
+            ELSE free := pg_try_advisory_xact_lock_shared(model_key, place.key);
+        END CASE;
+        EXIT WHEN NOT free;
+    END LOOP;
+    RETURN free;
+END $$;
+COMMENT ON FUNCTION streetgen._lock_places(name, integer[], integer[], boolean) IS
+    'Locks keys of a model for this transaction, in one order, some for itself and some shared with who locks them so too. '
+    'Without wait: false, with some of them locked, where another session holds any.';
+
 CREATE OR REPLACE FUNCTION streetgen._claim_all(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM pg_advisory_xact_lock(hashtext('streetgen.' || model), -1);
+    PERFORM streetgen._lock_places(model, ARRAY[-1], ARRAY[streetgen._door()], wait => true);
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_place(model);
 END $$;
-COMMENT ON FUNCTION streetgen._claim_all(name) IS 'Locks all places of a model by one key, for this transaction. A lock_timeout that ends: 55P03, naming who holds some.';
+COMMENT ON FUNCTION streetgen._claim_all(name) IS
+    'Locks all places of a model by one key, for this transaction. A lock_timeout that ends: 55P03, naming who holds some.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim(model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._door_is_open(model name) RETURNS boolean
+    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+    -- A lock of the session, unlike one of the transaction, can be given back at once.
+    SELECT CASE WHEN pg_try_advisory_lock_shared(key, door) THEN pg_advisory_unlock_shared(key, door) ELSE false END
+    FROM (SELECT hashtext('streetgen.' || model) AS key, streetgen._door() AS door) k $$;
+COMMENT ON FUNCTION streetgen._door_is_open(name) IS
+    'May a session that has just taken places of a model keep them? Not while a run that does not know of them has shut the door.';
+
+CREATE OR REPLACE FUNCTION streetgen._wait_at_door(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._lock_places(model, '{}', ARRAY[streetgen._door()], wait => true);
+    RAISE SQLSTATE 'SG001';
+EXCEPTION
+    WHEN SQLSTATE 'SG001' THEN
+        RETURN;
+    WHEN lock_not_available THEN
+        PERFORM streetgen._refuse_place(model);
+END $$;
+COMMENT ON FUNCTION streetgen._wait_at_door(name) IS
+    'Waits until the door of a model is open, and holds nothing then. A lock_timeout that ends: 55P03, naming who holds places.';
+
+CREATE OR REPLACE FUNCTION streetgen._held_by_others(model name, OUT axes bigint[], OUT cells bigint[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    keys bigint[];
+    all_cells constant bigint := 4294967295;
+BEGIN
+    keys := ARRAY(SELECT DISTINCT objid::bigint FROM pg_locks
+        WHERE locktype = 'advisory' AND objsubid = 2 AND granted AND pid <> pg_backend_pid()
+            AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
+            AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid
+            -- All who hold single places share the key of all.
+            AND (objid::bigint <> all_cells OR mode = 'ExclusiveLock'));
+    cells := CASE WHEN all_cells = ANY (keys) THEN ARRAY(SELECT generate_series(1, 1024))
+                  ELSE ARRAY(SELECT key FROM unnest(keys) key WHERE key BETWEEN 1 AND 1024) END;
+    -- Axes far from each other share keys: of those that have edges only the ones at places that are held.
+    EXECUTE format($sql$
+WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+line AS MATERIALIZED (
+    SELECT axis_id, geom, false AS computed FROM %1$I.axis WHERE streetgen._axis_key(axis_id) = ANY ($1)
+    UNION ALL SELECT axis_id, geom, true FROM %1$I.edge WHERE streetgen._axis_key(axis_id) = ANY ($1))
+SELECT coalesce(array_agg(axis_id), '{}') FROM (
+    SELECT axis_id FROM line GROUP BY axis_id HAVING NOT bool_or(computed)
+    UNION SELECT axis_id FROM line, size, streetgen._cell(
+            ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell
+        WHERE cell = ANY ($2)) h
+$sql$, model) INTO axes USING keys, cells;
+END $$;
+COMMENT ON FUNCTION streetgen._held_by_others(name) IS
+    'The axes of which other sessions write rows, as far as this session sees these axes, and the cells that others hold.';
+
+CREATE OR REPLACE FUNCTION streetgen._stale_beside(model name, axes bigint[], cells bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    beside bigint[];
+    reach record;
+BEGIN
+    IF cells = '{}' THEN
+        RETURN '{}';
+    END IF;
+    -- What others write is not seen: what changed may lie beside an axis that is new there.
+    EXECUTE format($sql$
+WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+far AS (
+    SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) AS far
+    FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')),
+stale AS MATERIALIZED (
+    SELECT axis_id, geom FROM %1$I.axis_used u
+    WHERE coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id), true)
+    UNION ALL SELECT axis_id, geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = e.axis_id)),
+line AS MATERIALIZED (
+    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
+SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM stale s
+WHERE axis_id <> ALL ($1) AND (EXISTS (SELECT FROM far, line l WHERE ST_DWithin(l.geom, s.geom, far))
+    OR EXISTS (SELECT FROM size, streetgen._cell(
+            ST_XMin(geom) - 10, ST_YMin(geom) - 10, ST_XMax(geom) + 10, ST_YMax(geom) + 10, size) cell WHERE cell = ANY ($2)))
+$sql$, model) INTO beside USING axes, cells;
+    -- What changed leads on from one to the next.
+    LOOP
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO reach USING axes || beside;
+        EXIT WHEN reach.stale = '{}';
+        beside := beside || reach.stale;
+    END LOOP;
+    RETURN beside;
+END $$;
+COMMENT ON FUNCTION streetgen._stale_beside(name, bigint[], bigint[]) IS
+    'Axes that changed, or came, since their streets were computed, and lie beside the axes, or at the cells, that others hold.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_beside(
+    model name, axes bigint[], OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- Who takes places holds the door for a moment.
+    SET lock_timeout = '100ms' SET jit = off
+    AS $$
+DECLARE
+    others record;
+    held bigint[];
+    reach record;
+BEGIN
+    asked := '{}';
+    changed := '{}';
+    written := '{}';
+    gathered := '{}';
+    PERFORM streetgen._lock_places(model, ARRAY[streetgen._door()], '{}', wait => true);
+    others := streetgen._held_by_others(model);
+    held := others.axes || streetgen._stale_beside(model, others.axes, others.cells);
+    IF axes IS NULL THEN
+        EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model) INTO asked;
+        changed := asked;
+        written := asked;
+        gathered := asked;
+    ELSE
+        reach := streetgen._reach_of(model, axes);
+        asked := axes;
+        changed := reach.asked;
+        written := reach.written;
+        gathered := reach.gathered;
+    END IF;
+    asked := ARRAY(SELECT unnest(asked) EXCEPT SELECT unnest(held));
+    changed := ARRAY(SELECT unnest(changed) EXCEPT SELECT unnest(held));
+    written := ARRAY(SELECT unnest(written) EXCEPT SELECT unnest(held));
+EXCEPTION WHEN lock_not_available THEN
+    RETURN;
+END $$;
+COMMENT ON FUNCTION streetgen._claim_beside(name, bigint[]) IS
+    'Of the axes (NULL: all of a model) those of which no other session writes rows, for who does not wait: it shuts the door '
+    'for this transaction. What changed while nobody followed waits where it lies beside what others write. Gives what '
+    'streetgen._claim gives; nothing where others compute clusters, mark many axes as stale, or have shut the door.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim(
+    model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -268,67 +411,64 @@ DECLARE
     -- The first key of each lock is the model; of the second 0 is the model, -1 all its cells.
     model_key constant integer := hashtext('streetgen.' || model);
     wanted integer[];
-    missed integer[] := '{}';
-    -- Stale axes at places that others hold.
-    inside bigint[];
+    named bigint[];
+    -- Were all places free, and was the door open?
+    free boolean;
+    entered boolean;
     reach record;
-    cell integer;
     seen pg_snapshot := pg_current_snapshot();
 BEGIN
     reach := streetgen._reach_of(model, axes);
     wanted := reach.cells;
+    named := reach.written;
     LOOP
         -- Locks are taken in one order: where more turn out to be needed, those taken here are given back first.
         BEGIN
+            entered := false;
             IF cardinality(wanted) > most_cells THEN
-                IF wait THEN
-                    PERFORM pg_advisory_xact_lock(model_key, -1);
-                ELSIF NOT pg_try_advisory_xact_lock(model_key, -1) THEN
-                    missed := wanted;
-                END IF;
-            ELSIF wait THEN
-                PERFORM pg_advisory_xact_lock_shared(model_key, -1);
-                FOREACH cell IN ARRAY wanted LOOP
-                    PERFORM pg_advisory_xact_lock(model_key, cell);
-                END LOOP;
-            ELSIF NOT pg_try_advisory_xact_lock_shared(model_key, -1) THEN
-                missed := wanted;
+                free := streetgen._lock_places(model, ARRAY[-1], '{}', wait);
             ELSE
-                FOREACH cell IN ARRAY wanted LOOP
-                    IF NOT pg_try_advisory_xact_lock(model_key, cell) THEN
-                        missed := missed || cell;
-                    END IF;
-                END LOOP;
+                free := streetgen._lock_places(model, wanted, ARRAY[-1], wait);
+            END IF;
+            IF free THEN
+                -- Told first, asked then: a run that shuts the door sees either this or nobody.
+                PERFORM pg_advisory_xact_lock_shared(model_key, key)
+                    FROM (SELECT DISTINCT streetgen._axis_key(id) AS key FROM unnest(named) id) k;
+                entered := streetgen._door_is_open(model);
+            END IF;
+            IF NOT entered THEN
+                RAISE SQLSTATE 'SG001';
             END IF;
             -- The same snapshot: nobody has committed meanwhile.
             IF pg_current_snapshot()::text <> seen::text THEN
                 reach := streetgen._reach_of(model, axes);
             END IF;
-            IF NOT reach.cells <@ wanted THEN
+            IF NOT (reach.cells <@ wanted AND reach.written <@ named) THEN
                 wanted := ARRAY(SELECT DISTINCT c FROM unnest(wanted || reach.cells) c ORDER BY c);
-                missed := '{}';
+                named := named || reach.written;
                 RAISE SQLSTATE 'SG001';
             END IF;
         EXCEPTION
-            WHEN SQLSTATE 'SG001' THEN CONTINUE;
+            WHEN SQLSTATE 'SG001' THEN
+                IF NOT entered AND NOT wait THEN
+                    SELECT * INTO asked, changed, written, gathered FROM streetgen._claim_beside(model, axes);
+                    RETURN;
+                ELSIF NOT entered THEN
+                    -- Holding nothing that was taken here.
+                    PERFORM streetgen._wait_at_door(model);
+                END IF;
+                CONTINUE;
             WHEN lock_not_available THEN
                 PERFORM streetgen._refuse_place(model);
         END;
         EXIT;
     END LOOP;
-    IF missed <> '{}' THEN
-        axes := streetgen._outside(model, axes, missed);
-        reach := streetgen._reach_of(model, axes);
-        -- Stale axes lead on from one to the next, and may lead there.
-        inside := ARRAY(SELECT unnest(reach.asked) EXCEPT SELECT unnest(streetgen._outside(model, reach.asked, missed)));
-        IF inside <> '{}' THEN
-            axes := ARRAY(SELECT a FROM unnest(axes) a WHERE NOT (streetgen._reach_of(model, ARRAY[a])).asked && inside);
-            reach := streetgen._reach_of(model, axes);
-        END IF;
-    END IF;
     asked := axes;
     changed := reach.asked;
     written := reach.written;
     gathered := reach.gathered;
 END $$;
-COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS 'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order; without wait those of the axes whose places are free. Gives these axes, the same with stale ones near them, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';
+COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS
+    'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order, and tells of which axes '
+    'it writes rows; without wait, where a place is not free: as streetgen._claim_beside. Gives these axes, the same with stale '
+    'ones near them, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';

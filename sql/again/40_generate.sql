@@ -35,15 +35,19 @@ BEGIN
         RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE u.relation WHEN 'edge' THEN skipped_axes ELSE 0 END, u.hard FROM streetgen._upsert_whole(model) u;
     ELSE
         IF asked IS NULL THEN
-            -- Another session edits: go on axis by axis with the places that are free.
-            EXECUTE format('SELECT coalesce(array_agg(axis_id), ''{}'') FROM (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge) i', model) INTO asked;
+            EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model) INTO asked;
         END IF;
         IF streetgen._setting_changed(model) THEN
             RAISE EXCEPTION 'settings of model "%" changed since its streets were computed', model USING ERRCODE = '55000',
                 HINT = format('SELECT * FROM streetgen.generate(%L, wait => true) computes all of it: a part would mix old and new.', model);
         END IF;
         IF streetgen._enter(model, wait, alone => false) THEN
-            claimed := streetgen._claim(model, asked, wait);
+            IF whole THEN
+                -- Another session edits: go on beside it.
+                claimed := streetgen._claim_beside(model, NULL);
+            ELSE
+                claimed := streetgen._claim(model, asked, wait);
+            END IF;
             skipped_axes := skipped_axes + cardinality(asked) - cardinality(claimed.asked);
         ELSE
             skipped_axes := skipped_axes + cardinality(asked);

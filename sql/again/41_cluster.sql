@@ -218,28 +218,6 @@ FROM (SELECT sum(CASE name WHEN 'tolerance' THEN 3 ELSE 1 END * value::float8) A
 END $$;
 COMMENT ON FUNCTION streetgen._clusters_beside(name, integer) IS 'The clusters that have not ended and may share nodes with a cluster.';
 
-CREATE OR REPLACE FUNCTION streetgen._lock_places(model name, alone integer[], shared integer[], wait boolean) RETURNS boolean
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$
-DECLARE
-    model_key constant integer := hashtext('streetgen.' || model);
-    place record;
-    free boolean := true;
-BEGIN
-    -- Edits of more than 64 places hold all, -1.
-    FOR place IN SELECT -1 AS key, false AS alone UNION ALL (SELECT k.key, k.alone FROM (SELECT unnest(_lock_places.alone), true UNION ALL SELECT unnest(_lock_places.shared), false) k(key, alone) ORDER BY 1) LOOP
-        CASE
-            WHEN wait AND place.alone THEN PERFORM pg_advisory_xact_lock(model_key, place.key);
-            WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, place.key);
-            WHEN place.alone THEN free := pg_try_advisory_xact_lock(model_key, place.key);
-            ELSE free := pg_try_advisory_xact_lock_shared(model_key, place.key);
-        END CASE;
-        EXIT WHEN NOT free;
-    END LOOP;
-    RETURN free;
-END $$;
-COMMENT ON FUNCTION streetgen._lock_places(name, integer[], integer[], boolean) IS 'Locks places of a model for this transaction, in one order, some for itself and some shared with who locks them so too. Without wait: false, with some of them locked, where another session holds any.';
-
 CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, cluster integer, axes bigint[], wait boolean, OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -255,11 +233,12 @@ BEGIN
         BEGIN
             IF first THEN
                 -- No edit comes in before the keys are made.
-                free := streetgen._lock_places(model, ARRAY[cluster_key - cluster], ARRAY(SELECT cluster_key - beside FROM unnest(streetgen._clusters_beside(model, cluster)) beside), wait);
+                free := streetgen._lock_places(model, ARRAY[cluster_key - cluster], ARRAY[streetgen._door(), -1]
+                    || ARRAY(SELECT cluster_key - beside FROM unnest(streetgen._clusters_beside(model, cluster)) beside), wait);
             ELSE
                 places := coalesce(places, streetgen._footprint(model, axes, '{}'));
                 -- Cells are hashed, so that clusters share them with each other.
-                free := streetgen._lock_places(model, places.blocks, places.cells, wait);
+                free := streetgen._lock_places(model, places.blocks, ARRAY[streetgen._door(), -1] || places.cells, wait);
             END IF;
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
@@ -279,7 +258,7 @@ BEGIN
                 EXIT WHEN NOT free;
                 CONTINUE;
             WHEN lock_not_available THEN
-                RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+                PERFORM streetgen._refuse_place(model);
         END;
         EXIT;
     END LOOP;
@@ -302,10 +281,10 @@ SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(s
 FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended, coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
              coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended, min(k.began) AS began,
              sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)), 0)::float8 AS rate_of_one FROM %I.cluster k) c,
-     -- Keys of blocks are negative; who waits does not compute.
+     -- Keys of blocks are negative, that of the door is the least; who waits does not compute.
      (SELECT count(*)::integer AS sessions FROM (SELECT FROM pg_locks GROUP BY pid HAVING bool_and(granted)
           AND bool_or(locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
-              AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid AND objid::bigint BETWEEN 2147483648 AND 4294967294)) l) s,
+              AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid AND objid::bigint BETWEEN 2147483649 AND 4294967294)) l) s,
      LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS 'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do not wait, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';

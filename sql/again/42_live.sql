@@ -276,6 +276,7 @@ BEGIN
     SELECT l.pid, a.usename, a.application_name, a.xact_start,
            CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'
                 WHEN bool_or(l.granted AND l.objid = 4294967295 AND l.mode = 'ExclusiveLock') THEN 'more than 64 places'
+                WHEN bool_or(l.granted AND l.objid = 2147483648 AND l.mode = 'ExclusiveLock') THEN 'all places that were free'
                 WHEN bool_or(l.granted AND l.mode = 'ShareRowExclusiveLock') THEN 'the settings'
                 ELSE format('%s places', count(*) FILTER (WHERE l.granted AND l.objid::bigint BETWEEN 1 AND 1024)) END,
            pg_blocking_pids(l.pid), a.query

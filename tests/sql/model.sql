@@ -153,6 +153,36 @@ SELECT 'who was granted nothing is told so, not what was tried: ' || call, (r).s
   LATERAL (SELECT test.refusal('SELECT * FROM streetgen.' || call) AS r) s;
 SELECT 'who may not make schemas is told so', r.state = '42501' AND r.said LIKE 'role "streetgen_test_reader" may not make models%' AND r.hint LIKE 'GRANT CREATE ON DATABASE %' FROM test.refusal($q$SELECT streetgen.create_model('model_b', 2154)$q$) r;
 RESET ROLE;
+-- Rights are set, and taken back.
+CREATE FUNCTION pg_temp.rights(role text) RETURNS text LANGUAGE sql AS $$
+  SELECT coalesce(string_agg(DISTINCT privilege_type, ' ' ORDER BY privilege_type), 'none') FROM (
+    SELECT (aclexplode(relacl)).* FROM pg_class WHERE relnamespace = 'model_a'::regnamespace
+    UNION ALL SELECT (aclexplode(attacl)).* FROM pg_attribute JOIN pg_class c ON c.oid = attrelid WHERE relnamespace = 'model_a'::regnamespace
+    UNION ALL SELECT (aclexplode(nspacl)).* FROM pg_namespace WHERE nspname = 'model_a') a
+  WHERE grantee = CASE role WHEN 'public' THEN 0 ELSE role::regrole::oid END $$;
+GRANT UPDATE (value) ON model_a.setting TO streetgen_test_editor;
+GRANT CREATE ON SCHEMA model_a TO streetgen_test_editor;
+SELECT streetgen.grant('model_a', 'streetgen_test_editor', 'reader') \g /dev/null
+SELECT 'an editor who becomes a reader keeps no right to write: ' || pg_temp.rights('streetgen_test_editor'), pg_temp.rights('streetgen_test_editor') = 'SELECT USAGE';
+SET ROLE streetgen_test_editor;
+SELECT 'nor edits an axis, by its table or by its view', test.state('UPDATE model_a.axis SET width = 5') = '42501' AND test.state('UPDATE model_a.axis_editing SET width = 5') = '42501';
+SELECT 'and cannot give back rights by itself', test.state($q$SELECT streetgen.grant('model_a', 'streetgen_test_editor', 'editor')$q$) = '42501'
+  AND test.state($q$SELECT streetgen.revoke('model_a', 'streetgen_test_reader')$q$) = '42501';
+RESET ROLE;
+SELECT streetgen.grant('model_a', 'streetgen_test_editor', 'editor') \g /dev/null
+SELECT 'a reader who becomes an editor edits', has_table_privilege('streetgen_test_editor', 'model_a.axis', 'UPDATE') AND has_table_privilege('streetgen_test_editor', 'model_a.axis_editing', 'UPDATE');
+SELECT streetgen.revoke('model_a', 'streetgen_test_editor') \g /dev/null
+SELECT 'who lost all rights holds none: ' || pg_temp.rights('streetgen_test_editor'), pg_temp.rights('streetgen_test_editor') = 'none';
+SELECT 'nor has one by another way', NOT has_schema_privilege('streetgen_test_editor', 'model_a', 'USAGE') AND NOT has_table_privilege('streetgen_test_editor', 'model_a.edit_log', 'SELECT');
+SELECT 'others keep theirs', pg_temp.rights('streetgen_test_reader') = 'SELECT USAGE';
+SELECT streetgen.grant('model_a', 'public', 'editor') \g /dev/null
+SELECT streetgen.revoke('model_a', 'public') \g /dev/null
+SELECT 'what everybody had is taken back: ' || pg_temp.rights('public'), pg_temp.rights('public') = 'none';
+SELECT 'the owner keeps all rights, and is told so: ' || call, r.state = '22023' AND r.said LIKE 'role %owns model "model_a"%' AND r.hint <> ''
+  FROM unnest(ARRAY['streetgen.grant(''model_a'', current_user, ''reader'')', 'streetgen.revoke(''model_a'', current_user)']) call, LATERAL test.refusal('SELECT ' || call) r;
+SELECT 'and still has them', has_table_privilege(current_user, 'model_a.axis', 'TRUNCATE') AND (SELECT relacl IS NULL OR relacl::text LIKE '%' || current_user || '=arwdDxt%' FROM pg_class WHERE oid = 'model_a.axis'::regclass);
+SELECT 'an unknown role loses nothing, and is told so', test.state($q$SELECT streetgen.revoke('model_a', 'no such')$q$) = '42704';
+SELECT 'a model that is not there is told', test.state($q$SELECT streetgen.revoke('no such', 'streetgen_test_reader')$q$) = '3F000';
 SELECT 'a model that is not there is told with a way out', r.hint LIKE '%streetgen.model%create_model(''no such'',%' FROM test.refusal($q$SELECT streetgen.summary('no such')$q$) r;
 
 -- Adopt and drop.
