@@ -35,7 +35,8 @@ std::optional<double> max_corner_radius(const Line& axis_a, const Line& axis_b, 
                                         double width_b, double radius_limit = 1000);
 
 // Equation 1 of the paper ("paper") or the exact law it comes from ("setra"), clamped to
-// [0.15, 15] m.  speed km/h; width metres, kerb to kerb.
-double turning_radius(double speed, double width, const char* mode);
+// [minimal, maximal] m.  speed km/h; width metres, kerb to kerb.
+double turning_radius(double speed, double width, const char* mode, double minimal = 0.15,
+                      double maximal = 15);
 
 }  // namespace streetgen

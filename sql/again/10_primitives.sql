@@ -95,9 +95,10 @@ CREATE OR REPLACE FUNCTION streetgen.variable_buffer(line geometry, radii float8
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._variable_buffer(line::bytea, radii, side, ends)::geometry $$;
 COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS 'The roadway about a line whose half width (radii, metres, one a vertex) is linear between vertices; side both, left or right; ends flat or round. StreetGen paper, figure 11. NULL for NULL.';
-CREATE OR REPLACE FUNCTION streetgen.turning_radius(speed float8, width float8, mode text DEFAULT 'paper') RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen.turning_radius(
+    speed float8, width float8, mode text DEFAULT 'paper', minimal float8 DEFAULT 0.15, maximal float8 DEFAULT 15) RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_turning_radius';
-COMMENT ON FUNCTION streetgen.turning_radius(float8, float8, text) IS 'Corner radius in metres, 0.15 to 15, from a speed in km/h and a kerb-to-kerb width in metres. mode paper: equation 1 of the StreetGen paper; setra: the law it comes from. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.turning_radius(float8, float8, text, float8, float8) IS 'Corner radius in metres, from minimal to maximal, of a speed in km/h and a width in metres, kerb to kerb. mode paper: equation 1 of the StreetGen paper; setra: the law it comes from. Another mode, or a number out of its range (bounds: 0 to 1000 m, minimal first): 22023. NULL for NULL.';
 CREATE OR REPLACE FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_interconnection';
 COMMENT ON FUNCTION streetgen._interconnection(bytea, bytea, bytea, text, float8) IS 'EWKB twin of streetgen.interconnection';

@@ -12,6 +12,11 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('short_axis', 'reduce', NULL, 'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow (the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm', 'wanted radius by importance; an entry holds up to the next one, the first also before itself; null: no arc; empty: turning_radius', NULL, NULL, NULL),
     ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
+    ('turning_radius_minimal', '0.15', 'm', 'turning_radius gives no less', 0, 3, NULL),
+    ('turning_radius_maximal', '15', 'm', 'turning_radius gives no more', 3, 200, NULL),
+    ('radius_function', NULL, NULL, 'wanted radius of an axis, before radius_by_importance and turning_radius: an immutable function '
+        '(width float8, speed float8, importance integer, lane_count integer, kind text) returning float8, with its schema; '
+        'NULL: none', NULL, NULL, NULL),
     ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
     ('transition_kind', 'symmetric', NULL, 'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
@@ -64,11 +69,14 @@ BEGIN
         RAISE EXCEPTION 'there is no setting "%"', setting USING ERRCODE = '22023', HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
     END IF;
     IF value IS NULL THEN
-        IF setting = 'max_width_per_lane' THEN RETURN; END IF;
+        IF setting IN ('max_width_per_lane', 'radius_function') THEN RETURN; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
-    IF known.choice IS NOT NULL THEN
+    IF setting = 'radius_function' THEN
+        PERFORM streetgen._radius_function(model, value);
+        RETURN;
+    ELSIF known.choice IS NOT NULL THEN
         holds := value = ANY (known.choice);
         IF NOT holds AND setting = 'trajectory' THEN
             BEGIN
@@ -93,7 +101,7 @@ BEGIN
         RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value) USING ERRCODE = '22023', HINT = expected;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS 'Raises 22023 for an unknown setting or a value beyond the range, words or form of _default_setting, 22004 for NULL, saying how to put the default back.';
+COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS 'Raises 22023 for an unknown setting or a value beyond the range, words or form of _default_setting, 22004 for NULL, saying how to put the default back; a radius_function as _radius_function.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -111,9 +119,12 @@ BEGIN
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_given('setting', setting);
     PERFORM streetgen._check_setting(model, setting, value);
+    IF setting = 'radius_function' THEN
+        value := streetgen._qualified(streetgen._radius_function(model, value));
+    END IF;
     -- One at a time, since each goes on to hold out the other.
     EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
     EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, d.choice FROM streetgen._default_setting() d WHERE d.name = $1
         ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model) USING setting, value;
 END $$;
-COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL), also one that was deleted, once edits and runs under way have ended; rows computed before are stale until generate.';
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a radius_function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have ended; rows computed before are stale until generate.';

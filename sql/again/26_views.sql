@@ -29,7 +29,8 @@ BEGIN
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other settings.
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
-SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(name || '=' || coalesce(value, '-'), ',' ORDER BY name), 1) AS setting_hash
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
+           concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function' THEN streetgen._predictor_definition(value) END), ',' ORDER BY name), 1) AS setting_hash
 FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$, model);
@@ -39,7 +40,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        forward_used + backward_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
-       streetgen._wanted_radius(radius, importance_known, speed_used, width_used, radii, turning_mode) AS radius,
+       streetgen._wanted_radius(
+           coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id, width_used, speed_used,
+               coalesce(importance_known, importance_default), forward_used + backward_used, kind) END),
+           importance_known, speed_used, width_used, radii, turning_mode, turning_minimal, turning_maximal) AS radius,
        array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
@@ -57,7 +61,10 @@ LEFT JOIN (
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default, (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width, (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
            streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds, (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
-           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb) AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode
+           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb) AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode,
+           (max(value) FILTER (WHERE name = 'turning_radius_minimal'))::float8 AS turning_minimal,
+           (max(value) FILTER (WHERE name = 'turning_radius_maximal'))::float8 AS turning_maximal,
+           streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
 LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, EXISTS (SELECT FROM %1$I.transition_override) AS any_transition, EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,

@@ -93,16 +93,19 @@ CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS 
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
 COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS 'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind (general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted by ;, empty: nothing said). NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8, radii float8[], mode text) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8,
+        radii float8[], mode text, minimal float8, maximal float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN coalesce(radius, CASE WHEN importance IS NOT NULL AND radii IS NOT NULL THEN coalesce(streetgen._of_importance(importance, radii), 0) END,
-        streetgen.turning_radius(least(speed, 400), width, mode));
-COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, float8[], text) IS 'streetgen.wanted_radius by a list that is read already.';
+        streetgen.turning_radius(least(speed, 400), width, mode, minimal, maximal));
+COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, float8[], text, float8, float8) IS 'streetgen.wanted_radius by a list that is read already.';
 
-CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8,
+        radius_by_importance text, mode text, minimal float8 DEFAULT 0.15, maximal float8 DEFAULT 15) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN streetgen._wanted_radius(radius, importance, speed, width, streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode);
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius. An argument that is NULL is unknown.';
+    RETURN streetgen._wanted_radius(radius, importance, speed, width,
+        streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode, minimal, maximal);
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text, float8, float8) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius between minimal and maximal. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)

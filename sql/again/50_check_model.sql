@@ -6,7 +6,8 @@ BEGIN
     PERFORM streetgen._check_reader(model);
     -- A loop: what fails within its query does not show it whole.
     FOR severity, rule, relation, id, measure, geom IN EXECUTE format($sql$
-WITH used AS MATERIALIZED (SELECT * FROM %1$I.axis_used),
+-- Without the radius, so that a predictor of the user's is not asked.
+WITH used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, lane_count, lanes_forward, lanes_backward, input_hash, setting_hash FROM %1$I.axis_used),
 invalid AS MATERIALIZED (
     SELECT 'section' AS relation, edge_id AS id, surface FROM %1$I.section WHERE NOT ST_IsValid(surface)
     UNION ALL SELECT 'intersection', node_id, surface FROM %1$I.intersection WHERE NOT ST_IsValid(surface)),

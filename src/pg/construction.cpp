@@ -211,9 +211,12 @@ STREETGEN_FUNCTION(streetgen_variable_buffer) {
 STREETGEN_FUNCTION(streetgen_turning_radius) {
   const double speed = PG_GETARG_FLOAT8(0), width = PG_GETARG_FLOAT8(1);
   const char* mode = text_to_cstring(PG_GETARG_TEXT_PP(2));
+  const double minimal = PG_GETARG_FLOAT8(3), maximal = PG_GETARG_FLOAT8(4);
   double radius = 0;
   const Outcome outcome = compute([&] {
-    radius = turning_radius(in_range(speed, 0, 400, "speed"), width_of(width, "width"), mode);
+    in_range(minimal, 0, 1000, "minimal");
+    radius = turning_radius(in_range(speed, 0, 400, "speed"), width_of(width, "width"), mode,
+                            minimal, in_range(maximal, minimal, 1000, "maximal"));
   });
   report(outcome);
   PG_RETURN_FLOAT8(radius);

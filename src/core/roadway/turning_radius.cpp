@@ -7,11 +7,8 @@
 
 namespace streetgen {
 
-namespace {
-constexpr double smallest = 0.15, largest = 15;  // metres
-}
-
-double turning_radius(double speed, double width, const char* mode) {
+double turning_radius(double speed, double width, const char* mode, double minimal,
+                      double maximal) {
   const bool paper = std::string(mode) == "paper";
   if (!paper && std::string(mode) != "setra")
     throw Error(ErrorKind::invalid_input,
@@ -22,7 +19,7 @@ double turning_radius(double speed, double width, const char* mode) {
   const double ratio = clamped / (limit_speed - clamped);
   const double radius =
       paper ? std::sqrt(346.0) * std::sqrt(ratio) : std::pow(346 * ratio, 2.0 / 3.0);
-  return std::clamp(radius, smallest, largest);
+  return std::clamp(radius, minimal, maximal);
 }
 
 }  // namespace streetgen

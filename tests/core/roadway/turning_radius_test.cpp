@@ -32,6 +32,15 @@ TEST(TurningRadius, StaysBetweenAKerbStoneAndFifteenMetres) {
   }
 }
 
+TEST(TurningRadius, StaysBetweenTheBoundsGiven) {
+  // At 50 km/h and 7 m the law gives sqrt(346), beyond the bound of 15 m.
+  EXPECT_NEAR(turning_radius(50, 7, "paper", 0, 200), std::sqrt(346.0), 1e-9);
+  for (const char* mode : modes) {
+    EXPECT_EQ(turning_radius(0, 7, mode, 2, 12), 2);
+    EXPECT_EQ(turning_radius(99, 7, mode, 2, 12), 12);
+  }
+}
+
 TEST(TurningRadius, GrowsWithSpeedAndShrinksWithWidth) {
   for (const char* mode : modes) {
     for (int speed = 0; speed < 400; ++speed)
