@@ -41,6 +41,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'importance' THEN edits.one_of('NULL', '1', '2', '3', '4', '5')
     WHEN 'speed' THEN edits.one_of('NULL', '30', '50', '90')
     WHEN 'lane_count' THEN edits.one_of('NULL', '1', '2', '3', '4')
+    WHEN 'lanes_both' THEN edits.one_of('NULL', '1', '2')
     WHEN 'radius' THEN edits.one_of('NULL', '0', '4', '15')
     WHEN 'kind' THEN quote_nullable(edits.one_of('residential', 'primary', 'service', NULL))
     WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
@@ -48,7 +49,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'level', 'direction', 'importance', 'speed', 'lane_count', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
@@ -106,8 +107,8 @@ BEGIN
       RETURN ARRAY[format('INSERT INTO edited.transition_override (axis_id, which, kind, length) VALUES (%s, %L, %L, %s)',
                           a.axis_id, edits.one_of('start', 'end'), edits.one_of('symmetric', 'left', 'right'), edits.between(0, 30))];
     WHEN 'lane' THEN
-      RETURN ARRAY[format('INSERT INTO edited.lane_override (axis_id, abscissa, ordinality, along_axis, width) VALUES (%s, %s, %s, %s, %s)',
-                          a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('1', '2', '3'), edits.one_of('true', 'false', 'NULL'), edits.one_of('NULL', '2.2', '4.1'))];
+      RETURN ARRAY[format('INSERT INTO edited.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width) VALUES (%s, %s, %s, %s, %s, %s)',
+                          a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('1', '2', '3'), edits.one_of('true', 'false', 'NULL'), edits.one_of('true', 'false', 'NULL'), edits.one_of('NULL', '2.2', '4.1'))];
     WHEN 'interconnection' THEN
       SELECT e.axis_id AS axis_in, f.axis_id AS axis_out, i.ordinality AS lane_in, o.ordinality AS lane_out, n.geom INTO other
         FROM edited.interconnection c JOIN edited.lane i ON i.lane_id = c.lane_in JOIN edited.edge e ON e.edge_id = i.edge_id

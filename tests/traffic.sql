@@ -24,14 +24,14 @@ FROM :"model".interconnection p JOIN :"model".lane i ON i.lane_id = p.lane_in JO
 WHERE n.contested_area + a.contested_area + b.contested_area = 0 AND ST_IsValid(n.surface) AND ST_IsValid(a.surface) AND ST_IsValid(b.surface);
 
 CREATE TEMPORARY TABLE joined_lane AS
-SELECT l.lane_id, CASE WHEN l.along_axis THEN e.from_node ELSE e.to_node END AS leaves, CASE WHEN l.along_axis THEN e.to_node ELSE e.from_node END AS enters
-FROM :"model".lane l JOIN :"model".edge e USING (edge_id) WHERE l.kind <> 'parking';
+SELECT l.lane_id, v.along, v.leaves, v.enters FROM :"model".lane l JOIN :"model".edge e USING (edge_id)
+JOIN LATERAL (VALUES (true, e.from_node, e.to_node), (false, e.to_node, e.from_node)) v(along, leaves, enters) ON l.both_ways OR l.along_axis = v.along WHERE l.kind <> 'parking';
 CREATE TEMPORARY TABLE dead AS
-SELECT (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM path WHERE lane_in = lane_id)) AS lanes_in,
-       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.leaves AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM path WHERE lane_out = lane_id)) AS lanes_out,
+SELECT (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM path WHERE (lane_in, along_in) = (lane_id, along))) AS lanes_in,
+       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.leaves AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM path WHERE (lane_out, along_out) = (lane_id, along))) AS lanes_out,
        -- where the network itself has no way on: a street of another one-way direction, a restriction
-       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE lane_in = lane_id AND reason <> 'restriction')) AS sinks,
-       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.leaves AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE lane_out = lane_id AND reason <> 'restriction')) AS sources;
+       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE (lane_in, along_in) = (lane_id, along) AND reason <> 'restriction')) AS sinks,
+       (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.leaves AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE (lane_out, along_out) = (lane_id, along) AND reason <> 'restriction')) AS sources;
 
 -- What lanes that are marked with turns do where there is a choice: with the marks read, and without.
 CREATE TEMPORARY TABLE choice AS

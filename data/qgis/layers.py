@@ -50,7 +50,7 @@ def surface_by_method(colour):
 
 
 def lane():
-    return single(with_arrow(line('#ffffff', 0.25, dash='1;1.5', opacity=0.8), '#ffffff', 2.2, "if(along_axis, 0, 180)"))
+    return single(with_arrow(line('#ffffff', 0.25, dash='1;1.5', opacity=0.8), '#ffffff', 2.2, "CASE WHEN both_ways THEN NULL WHEN along_axis THEN 0 ELSE 180 END"))
 
 
 def interconnection():
@@ -86,21 +86,21 @@ LAYERS = (
     Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
     Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
-    Layer('edit', 'lane_editing', 'lane_id', 'geom', handle_line('#ffffff'), ('along_axis', 'width', 'by_hand'), scale=2500),
+    Layer('edit', 'lane_editing', 'lane_id', 'geom', handle_line('#ffffff'), ('along_axis', 'both_ways', 'width', 'by_hand'), scale=2500),
     Layer('edit', 'edge_editing', 'edge_id', 'geom', lambda: single(line(AXIS, 0.5, dash='3;1')), ()),
     Layer('edit', 'axis_editing', 'axis_id', 'geom', axis, ('width', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level')),
     Layer('edit', 'edit_log', 'edit_log_id', 'extent', lambda: single(fill('#00000000', HAND, 0.3))),
     Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', lambda: single(point('octagon', REPORT, 3)),
-          ('from_axis', 'to_axis', 'kind', 'turn', 'source', 'source_ref'), scale=2500),
+          ('from_axis', 'to_axis', 'kind', 'turn', 'except_kinds', 'source', 'source_ref'), scale=2500),
     Layer('input', 'axis', 'axis_id', 'geom', axis,
-          ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'kind_forward',
-           'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source', 'source_ref'), shown=True),
+          ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
+           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source', 'source_ref'), shown=True),
     by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
     by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
     by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
     by_hand('kerb_point_override', 'axis_id', 'abscissa', 'width'),
-    by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'width'),
-    by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'connecting'),
+    by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
+    by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
     Layer('input', 'setting', 'name'),
     Layer('traffic', 'interconnection', 'interconnection_id', 'geom', interconnection, scale=1500, shown=True),

@@ -1,8 +1,9 @@
 // Interconnections: how traffic goes on at a node, lane to lane.  StreetGen paper, 2.7.3.
 //
 // Every lane that comes in is paired with every lane that goes out by another edge (setting
-// u_turn: also by the same edge); parking lanes take no part.  docs/geometry.md says how
-// plausible pairs are told from the others.
+// u_turn: also by the same edge); parking lanes take no part.  A lane for both directions comes in
+// and goes out at both its ends.  docs/geometry.md says how plausible pairs are told from the
+// others.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct TurnRestriction {
   Point via;
   bool only = false;  // the only way on from the edge; else: no way
   std::optional<Turn> turn;
+  std::vector<LaneKind> except{};  // it binds no pair with a lane of these kinds
 };
 
 struct InterconnectionSettings {
@@ -54,6 +56,9 @@ struct Interconnection {
   int node = 0;
   int lane_in = 0;  // index into the lanes
   int lane_out = 0;
+  // Whether one drives along the axis of each; another way than lane.along_axis only where both
+  // directions use the lane.
+  bool along_in = true, along_out = true;
   Turn turn = Turn::through;  // through and u_turn: the lanes are parallel, as for the trajectory
   double angle = 0;           // degrees in (-180, 180] from lane to lane, positive to the left
   bool plausible = false;
@@ -62,8 +67,8 @@ struct Interconnection {
   Line line;
 };
 
-// At asked nodes, by (node, lane_in, lane_out).  `lanes` as streetgen::lanes gives them, of the
-// same streets; `axes` as the streets were made from.
+// At asked nodes, by (node, lane_in, lane_out, along_in, along_out).  `lanes` as streetgen::lanes
+// gives them, of the same streets; `axes` as the streets were made from.
 std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,
                                               const std::vector<Lane>& lanes,

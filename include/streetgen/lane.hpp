@@ -37,13 +37,15 @@ constexpr unsigned reverse = 1, sharp_left = 2, left = 4, slight_left = 8, throu
 struct LaneWish {
   LaneKind kind = LaneKind::general;
   bool along_axis = true;
-  double width = 0;  // metres; 0: an equal share of what the others leave
+  bool both_ways = false;  // both directions use it; it counts as along the axis
+  double width = 0;        // metres; 0: an equal share of what the others leave
   unsigned turns = 0;
 };
 
-// The lanes of one axis, each list from left to right in its driving direction.
+// The lanes of one axis, each list from left to right in its driving direction; those of both
+// directions lie between the others, from left to right in the direction of the axis.
 struct AxisLanes {
-  std::vector<LaneWish> forward, backward;
+  std::vector<LaneWish> forward, backward, both_ways{};
 };
 
 // By hand: of the lane `ordinality` of the edge of the axis that holds `abscissa`.
@@ -51,7 +53,7 @@ struct LaneOverride {
   std::int64_t axis_id = 0;
   double abscissa = 0;  // metres along the axis
   int ordinality = 0;
-  enum class Direction { as_is, along, against } direction = Direction::as_is;
+  enum class Direction { as_is, along, against, both } direction = Direction::as_is;
   double width = 0;  // metres; 0: as it is
   // The centre line, turned where it runs against the axis: its end lies before its start there.
   // At least two distinct, finite points; empty: as it is.
@@ -71,6 +73,7 @@ struct Lane {
   int position = 0;    // from 1, at the left kerb
   LaneSide side = LaneSide::centre;
   bool along_axis = true;
+  bool both_ways = false;
   LaneKind kind = LaneKind::general;
   double width = 0;        // metres, at the start limit of the edge
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
@@ -82,6 +85,7 @@ struct Lane {
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand
 };
 
+// A lane for both directions lies between two centre lines, but for cycle and parking lanes.
 enum class SeparatorKind { centre, same_direction, edge };
 
 // The line between the lanes `position` and `position + 1`; 0 and the number of lanes: a kerb.
@@ -104,16 +108,17 @@ enum class MarkingKind { stop, yield, arrow };
 struct Marking {
   MarkingKind kind = MarkingKind::arrow;
   int edge = 0;
-  int position = 0;  // of the lane
-  int node = 0;      // where the lane leads
-  Line line;         // stop and yield lines: across the lane; arrows: from foot to tip
+  int position = 0;        // of the lane
+  bool along_axis = true;  // the traffic that it speaks to
+  int node = 0;            // where that traffic goes
+  Line line;               // stop and yield lines: across the lane; arrows: from foot to tip
   MultiPolygon surface;
 };
 
 struct Lanes {
   std::vector<Lane> lanes;                // by (edge, position)
   std::vector<LaneSeparator> separators;  // by (edge, position)
-  std::vector<Marking> markings;          // by edge; at most one of a kind per lane
+  std::vector<Marking> markings;          // by edge; at most one of a kind per lane and direction
 };
 
 // By axis_id, each at most once; an axis that has none gets one lane along it.

@@ -57,18 +57,19 @@ CREATE OR REPLACE FUNCTION streetgen.offset_line(axis geometry, axis_offset floa
     AS $$ SELECT streetgen._offset_line(axis::bytea, axis_offset, coalesce(offset_end, axis_offset))::geometry $$;
 COMMENT ON FUNCTION streetgen.offset_line(geometry, float8, float8) IS 'The line (LINESTRING, in the point order of the axis) at an offset, metres to the left of the axis (negative: to the right, up to 200), changing linearly to offset_end: mitred in inner bends, round about outer ones, without the loops of bends tighter than the offset. Bad geometry or numbers: 22023. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._lanes(axis bytea, width float8, width_end float8, lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text, lane_width_forward text, lane_width_backward text, lane_order text, driving_side text)
-    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom bytea, surface bytea)
+CREATE OR REPLACE FUNCTION streetgen._lanes(axis bytea, width float8, width_end float8, lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text, lane_width_forward text, lane_width_backward text, lane_order text, driving_side text, lanes_both integer)
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, both_ways boolean, kind text, lane_width float8, axis_offset float8, geom bytea, surface bytea)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 4 AS 'MODULE_PATHNAME', 'streetgen_lanes';
-COMMENT ON FUNCTION streetgen._lanes(bytea, float8, float8, integer, integer, text, text, text, text, text, text) IS 'EWKB twin of streetgen.lanes';
+COMMENT ON FUNCTION streetgen._lanes(bytea, float8, float8, integer, integer, text, text, text, text, text, text, integer) IS 'EWKB twin of streetgen.lanes';
 CREATE OR REPLACE FUNCTION streetgen.lanes(axis geometry, width float8, lanes_forward integer DEFAULT 1, lanes_backward integer DEFAULT 1, kind_forward text DEFAULT '', kind_backward text DEFAULT '',
-        lane_width_forward text DEFAULT '', lane_width_backward text DEFAULT '', width_end float8 DEFAULT NULL, lane_order text DEFAULT 'left_first', driving_side text DEFAULT 'right')
-    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, kind text, lane_width float8, axis_offset float8, geom geometry, surface geometry)
+        lane_width_forward text DEFAULT '', lane_width_backward text DEFAULT '', width_end float8 DEFAULT NULL, lane_order text DEFAULT 'left_first', driving_side text DEFAULT 'right', lanes_both integer DEFAULT 0)
+    RETURNS TABLE(ordinality integer, lane_position integer, side text, along_axis boolean, both_ways boolean, kind text, lane_width float8, axis_offset float8,
+        geom geometry, surface geometry)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 1000 ROWS 4
     SET search_path = pg_catalog, public
-    AS $$ SELECT l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.lane_width, l.axis_offset, l.geom::geometry, l.surface::geometry
-          FROM streetgen._lanes(axis::bytea, width, coalesce(width_end, width), lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, lane_order, driving_side) l $$;
-COMMENT ON FUNCTION streetgen.lanes(geometry, float8, integer, integer, text, text, text, text, float8, text, text) IS 'The lanes of an axis (LINESTRING) of a width in metres kerb to kerb, from the left kerb to the right one: counts along and against it, or lists of kinds and widths as in axis.kind_forward and axis.lane_width_forward; no lane at all: one along it. lane_width and axis_offset (metres to the left of the axis) hold at its start; geom in its point order; the surfaces (MULTIPOLYGON) tile the roadway. Bad geometry, numbers or words, widths for another number of lanes: 22023; NULL for anything but width_end: no row. StreetGen paper, 2.5 and 2.7.2.';
+    AS $$ SELECT l.ordinality, l.lane_position, l.side, l.along_axis, l.both_ways, l.kind, l.lane_width, l.axis_offset, l.geom::geometry, l.surface::geometry
+          FROM streetgen._lanes(axis::bytea, width, coalesce(width_end, width), lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, lane_order, driving_side, lanes_both) l $$;
+COMMENT ON FUNCTION streetgen.lanes(geometry, float8, integer, integer, text, text, text, text, float8, text, text, integer) IS 'The lanes of an axis (LINESTRING) of a width in metres kerb to kerb, from the left kerb to the right one: counts along and against it and, between them, of lanes that both directions use (lanes_both), or lists of kinds and widths as in axis.kind_forward and axis.lane_width_forward; no lane at all: one along it. lane_width and axis_offset (metres to the left of the axis) hold at its start; geom in its point order; the surfaces (MULTIPOLYGON) tile the roadway. Bad geometry, numbers or words, widths for another number of lanes: 22023; any NULL but width_end: no row. StreetGen paper, 2.5 and 2.7.2.';
 
 CREATE OR REPLACE FUNCTION streetgen._clean(bytea, boolean[], float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_clean';

@@ -23,6 +23,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
     ('max_width_per_lane', '5.5', 'm', 'a source width beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL),
+    ('two_way_width_minimal', '4.5', 'm', 'a narrower two-way street of unknown lanes has one lane that both directions use; 0: none', 0, 20, NULL),
     ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10, NULL),
     ('cycle_lane_width', '1.5', 'm', 'width of a cycle lane that says none; 0: as the other lanes', 0, 10, NULL),
     ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),

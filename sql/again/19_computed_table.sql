@@ -12,8 +12,9 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
     (6, 'intersection', 'surface', 'node_id', NULL, 'intersection', 1),
     (7, 'lane', 'lane', 'lane_id', 'edge_id, ordinality', 'lane', 1),
     (8, 'lane_separator', 'lane', 'lane_separator_id', 'edge_id, lane_position', 'lane_separator', 1),
-    (9, 'marking', 'lane', 'marking_id', 'edge_id, kind, lane_position', 'marking', 1),
-    (10, 'interconnection', 'interconnection', 'interconnection_id', 'lane_in, lane_out', 'interconnection', 1),
+    (9, 'marking', 'lane', 'marking_id', 'edge_id, kind, lane_position, along_axis', 'marking', 1),
+    (10, 'interconnection', 'interconnection', 'interconnection_id', 'lane_in, lane_out, along_in, along_out', 'interconnection',
+        1),
     (11, 'report', 'network', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._computed_table() IS
     'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that the '

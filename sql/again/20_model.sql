@@ -91,6 +91,35 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._hand_over(name, oid[]) IS 'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    statement text;
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'lanes_both') THEN
+        RETURN;
+    END IF;
+    -- What was computed has lanes of one direction only.
+    FOREACH statement IN ARRAY ARRAY[
+        'ALTER TABLE %1$I.axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30)',
+        'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds ~ ''^(bus|cycle)(\|(bus|cycle)){0,9}$'')',
+        'ALTER TABLE %1$I.lane_override ADD both_ways boolean',
+        'ALTER TABLE %1$I.interconnection_override ADD along_in boolean, ADD along_out boolean',
+        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0', 'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
+        'ALTER TABLE %1$I.lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways)',
+        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS marking_edge_id_kind_lane_position_key, ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
+        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
+        'ALTER TABLE %1$I.marking ALTER along_axis SET NOT NULL',
+        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean, DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key, ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
+        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
+        'ALTER TABLE %1$I.interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL'
+    ] LOOP
+        EXECUTE format(statement, model);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._add_both_ways(name) IS 'Adds to the tables of a model what lanes for both directions and exceptions of turn restrictions are told by, where it was made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -100,7 +129,7 @@ BEGIN
     IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
-    PERFORM streetgen._make_override_tables(model, srid), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._make_override_tables(model, srid), streetgen._add_both_ways(model), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     PERFORM streetgen._hand_over(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';

@@ -54,7 +54,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_intersection(streets bigint, node
 COMMENT ON FUNCTION streetgen._computed_intersection(bigint, bigint[]) IS 'The intersections of streets computed in this statement: those of asked nodes where edges meet.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
-    RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text, along_axis boolean, kind text,
+    RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text, along_axis boolean, both_ways boolean, kind text,
         width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
 COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
@@ -65,12 +65,12 @@ CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint, ed
 COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint, bigint[]) IS 'The lines between the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint, nodes bigint[], edges bigint[])
-    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, node_id bigint, kind text, geom geometry, surface geometry)
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, along_axis boolean, node_id bigint, kind text, geom geometry, surface geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_marking';
 COMMENT ON FUNCTION streetgen._computed_marking(bigint, bigint[], bigint[]) IS 'What is painted across and on the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, nodes bigint[], lanes bigint[])
-    RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, turn text, angle float8,
+    RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text, angle float8,
         plausible boolean, reason text, control geometry, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_interconnection';
 COMMENT ON FUNCTION streetgen._computed_interconnection(bigint, bigint[], bigint[]) IS 'The pairs of lanes of streets computed in this statement, and the paths between them.';

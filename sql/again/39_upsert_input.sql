@@ -6,8 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
 -- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it axis by axis.
 used AS MATERIALIZED (
-    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward,
-           turn_forward, turn_backward, speed, importance, radius, estimated, CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
+    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
+           lane_width_forward, lane_width_backward, turn_forward, turn_backward, speed, importance, radius, estimated, CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 -- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
@@ -27,7 +27,7 @@ computed AS MATERIALIZED (
         axes => (
             SELECT array_agg(ROW (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, radius, importance, speed,
-                lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+                lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
                 {whole} OR axis_id IN (SELECT unnest($3)), input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
@@ -43,10 +43,10 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (axis_a, axis_b, ST_X(geom), ST_Y(geom), radius)::streetgen.street_corner ORDER BY corner_override_id)
             FROM {model}.corner_override WHERE {whole} OR axis_a = ANY ($2)),
         lanes => (
-            SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, width, line::bytea)::streetgen.street_lane ORDER BY lane_override_id)
+            SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, both_ways, width, line::bytea)::streetgen.street_lane ORDER BY lane_override_id)
             FROM {model}.lane_override WHERE {whole} OR axis_id = ANY ($2)),
         restrictions => (
-            SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn)::streetgen.street_restriction ORDER BY turn_restriction_id)
+            SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn, except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
             FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start, wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)

@@ -121,7 +121,7 @@ UPDATE %1$I.transition_override o SET axis_id = n.axis_id, which = n.which, kind
 WHERE o.transition_override_id = n.id AND (o.axis_id, o.which, o.geom) IS DISTINCT FROM (n.axis_id, n.which, n.geom)$sql$
         WHEN 'lane_override' THEN $sql$,
 new AS (
-    SELECT o.lane_override_id AS id, f.axis_id, at.abscissa, at.geom, o.along_axis <> f.turned AS along_axis, CASE WHEN f.turned THEN ST_Reverse(o.line) ELSE o.line END AS line,
+    SELECT o.lane_override_id AS id, f.axis_id, at.abscissa, at.geom, o.along_axis <> (f.turned AND o.both_ways IS NOT TRUE) AS along_axis, CASE WHEN f.turned THEN ST_Reverse(o.line) ELSE o.line END AS line,
            CASE WHEN f.turned THEN streetgen._mirrored_ordinality(o.ordinality, streetgen._lanes_at(%1$L, o.axis_id, o.abscissa)) ELSE o.ordinality END AS ordinality
     FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
     WHERE f.relation = 'lane_override')
@@ -145,14 +145,17 @@ WHERE o.kerb_point_override_id = n.id AND (o.axis_id, o.abscissa, o.width) IS DI
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom, coalesce(ST_Translate(o.control, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)), o.control) AS control,
            coalesce(i.axis_id, o.axis_in) AS axis_in, CASE WHEN i.turned THEN streetgen._mirrored_ordinality(o.lane_in, streetgen._lanes_by(%1$L, o.axis_in, o.geom)) ELSE o.lane_in END AS lane_in,
-           coalesce(u.axis_id, o.axis_out) AS axis_out, CASE WHEN u.turned THEN streetgen._mirrored_ordinality(o.lane_out, streetgen._lanes_by(%1$L, o.axis_out, o.geom)) ELSE o.lane_out END AS lane_out
+           coalesce(u.axis_id, o.axis_out) AS axis_out, CASE WHEN u.turned THEN streetgen._mirrored_ordinality(o.lane_out, streetgen._lanes_by(%1$L, o.axis_out, o.geom)) ELSE o.lane_out END AS lane_out,
+           o.along_in <> coalesce(i.turned, false) AS along_in, o.along_out <> coalesce(u.turned, false) AS along_out
     FROM %1$I.interconnection_override o
     LEFT JOIN moved m ON (m.relation, m.override_id) = ('interconnection_override', o.interconnection_override_id)
     LEFT JOIN found i ON (i.relation, i.override_id, i.role) = ('interconnection_override', o.interconnection_override_id, 'axis_in')
     LEFT JOIN found u ON (u.relation, u.override_id, u.role) = ('interconnection_override', o.interconnection_override_id, 'axis_out')
     WHERE m.override_id IS NOT NULL OR i.override_id IS NOT NULL OR u.override_id IS NOT NULL)
-UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, axis_in = n.axis_in, lane_in = n.lane_in, axis_out = n.axis_out, lane_out = n.lane_out FROM new n
-WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out) IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out)$sql$
+UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, axis_in = n.axis_in, lane_in = n.lane_in, axis_out = n.axis_out, lane_out = n.lane_out,
+    along_in = n.along_in, along_out = n.along_out FROM new n
+WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out, o.along_in, o.along_out)
+    IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out, n.along_in, n.along_out)$sql$
         ELSE $sql$,
 new AS (
     SELECT o.%2$I_id AS id, coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)), o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b

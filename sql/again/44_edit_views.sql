@@ -35,9 +35,9 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('kerb_point_editing', 'Edit layer: drop a point on a kerb, and the width of the nearest axis follows; DELETE takes it back',
         ARRAY['key; NULL for a new point', 'the axis; NULL: the nearest', 'width of the axis that the point means, metres', 'the place on the kerb'],
         $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$, 'surface'),
-    ('lane_editing', 'Edit layer: flip a lane, redraw it, give it a width of its own; DELETE takes back what was decided by hand',
-        ARRAY['key', 'the edge', 'number from the middle outwards', 'does traffic run in the direction of the axis', 'width, metres', 'decided by hand; false takes it back', 'centre line, in the direction of the axis'],
-        $sql$SELECT l.lane_id, l.edge_id, l.ordinality, l.along_axis, l.width,
+    ('lane_editing', 'Edit layer: flip a lane, open it to both directions, redraw it, give it a width of its own; DELETE takes back what was decided by hand',
+        ARRAY['key', 'the edge', 'number from the middle outwards', 'does traffic run in the direction of the axis', 'do both directions use it', 'width, metres', 'decided by hand; false takes it back', 'centre line, in the direction of the axis'],
+        $sql$SELECT l.lane_id, l.edge_id, l.ordinality, l.along_axis, l.both_ways, l.width,
             EXISTS (SELECT FROM %1$I.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality) AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
         FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
     ('interconnection_editing', 'Edit layer: say whether a lane goes on to another, or drag the middle point of its path; DELETE takes back what was decided by hand',

@@ -18,7 +18,7 @@ BEGIN
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
     ELSIF TG_OP = 'UPDATE' AND (NEW.lane_id, NEW.edge_id, NEW.ordinality) IS DISTINCT FROM (OLD.lane_id, OLD.edge_id, OLD.ordinality) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality', 'Only along_axis, width, geom and by_hand can be changed.');
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality', 'Only along_axis, both_ways, width, geom and by_hand can be changed.');
     END IF;
     subject := format('lane %s (%s of edge %s)', OLD.lane_id, OLD.ordinality, OLD.edge_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s', TG_TABLE_SCHEMA, OLD.edge_id));
@@ -41,17 +41,23 @@ BEGIN
         END IF;
     END IF;
     -- What is not edited stays computed, or as it was decided before.
-    turned := NEW.along_axis IS DISTINCT FROM OLD.along_axis;
+    turned := (NEW.along_axis, NEW.both_ways) IS DISTINCT FROM (OLD.along_axis, OLD.both_ways);
+    IF turned THEN
+        -- A direction typed for a lane that both use is the only one from then on.
+        NEW.both_ways := NEW.both_ways AND (NEW.along_axis OR NOT OLD.both_ways);
+        NEW.along_axis := NEW.along_axis OR NEW.both_ways;
+    END IF;
     widened := NEW.width IS DISTINCT FROM OLD.width;
     redrawn := NEW.geom IS DISTINCT FROM OLD.geom;
     IF known = '{}' THEN
         abscissa := (edge.start_abscissa + edge.end_abscissa) / 2;
-        EXECUTE format('INSERT INTO %I.lane_override (axis_id, abscissa, ordinality, along_axis, width, line, geom) VALUES ($1, $2, $3, $4, $5, $6, $7)', TG_TABLE_SCHEMA)
-            USING edge.axis_id, abscissa, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
+        EXECUTE format('INSERT INTO %I.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width, line, geom) VALUES ($1, $2, $3, $4, $5, $6, $7, $8)', TG_TABLE_SCHEMA)
+            USING edge.axis_id, abscissa, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned THEN NEW.both_ways END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
                 ST_LineInterpolatePoint(edge.axis, least(abscissa / ST_Length2D(edge.axis), 1));
     ELSE
-        EXECUTE format('UPDATE %I.lane_override SET along_axis = CASE WHEN $2 THEN $3 ELSE along_axis END, width = CASE WHEN $4 THEN $5 ELSE width END, line = CASE WHEN $6 THEN $7 ELSE line END
-            WHERE lane_override_id = $1', TG_TABLE_SCHEMA) USING known[1], turned, NEW.along_axis, widened, NEW.width, redrawn, NEW.geom;
+        EXECUTE format('UPDATE %I.lane_override SET along_axis = CASE WHEN $2 THEN $3 ELSE along_axis END, both_ways = CASE WHEN $2 THEN $8 ELSE both_ways END,
+            width = CASE WHEN $4 THEN $5 ELSE width END, line = CASE WHEN $6 THEN $7 ELSE line END
+            WHERE lane_override_id = $1', TG_TABLE_SCHEMA) USING known[1], turned, NEW.along_axis, widened, NEW.width, redrawn, NEW.geom, NEW.both_ways;
     END IF;
     NEW.by_hand := true;
     RETURN NEW;
@@ -80,7 +86,8 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.interconnection JOIN %1$I.lane ON lane_id IN (lane_in, lane_out) JOIN %1$I.edge USING (edge_id) WHERE interconnection_id = %2$s',
         TG_TABLE_SCHEMA, OLD.interconnection_id));
     EXECUTE format($sql$
-SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out, o.ordinality AS lane_out
+SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out, o.ordinality AS lane_out,
+    CASE WHEN i.both_ways THEN c.along_in END AS along_in, CASE WHEN o.both_ways THEN c.along_out END AS along_out
 FROM %1$I.interconnection c JOIN %1$I.node n USING (node_id) JOIN %1$I.lane i ON i.lane_id = c.lane_in JOIN %1$I.edge a ON a.edge_id = i.edge_id JOIN %1$I.lane o ON o.lane_id = c.lane_out JOIN %1$I.edge b ON b.edge_id = o.edge_id
 WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id) AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA)
         INTO place USING OLD.interconnection_id;
@@ -88,8 +95,8 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
         RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its lanes do not meet there any more.', HINT = 'Refresh the layer.';
     END IF;
     EXECUTE format($sql$SELECT coalesce(array_agg(interconnection_override_id ORDER BY interconnection_override_id DESC), '{}') FROM %I.interconnection_override
-        WHERE (axis_in, lane_in, axis_out, lane_out) = ($1, $2, $3, $4) AND ST_DWithin(geom, $5, $6)$sql$, TG_TABLE_SCHEMA)
-        INTO known USING place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA);
+        WHERE (axis_in, lane_in, axis_out, lane_out) = ($1, $2, $3, $4) AND (along_in = $7) IS NOT FALSE AND (along_out = $8) IS NOT FALSE AND ST_DWithin(geom, $5, $6)$sql$, TG_TABLE_SCHEMA)
+        INTO known USING place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA), place.along_in, place.along_out;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
         EXECUTE format('DELETE FROM %I.interconnection_override WHERE interconnection_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
@@ -105,8 +112,8 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
     decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;
     dragged := CASE WHEN NEW.geom IS DISTINCT FROM OLD.geom THEN ST_PointN(NEW.geom, 2) END;
     IF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting, control) VALUES ($1, $2, $3, $4, $5, $6, $7)', TG_TABLE_SCHEMA)
-            USING place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out, decided, dragged;
+        EXECUTE format('INSERT INTO %I.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, along_in, along_out, connecting, control) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
+            USING place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.along_in, place.along_out, decided, dragged;
     ELSE
         EXECUTE format('UPDATE %I.interconnection_override SET connecting = coalesce($2, connecting), control = coalesce($3, control) WHERE interconnection_override_id = $1', TG_TABLE_SCHEMA) USING known[1], decided, dragged;
     END IF;

@@ -42,8 +42,9 @@ bare AS MATERIALIZED (
       -- Ground may wait for a street that is not made yet.
       AND NOT (contested AND EXISTS (SELECT FROM used u WHERE ST_DWithin(u.geom, middle, greatest(u.width, u.width_end) / 2) AND NOT EXISTS (SELECT FROM %1$I.edge n WHERE n.axis_id = u.axis_id)))),
 lane_node AS MATERIALIZED (
-    SELECT l.lane_id, l.geom, CASE WHEN l.along_axis THEN e.from_node ELSE e.to_node END AS leaves, CASE WHEN l.along_axis THEN e.to_node ELSE e.from_node END AS enters
-    FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE l.kind <> 'parking'),
+    SELECT l.lane_id, l.geom, v.along, v.leaves, v.enters FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
+    JOIN LATERAL (VALUES (true, e.from_node, e.to_node), (false, e.to_node, e.from_node)) v(along, leaves, enters) ON l.both_ways OR l.along_axis = v.along
+    WHERE l.kind <> 'parking'),
 tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance'),
 ending AS MATERIALIZED (SELECT node_id, axis_id, geom FROM %1$I.node n JOIN LATERAL (SELECT from_node, axis_id FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) e(node_id, axis_id) USING (node_id)
     WHERE axis_id IN (SELECT from_axis FROM %1$I.turn_restriction UNION SELECT to_axis FROM %1$I.turn_restriction)),
@@ -52,7 +53,7 @@ decided AS MATERIALIZED (
     FROM %1$I.interconnection_override d JOIN %1$I.edge a ON a.axis_id = d.axis_in JOIN %1$I.lane i ON (i.edge_id, i.ordinality) = (a.edge_id, d.lane_in)
     JOIN %1$I.edge b ON b.axis_id = d.axis_out JOIN %1$I.lane o ON (o.edge_id, o.ordinality) = (b.edge_id, d.lane_out)
     JOIN %1$I.interconnection c ON (c.lane_in, c.lane_out) = (i.lane_id, o.lane_id) JOIN %1$I.node n USING (node_id) CROSS JOIN tolerance t
-    WHERE ST_DWithin(d.geom, n.geom, 3 * t.value) ORDER BY c.interconnection_id, d.interconnection_override_id DESC),
+    WHERE (d.along_in = c.along_in) IS NOT FALSE AND (d.along_out = c.along_out) IS NOT FALSE AND ST_DWithin(d.geom, n.geom, 3 * t.value) ORDER BY c.interconnection_id, d.interconnection_override_id DESC),
 -- What of a lane lies outside its section, where nothing was contested.
 astray AS MATERIALIZED (
     SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN valid_section s USING (edge_id)
@@ -74,13 +75,13 @@ UNION ALL SELECT 'error', 'edge outside the roadway, m', 'edge', edge_id, length
 UNION ALL SELECT 'error', 'limits out of order', 'edge', a.edge_id, a.abscissa - b.abscissa, a.geom
     FROM %1$I.section_limit a JOIN %1$I.section_limit b USING (edge_id) WHERE a.which = 'start' AND b.which = 'end' AND a.abscissa > b.abscissa + 1e-6
 UNION ALL SELECT 'error', 'interconnection off its lanes, m', 'interconnection', interconnection_id, off, geom FROM (
-    SELECT c.interconnection_id, c.geom, greatest(ST_Distance(ST_StartPoint(c.geom), CASE WHEN i.along_axis THEN ST_EndPoint(i.geom) ELSE ST_StartPoint(i.geom) END),
-                                                  ST_Distance(ST_EndPoint(c.geom), CASE WHEN o.along_axis THEN ST_StartPoint(o.geom) ELSE ST_EndPoint(o.geom) END)) AS off
+    SELECT c.interconnection_id, c.geom, greatest(ST_Distance(ST_StartPoint(c.geom), CASE WHEN c.along_in THEN ST_EndPoint(i.geom) ELSE ST_StartPoint(i.geom) END),
+                                                  ST_Distance(ST_EndPoint(c.geom), CASE WHEN c.along_out THEN ST_StartPoint(o.geom) ELSE ST_EndPoint(o.geom) END)) AS off
     FROM %1$I.interconnection c JOIN %1$I.lane i ON i.lane_id = c.lane_in JOIN %1$I.lane o ON o.lane_id = c.lane_out) p WHERE off > 0.001
 UNION ALL SELECT 'notice', 'lane without a plausible way on', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l JOIN degree d ON d.node_id = l.enters
-    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE c.lane_in = l.lane_id AND c.plausible)
+    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
 UNION ALL SELECT 'notice', 'lane that no plausible way reaches', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l JOIN degree d ON d.node_id = l.leaves
-    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE c.lane_out = l.lane_id AND c.plausible)
+    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE (c.lane_out, c.along_out) = (l.lane_id, l.along) AND c.plausible)
 UNION ALL SELECT 'warning', 'turn restriction without a place', 'turn_restriction', r.turn_restriction_id, 0, r.geom FROM %1$I.turn_restriction r
     WHERE NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id) WHERE a.axis_id = r.from_axis AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))
 UNION ALL SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction', a.turn_restriction_id, b.turn_restriction_id, a.geom FROM %1$I.turn_restriction a
@@ -88,7 +89,8 @@ UNION ALL SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction
 UNION ALL SELECT 'warning', 'interconnection override without a place', 'interconnection_override', d.interconnection_override_id, 0, d.geom FROM %1$I.interconnection_override d
     WHERE NOT EXISTS (SELECT FROM %1$I.edge a JOIN %1$I.lane i USING (edge_id) JOIN %1$I.interconnection c ON c.lane_in = i.lane_id JOIN %1$I.lane o ON o.lane_id = c.lane_out
         JOIN %1$I.edge b ON b.edge_id = o.edge_id JOIN %1$I.node n ON n.node_id = c.node_id CROSS JOIN tolerance t
-        WHERE (a.axis_id, i.ordinality, b.axis_id, o.ordinality) = (d.axis_in, d.lane_in, d.axis_out, d.lane_out) AND ST_DWithin(d.geom, n.geom, 3 * t.value))
+        WHERE (a.axis_id, i.ordinality, b.axis_id, o.ordinality) = (d.axis_in, d.lane_in, d.axis_out, d.lane_out) AND (d.along_in = c.along_in) IS NOT FALSE
+            AND (d.along_out = c.along_out) IS NOT FALSE AND ST_DWithin(d.geom, n.geom, 3 * t.value))
 UNION ALL SELECT 'warning', 'stale: an interconnection override changed since', 'interconnection_override', interconnection_override_id, 0, geom FROM decided
     WHERE was_method <> 'by_hand' OR was_connecting <> coalesce(connecting, plausible) OR control IS NOT NULL AND control::bytea IS DISTINCT FROM was_control::bytea
 UNION ALL SELECT 'warning', 'stale: the axis changed since', 'axis', u.axis_id, 0, u.geom FROM used u WHERE EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash)
@@ -105,6 +107,8 @@ UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'tra
         SELECT FROM %1$I.edge e JOIN %1$I.intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node ELSE e.to_node END JOIN degree d USING (node_id)
         WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested')
             AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start' THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
+UNION ALL SELECT 'error', 'lanes of the directions do not sum up', 'edge', e.edge_id, e.lane_count, e.geom FROM %1$I.edge e
+    WHERE e.lane_count <> e.lanes_forward + e.lanes_backward + e.lanes_both
 UNION ALL SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)
 UNION ALL SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane WHERE NOT ST_IsValid(surface)
 UNION ALL SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray WHERE ST_Length(outside) > 0.1
@@ -120,9 +124,9 @@ UNION ALL SELECT 'warning', 'kerb point override without its axis', 'kerb_point_
     WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id)
 UNION ALL SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
     WHERE l.kind IN ('general', 'bus') AND l.width < s.least - 1e-6
-UNION ALL SELECT 'notice', 'one lane for both directions, taken as two', 'axis', axis_id, lane_count, geom FROM %1$I.axis WHERE direction = 'both' AND lane_count = 1
+UNION ALL SELECT 'notice', 'lanes for both directions of a one-way street, not taken', 'axis', axis_id, lanes_both, geom FROM %1$I.axis WHERE direction <> 'both' AND lanes_both > 0
 UNION ALL SELECT 'notice', 'lane_count is not that of the directions, which count', 'axis', a.axis_id, a.lane_count, a.geom FROM %1$I.axis a JOIN used u USING (axis_id)
-    WHERE a.lane_count <> u.lane_count AND NOT (a.direction = 'both' AND a.lane_count = 1)
+    WHERE a.lane_count <> u.lane_count
 UNION ALL SELECT 'notice', 'lanes against a one-way street, not taken', 'axis', axis_id, stated, geom FROM listed WHERE closed AND stated > 0 AND kinds IS NULL
 UNION ALL SELECT 'notice', 'number of lanes is not that of their kinds, which count', 'axis', axis_id, stated, geom FROM listed WHERE stated <> of_kinds
 UNION ALL SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_id, cardinality(string_to_array(list, '|')), geom FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)

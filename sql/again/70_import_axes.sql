@@ -106,7 +106,7 @@ BEGIN
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE pg_temp._import ALTER COLUMN geom TYPE geometry;
     -- Not every source knows of single lanes.
-    FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
+    FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
             ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text')) c(name, type)
         WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
     LOOP
@@ -139,7 +139,7 @@ BEGIN
     END IF;
     SELECT i.label, v.name AS name, v.value AS value INTO bad FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400), ('radius', i.radius, 0, 200),
-            ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30), ('lanes_backward', i.lanes_backward, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
+            ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30), ('lanes_backward', i.lanes_backward, 0, 30), ('lanes_both', i.lanes_both, 0, 30), ('importance', i.importance, 0, 99)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023', HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to 99; NULL is unknown.';
@@ -172,10 +172,10 @@ BEGIN
     RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref)
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
-    -- One row a part, in the model's reference, of the model's dimension.
+    -- One row a part, in the model's reference, of the model's dimension. Lanes for both directions are the seed of the hash: it stays the same where a source has none.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line, NULL::geometry AS cleaned, (d.path)[1] AS nth,
-            hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed, i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward, i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward, i.turn_backward), 0) AS hash
+            hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed, i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward, i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward, i.turn_backward), coalesce(i.lanes_both, 0)) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
@@ -221,15 +221,15 @@ BEGIN
     -- What the source says as before stays as it is, edited by hand or not.
     EXECUTE format($sql$
 DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
-    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
-        IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)) $sql$, model) USING source;
+    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
+        IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)) $sql$, model) USING source;
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
     EXECUTE format($sql$
-INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
-SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
-ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
+INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
+SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
+ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, lanes_both = excluded.lanes_both, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;
@@ -283,7 +283,7 @@ CREATE OR REPLACE FUNCTION streetgen._refuse_number(label text, value text, colu
     AS $$
 BEGIN
     RAISE EXCEPTION 'source row % has "%" in column "%", expected a % for %', label, value, column_name,
-        CASE WHEN target IN ('lane_count', 'importance', 'level', 'lanes_forward', 'lanes_backward') THEN 'whole number' ELSE 'number' END, target USING ERRCODE = '22023',
+        CASE WHEN target IN ('lane_count', 'importance', 'level', 'lanes_forward', 'lanes_backward', 'lanes_both') THEN 'whole number' ELSE 'number' END, target USING ERRCODE = '22023',
         HINT = 'Map a column of numbers, or import from a view that converts it; NULL is unknown.';
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_number(text, text, text, text) IS 'Raises 22023 for a value of a source row that is no number, for a column of axis that takes one.';
@@ -307,15 +307,15 @@ BEGIN
         RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023', HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
     END IF;
     SELECT key INTO column_name FROM jsonb_object_keys(mapping) key
-        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source_ref') LIMIT 1;
+        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source_ref') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name USING ERRCODE = '22023',
-            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward or source_ref';
+            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward or source_ref';
     END IF;
     -- A row without a source_ref is known by its place.
     label := CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string' THEN format('coalesce(%I::text, ''number '' || row_number() OVER ())', mapping ->> 'source_ref') ELSE '''number '' || row_number() OVER ()' END;
     FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
-            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'), ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'), ('source_ref', 'text')) t(name, type)
+            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'), ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'), ('source_ref', 'text')) t(name, type)
     LOOP
         entry := mapping -> target.name;
         IF target.name = 'geom' AND entry IS NULL THEN entry := '"geom"'; END IF;

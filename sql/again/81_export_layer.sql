@@ -10,13 +10,13 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer() RETURNS TABLE(turn integer,
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ VALUES
     (1, 'roads', 'MULTIPOLYGON', false, 'roadway_id AS id, part, edge_id, node_id, axis_id, name, kind, importance, level, width, lane_count', 'surface', 'roadway'),
-    (2, 'axes', 'LINESTRING', true, 'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, u.lane_count, u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.speed, array_to_string(estimated, '','') AS estimated, source, source_ref', 'u.geom', 'axis_used u JOIN %1$I.axis a USING (axis_id)'),
-    (3, 'edges', 'LINESTRING', true, 'edge_id AS id, axis_id, from_node, to_node, importance, level, start_abscissa AS from_m, end_abscissa AS to_m, width, width_end, lane_count, lanes_forward AS lanes_fwd, lanes_backward AS lanes_bwd, speed', 'geom', 'edge'),
+    (2, 'axes', 'LINESTRING', true, 'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, u.lane_count, u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.lanes_both, u.speed, array_to_string(estimated, '','') AS estimated, source, source_ref', 'u.geom', 'axis_used u JOIN %1$I.axis a USING (axis_id)'),
+    (3, 'edges', 'LINESTRING', true, 'edge_id AS id, axis_id, from_node, to_node, importance, level, start_abscissa AS from_m, end_abscissa AS to_m, width, width_end, lane_count, lanes_forward AS lanes_fwd, lanes_backward AS lanes_bwd, lanes_both, speed', 'geom', 'edge'),
     (4, 'nodes', 'POINT', true, 'node_id AS id', 'geom', 'node'),
-    (5, 'lanes', 'LINESTRING', false, 'lane_id AS id, edge_id, ordinality, lane_position AS position, side, along_axis, kind, width, turn', 'geom', 'lane'),
+    (5, 'lanes', 'LINESTRING', false, 'lane_id AS id, edge_id, ordinality, lane_position AS position, side, along_axis, both_ways, kind, width, turn', 'geom', 'lane'),
     (6, 'lane_separators', 'MULTIPOLYGON', false, 'lane_separator_id AS id, edge_id, lane_position AS position, kind, dashed', 'surface', 'lane_separator'),
-    (7, 'markings', 'MULTIPOLYGON', false, 'marking_id AS id, edge_id, lane_position AS position, node_id, kind', 'surface', 'marking'),
-    (8, 'interconnections', 'LINESTRING', false, 'interconnection_id AS id, node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting', 'geom', 'interconnection'),
+    (7, 'markings', 'MULTIPOLYGON', false, 'marking_id AS id, edge_id, lane_position AS position, along_axis, node_id, kind', 'surface', 'marking'),
+    (8, 'interconnections', 'LINESTRING', false, 'interconnection_id AS id, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting', 'geom', 'interconnection'),
     (9, 'corners', 'LINESTRING', false, 'corner_id AS id, node_id, edge_a, edge_b, radius, method', 'ST_CurveToLine(arc, 16)', 'corner WHERE arc IS NOT NULL')
     $$;
 COMMENT ON FUNCTION streetgen._export_layer() IS 'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: with heights where axes have them. No name of a field is longer than the ten characters that a shapefile holds.';

@@ -1,7 +1,7 @@
 -- The rows that streetgen._streets computes streets from.
 CREATE TYPE streetgen.street_axis AS (
     axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer, speed float8,
-    lanes_forward integer, lanes_backward integer, kind_forward text, kind_backward text,
+    lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
     lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
     changed boolean, outer_axis boolean
 );
@@ -16,6 +16,7 @@ COMMENT ON COLUMN streetgen.street_axis.importance IS '1 highest';
 COMMENT ON COLUMN streetgen.street_axis.speed IS 'km/h';
 COMMENT ON COLUMN streetgen.street_axis.lanes_forward IS 'lanes along the axis';
 COMMENT ON COLUMN streetgen.street_axis.lanes_backward IS 'lanes against the axis';
+COMMENT ON COLUMN streetgen.street_axis.lanes_both IS 'lanes that both directions use';
 COMMENT ON COLUMN streetgen.street_axis.kind_forward IS 'kinds of the lanes along the axis, parted by |; NULL: general';
 COMMENT ON COLUMN streetgen.street_axis.kind_backward IS 'kinds of the lanes against the axis, parted by |; NULL: general';
 COMMENT ON COLUMN streetgen.street_axis.lane_width_forward IS 'widths of the lanes along the axis, m, parted by |; NULL: shares';
@@ -46,16 +47,17 @@ COMMENT ON COLUMN streetgen.street_corner.x IS 'abscissa of a place near the nod
 COMMENT ON COLUMN streetgen.street_corner.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_corner.radius IS 'm';
 
-CREATE TYPE streetgen.street_lane AS (axis_id bigint, abscissa float8, ordinality integer, along_axis boolean, width float8, line bytea);
+CREATE TYPE streetgen.street_lane AS (axis_id bigint, abscissa float8, ordinality integer, along_axis boolean, both_ways boolean, width float8, line bytea);
 COMMENT ON TYPE streetgen.street_lane IS 'A lane by hand: direction, width and line, each NULL where it stays as computed.';
 COMMENT ON COLUMN streetgen.street_lane.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.street_lane.abscissa IS 'a place on the edge, m along the axis';
 COMMENT ON COLUMN streetgen.street_lane.ordinality IS 'number of the lane on the edge';
 COMMENT ON COLUMN streetgen.street_lane.along_axis IS 'does traffic run along the axis?';
+COMMENT ON COLUMN streetgen.street_lane.both_ways IS 'do both directions use it? Then along_axis counts for nothing';
 COMMENT ON COLUMN streetgen.street_lane.width IS 'm';
 COMMENT ON COLUMN streetgen.street_lane.line IS 'LINESTRING, EWKB';
 
-CREATE TYPE streetgen.street_restriction AS (from_axis bigint, to_axis bigint, x float8, y float8, kind text, turn text);
+CREATE TYPE streetgen.street_restriction AS (from_axis bigint, to_axis bigint, x float8, y float8, kind text, turn text, except_kinds text);
 COMMENT ON TYPE streetgen.street_restriction IS 'What traffic may not do at a node, or only may.';
 COMMENT ON COLUMN streetgen.street_restriction.from_axis IS 'the axis that traffic comes by';
 COMMENT ON COLUMN streetgen.street_restriction.to_axis IS 'the axis that it goes on by';
@@ -63,6 +65,7 @@ COMMENT ON COLUMN streetgen.street_restriction.x IS 'abscissa of a place near th
 COMMENT ON COLUMN streetgen.street_restriction.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_restriction.kind IS 'no or only';
 COMMENT ON COLUMN streetgen.street_restriction.turn IS 'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
+COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS 'kinds of lanes that it does not bind, parted by |; NULL: it binds all';
 
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8, border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean

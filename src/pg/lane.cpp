@@ -26,16 +26,17 @@ struct Found {
 void give(const Found& found, ReturnSetInfo* result) {
   for (std::size_t i = 0; i < found.lanes.size(); ++i) {
     const Lane& lane = found.lanes[i];
-    const Datum values[9] = {Int32GetDatum(lane.ordinality),
-                             Int32GetDatum(lane.position),
-                             CStringGetTextDatum(lane_side_name(lane.side)),
-                             BoolGetDatum(lane.along_axis),
-                             CStringGetTextDatum(lane_kind_name(lane.kind)),
-                             Float8GetDatum(lane.width),
-                             Float8GetDatum(lane.axis_offset),
-                             bytes_datum(found.lines[i]),
-                             bytes_datum(found.surfaces[i])};
-    const bool nulls[9] = {false};
+    const Datum values[10] = {Int32GetDatum(lane.ordinality),
+                              Int32GetDatum(lane.position),
+                              CStringGetTextDatum(lane_side_name(lane.side)),
+                              BoolGetDatum(lane.along_axis),
+                              BoolGetDatum(lane.both_ways),
+                              CStringGetTextDatum(lane_kind_name(lane.kind)),
+                              Float8GetDatum(lane.width),
+                              Float8GetDatum(lane.axis_offset),
+                              bytes_datum(found.lines[i]),
+                              bytes_datum(found.surfaces[i])};
+    const bool nulls[10] = {false};
     tuplestore_putvalues(result->setResult, result->setDesc, const_cast<Datum*>(values),
                          const_cast<bool*>(nulls));
   }
@@ -52,6 +53,7 @@ STREETGEN_FUNCTION(streetgen_lanes) {
   const int counts[2] = {PG_GETARG_INT32(3), PG_GETARG_INT32(4)};
   const char* words[6];
   for (int i = 0; i < 6; ++i) words[i] = text_to_cstring(PG_GETARG_TEXT_PP(5 + i));
+  const int lanes_both = PG_GETARG_INT32(11);
   InitMaterializedSRF(fcinfo, 0);
   Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -68,9 +70,10 @@ STREETGEN_FUNCTION(streetgen_lanes) {
                     "a width for each of " + std::to_string(lanes.size()) + " lanes");
       return lanes;
     };
+    std::vector<LaneWish> both(static_cast<int>(in_range(lanes_both, 0, 40, "lanes_both")));
     const LaneSettings settings = read_lane_settings(words[4], words[5], LaneSettings{}.narrowest);
     Found& found = *slot->value;
-    found.lanes = axis_lanes(read.line, width, width_end, {list(0), list(1)}, settings);
+    found.lanes = axis_lanes(read.line, width, width_end, {list(0), list(1), both}, settings);
     for (const Lane& lane : found.lanes) {
       found.lines.push_back(write_line(lane.line, {read.srid, false}));
       found.surfaces.push_back(write_surface(lane.surface, {read.srid, false}));

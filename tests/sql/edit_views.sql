@@ -140,6 +140,13 @@ UPDATE town.lane_editing SET width = 2.5 WHERE lane_id = (SELECT lane_id FROM fi
 SELECT 'a width of its own, and still flipped', by_hand AND along_axis AND abs(width - 2.5) < 1e-6 FROM first_lane;
 UPDATE town.lane_editing SET geom = ST_Reverse(pg_temp.line('LINESTRING(5 2, 40 2.4, 70 2)')) WHERE lane_id = (SELECT lane_id FROM first_lane);
 SELECT 'a lane redrawn, in the direction of the axis', pg_temp.shape(line) = 'LINESTRING(5 2,40 2.4,70 2)' AND along_axis AND width = 2.5 FROM town.lane_override;
+UPDATE town.lane_editing SET both_ways = true WHERE lane_id = (SELECT lane_id FROM first_lane);
+SELECT 'a lane opened to both directions', both_ways AND along_axis AND by_hand FROM first_lane;
+UPDATE town.lane_editing SET along_axis = false WHERE lane_id = (SELECT lane_id FROM first_lane);
+SELECT 'a direction typed is the only one', NOT both_ways AND NOT along_axis FROM first_lane;
+UPDATE town.lane_editing SET both_ways = true WHERE lane_id = (SELECT lane_id FROM first_lane);
+UPDATE town.lane_editing SET both_ways = false WHERE lane_id = (SELECT lane_id FROM first_lane);
+SELECT 'closed, it runs along the axis', NOT both_ways AND along_axis AND width = 2.5 FROM first_lane;
 SELECT 'its line is the one drawn', ST_DWithin(geom, pg_temp.place(40, 2.4), 1e-6) FROM first_lane;
 SELECT * FROM pg_temp.refused('a lane of NaN', $q$UPDATE town.lane_editing SET width = 'NaN' WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane that collapses', $q$UPDATE town.lane_editing SET geom = pg_temp.line('LINESTRING(5 2, 5 2)') WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);

@@ -42,6 +42,9 @@ UPDATE import_bdtopo3 SET reserve_aux_bus = CASE cleabs WHEN 'B' THEN 'Sens inve
 DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;
 SELECT 'version 3: bus and cycle lanes', (SELECT array_agg(concat_ws(' ', kind_forward, '/', kind_backward) ORDER BY source_ref) = '{general|general|cycle / general|cycle,/ bus,/ general|general|general|cycle}' FROM import_v3.axis);
 SELECT 'version 3: a bus lane against the traffic is one of the lanes', (SELECT (u.lanes_forward, u.lanes_backward) = (2, 1) FROM import_v3.axis_used u JOIN import_v3.axis a USING (axis_id) WHERE source_ref = 'B');
+UPDATE import_bdtopo3 SET nombre_de_voies = 1, reserve_aux_bus = NULL WHERE cleabs = 'A';
+DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;
+SELECT 'version 3: one lane is of both directions, between cycle lanes', (SELECT (a.kind_forward, a.kind_backward) = ('cycle', 'cycle') AND (u.lane_count, u.lanes_both, u.width) = (1, 1, 5.5) FROM import_v3.axis_used u JOIN import_v3.axis a USING (axis_id) WHERE source_ref = 'A');
 UPDATE import_bdtopo3 SET sens_de_circulation = CASE cleabs WHEN 'A' THEN 'Sans objet' WHEN 'B' THEN 'Quelconque' WHEN 'C' THEN '' END;
 SELECT 'version 3: a direction that is none is named, one that is not known is not', (SELECT source_refs = '{B}' FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3') WHERE what LIKE 'direction not understood%');
 SELECT 'version 3: both count as both', (SELECT bool_and(direction = 'both') FROM import_v3.axis);

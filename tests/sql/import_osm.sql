@@ -62,22 +62,32 @@ SELECT 'a bus lane each way beside the usual lane', (SELECT (kind_forward, kind_
 SELECT 'importing again changes nothing', (SELECT count = 0 FROM streetgen.import_osm('import_osm', 'import') WHERE what = 'new or changed');
 SELECT 'their lanes are generated without an error', (SELECT bool_and(deleted = 0) FROM streetgen.generate('import_osm')) AND NOT EXISTS (SELECT FROM streetgen.check_model('import_osm') WHERE severity = 'error');
 SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('import_osm') WHERE rule LIKE '%not those of all lanes%');
--- A lane for both directions is the innermost forward one.
+-- Lanes for both directions, in the middle; one lane in all.
 DO $$ BEGIN
   PERFORM streetgen.create_model('import_' || side, 32631), streetgen.set('import_' || side, 'driving_side', side) FROM unnest(ARRAY['right', 'left']) side;
 END $$;
 CREATE TABLE centre_line (LIKE import_line);
-ALTER TABLE centre_line ADD lanes_both_ways text, ADD width_lanes_forward text, ADD bus_lanes_forward text;
+ALTER TABLE centre_line ADD lanes_both_ways text, ADD lanes_reversible text, ADD width_lanes_forward text, ADD bus_lanes_forward text;
 INSERT INTO centre_line (way_id, class, geom, oneway, lanes, lanes_forward, lanes_backward, lanes_both_ways, turn_lanes_forward, width_lanes_forward, bus_lanes_forward)
 SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631), oneway, lanes, forward, backward, both_ways, turns, widths, buses FROM (VALUES
   (1::bigint, NULL, '5', '2', '2', '1', 'through|right', '3|3.5', '|designated'), (2, NULL, '3', NULL, NULL, '1', NULL, NULL, NULL), (3, NULL, NULL, '1', '1', '1', NULL, NULL, NULL),
   (4, NULL, '4', '1', NULL, '1', NULL, NULL, NULL), (5, NULL, '4', NULL, '1', '1', NULL, NULL, NULL), (6, 'yes', '2', NULL, NULL, '1', NULL, NULL, NULL),
-  (7, NULL, NULL, NULL, NULL, '1', NULL, NULL, NULL), (8, NULL, '2', NULL, NULL, '0', NULL, NULL, NULL), (9, NULL, NULL, '30', '1', '1', NULL, NULL, NULL))
+  (7, NULL, NULL, NULL, NULL, '1', NULL, NULL, NULL), (8, NULL, '2', NULL, NULL, '0', NULL, NULL, NULL), (9, NULL, NULL, '30', '1', '1', NULL, NULL, NULL),
+  (10, NULL, '4', NULL, NULL, NULL, NULL, NULL, NULL), (11, NULL, '1', NULL, NULL, NULL, NULL, NULL, NULL), (12, NULL, '1', NULL, NULL, NULL, NULL, NULL, NULL), (13, NULL, '1', NULL, NULL, NULL, NULL, NULL, NULL),
+  (14, NULL, '1', NULL, NULL, '1', NULL, NULL, NULL))
   v(way_id, oneway, lanes, forward, backward, both_ways, turns, widths, buses);
+UPDATE centre_line SET lanes_reversible = '2' WHERE way_id = 10;
+UPDATE centre_line SET cycleway = 'lane', parking_right = 'lane' WHERE way_id = 12;
+UPDATE centre_line SET busway = 'lane' WHERE way_id = 13;
 CREATE TABLE centre_report AS SELECT * FROM streetgen.import_osm('import_right', 'centre');
 SELECT streetgen.import_osm('import_left', 'centre') \g /dev/null
-SELECT format('way %s with a lane for both directions: %s lanes, %s of them forward', source_ref, total, forward), (u.lane_count, u.lanes_forward, a.lane_count) = (total, forward, total)
-  FROM (VALUES ('1', 5, 3), ('2', 3, 2), ('3', 3, 2), ('4', 4, 2), ('5', 4, 3), ('6', 2, 2), ('8', 2, 1)) v(source_ref, total, forward) JOIN import_right.axis a USING (source_ref) JOIN import_right.axis_used u USING (axis_id);
-SELECT 'lists name it, and say nothing of it', (turn_forward, lane_width_forward, kind_forward) = ('|through|right', '|3|3.5', 'general|general|bus') FROM import_right.axis WHERE source_ref = '1';
-SELECT 'on the other side of the road at their end', (turn_forward, lane_width_forward, kind_forward) = ('through|right|', '3|3.5|', 'general|bus|general') FROM import_left.axis WHERE source_ref = '1';
-SELECT 'where it cannot be counted it is named', source_refs = '{6,7,9}' FROM centre_report WHERE what LIKE 'lane_count not understood%';
+SELECT format('way %s: %s lanes, %s forward, %s backward, %s for both directions', source_ref, forward + backward + both_ways, forward, backward, both_ways),
+       (u.lane_count, u.lanes_forward, u.lanes_backward, u.lanes_both) = (forward + backward + both_ways, forward, backward, both_ways)
+  FROM (VALUES ('1', 2, 2, 1), ('2', 1, 1, 1), ('3', 1, 1, 1), ('4', 1, 2, 1), ('5', 2, 1, 1), ('6', 2, 0, 0), ('7', 1, 1, 1), ('8', 1, 1, 0), ('10', 1, 1, 2), ('11', 0, 0, 1), ('12', 0, 0, 1), ('13', 2, 2, 0), ('14', 0, 0, 1))
+    v(source_ref, forward, backward, both_ways) JOIN import_right.axis a USING (source_ref) JOIN import_right.axis_used u USING (axis_id);
+SELECT 'lists speak of the lanes of their direction alone', (turn_forward, lane_width_forward, kind_forward) = ('through|right', '3|3.5', 'general|bus') FROM import_right.axis WHERE source_ref = '1';
+SELECT 'on either side of the road', (turn_forward, lane_width_forward, kind_forward) = ('through|right', '3|3.5', 'general|bus') FROM import_left.axis WHERE source_ref = '1';
+SELECT 'cycle and parking lanes lie beside the lane of both', (kind_forward, kind_backward) = ('cycle|parking', 'cycle') FROM import_right.axis WHERE source_ref = '12';
+SELECT 'buses with a lane of their own leave one each way', (kind_forward, kind_backward) = ('general|bus', 'general|bus') FROM import_right.axis WHERE source_ref = '13';
+SELECT 'where it cannot be counted it is named', source_refs = '{6,9}' FROM centre_report WHERE what LIKE 'lane_count not understood%';
+SELECT 'the estimated width is that of one lane', u.width = 3.5 FROM import_right.axis_used u JOIN import_right.axis USING (axis_id) WHERE source_ref = '11';

@@ -25,8 +25,12 @@ SELECT 'what is left out is said: ' || what, (SELECT source_refs = ARRAY[ref] FR
     FROM (VALUES ('not for all traffic', '14'), ('not understood', '15'), ('via a way', '16'), ('of ways that are no axes', '17')) e(what, ref);
 SELECT 'also one that lacks a way', (SELECT array_agg(ref ORDER BY ref) = '{18,19}' FROM import_report, unnest(source_refs) ref WHERE what = 'turn restriction without the way that it leads from or to, left out');
 ALTER TABLE town_restriction ADD COLUMN excepted text;
-UPDATE town_restriction SET excepted = 'bus' WHERE relation_id = 13;
-SELECT 'an exception is said', (SELECT source_refs = '{13}' FROM streetgen.import_osm('restricted', 'town') WHERE what = 'turn restriction with an exception, taken for all traffic');
+UPDATE town_restriction SET excepted = CASE relation_id WHEN 10 THEN 'no' WHEN 11 THEN 'psv; bicycle' WHEN 12 THEN 'bus;psv' WHEN 13 THEN 'taxi;Bicycle' END;
+SELECT 'an exception for traffic without lanes is said', (SELECT array_agg(source_refs ORDER BY class) = ARRAY['{13}'::text[]] FROM (SELECT source_refs, class FROM streetgen.import_osm('restricted', 'town') WHERE what = 'turn restriction with an exception, taken for all traffic') r);
+SELECT 'one for traffic that has lanes is read, and no is none', (SELECT array_agg(concat(split_part(source_ref, '/', 1), ' ', except_kinds) ORDER BY source_ref) = '{"10 ","11 bus|cycle","12 bus","13 cycle"}' FROM restricted.turn_restriction);
+UPDATE town_restriction SET excepted = NULL WHERE relation_id = 12;
+SELECT FROM streetgen.import_osm('restricted', 'town') \g /dev/null
+SELECT 'one that goes goes', (SELECT except_kinds IS NULL FROM restricted.turn_restriction WHERE source_ref LIKE '12/%');
 DELETE FROM town_restriction WHERE relation_id = 11;
 CREATE TABLE before AS SELECT turn_restriction_id, xmin::text AS writer FROM restricted.turn_restriction;
 DO $$ BEGIN

@@ -12,7 +12,7 @@ DO $$ BEGIN
   PERFORM streetgen.generate(m) FROM unnest(ARRAY['crossing', 'ruled']::name[]) m;
 END $$;
 CREATE VIEW public.pair AS
-  SELECT c.*, a.axis_id AS axis_in, i.ordinality AS ordinality_in, b.axis_id AS axis_out, o.ordinality AS ordinality_out, i.geom AS geom_in, i.along_axis AS along_in, o.geom AS geom_out, o.along_axis AS along_out
+  SELECT c.*, a.axis_id AS axis_in, i.ordinality AS ordinality_in, b.axis_id AS axis_out, o.ordinality AS ordinality_out, i.geom AS geom_in, o.geom AS geom_out
   FROM crossing.interconnection c JOIN crossing.lane i ON i.lane_id = c.lane_in JOIN crossing.edge a ON a.edge_id = i.edge_id JOIN crossing.lane o ON o.lane_id = c.lane_out JOIN crossing.edge b ON b.edge_id = o.edge_id;
 CREATE FUNCTION pg_temp.again(edit text) RETURNS void LANGUAGE plpgsql AS $$ BEGIN EXECUTE edit; PERFORM streetgen.generate('crossing'); END $$;
 
@@ -26,6 +26,8 @@ SELECT 'a path runs from the end of a lane to the start of the other',
                AND ST_EndPoint(geom) = CASE WHEN along_out THEN ST_StartPoint(geom_out) ELSE ST_EndPoint(geom_out) END) FROM pair);
 SELECT 'connecting is as plausible', (SELECT bool_and(connecting = plausible) FROM pair);
 SELECT 'by the order of lanes', (SELECT array_agg(ordinality_in || '>' || ordinality_out ORDER BY ordinality_in, ordinality_out) FROM pair WHERE axis_in = 3 AND axis_out = 2 AND plausible) = '{1>1}';
+
+SELECT 'each along its lanes', bool_and((c.along_in, c.along_out) = (i.along_axis, o.along_axis)) FROM crossing.interconnection c JOIN crossing.lane i ON i.lane_id = c.lane_in JOIN crossing.lane o ON o.lane_id = c.lane_out;
 
 -- Restrictions.
 SELECT pg_temp.again($q$INSERT INTO crossing.turn_restriction (from_axis, to_axis, geom, kind) VALUES (1, 4, 'SRID=2154;POINT(650000 6860000)', 'no')$q$) \g /dev/null
@@ -120,3 +122,50 @@ SELECT 'paths from one lane are in no conflict', NOT EXISTS (SELECT FROM crossin
 -- What is counted and drawn.
 SELECT 'the summary counts them', (SELECT sum(amount) = 18 FROM streetgen.summary('crossing') WHERE subject LIKE 'interconnections, %');
 SELECT 'the picture shows plausible ones apart', streetgen.svg('crossing') LIKE '%class="path line"%' AND streetgen.svg('crossing') LIKE '%class="path implausible line"%';
+
+-- Exceptions of restrictions: a bus lane of the street in the west.
+SELECT pg_temp.again($q$UPDATE crossing.axis SET lane_count = 3, width = 10.5, kind_forward = 'general|bus', kind_backward = 'general' WHERE axis_id = 1;
+  INSERT INTO crossing.turn_restriction (from_axis, to_axis, geom, kind, except_kinds) VALUES (1, 2, 'SRID=2154;POINT(650000 6860000)', 'no', 'bus')$q$) \g /dev/null
+SELECT 'a restriction does not bind lanes that it excepts', (SELECT array_agg(DISTINCT concat(l.kind, ' ', p.reason) ORDER BY concat(l.kind, ' ', p.reason)) = '{bus lane_order,general restriction}' AND bool_and(p.plausible = (l.kind = 'bus'))
+  FROM pair p JOIN crossing.lane l ON l.lane_id = p.lane_in WHERE axis_in = 1 AND axis_out = 2);
+DO $$ BEGIN PERFORM streetgen.live('crossing', true); END $$;
+UPDATE crossing.turn_restriction SET except_kinds = NULL;
+SELECT 'without the exception it binds them too, at once', (SELECT bool_and(p.reason = 'restriction') FROM pair p WHERE axis_in = 1 AND axis_out = 2);
+SELECT 'an exception for what has no lane is refused', test.state($q$UPDATE crossing.turn_restriction SET except_kinds = 'taxi'$q$) = '23514';
+
+-- Lanes for both directions: a street through, whose axis goes on beyond the node, and one from the south.
+DO $$ BEGIN
+  PERFORM streetgen.create_model(m, 2154) FROM unnest(ARRAY['narrow', 'anew']::name[]) m;
+  INSERT INTO narrow.axis (axis_id, geom, width) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 4 FROM (VALUES (1, 'LINESTRING(-80 0,0 0,80 0)'), (2, 'LINESTRING(0 -80,0 0)')) v(id, line);
+END $$;
+CREATE VIEW public.way AS
+  SELECT c.*, a.axis_id AS axis_in, b.axis_id AS axis_out, i.geom AS geom_in, o.geom AS geom_out FROM narrow.interconnection c
+  JOIN narrow.lane i ON i.lane_id = c.lane_in JOIN narrow.edge a ON a.edge_id = i.edge_id JOIN narrow.lane o ON o.lane_id = c.lane_out JOIN narrow.edge b ON b.edge_id = o.edge_id;
+SELECT 'a lane for both directions comes in and goes out', (SELECT count(*) = 6 AND bool_and(plausible) FROM way)
+  AND (SELECT array_agg(concat(axis_in, along_in, axis_out, along_out) ORDER BY axis_in, along_in, axis_out, along_out) = '{1f1f,1f2f,1t1t,1t2f,2t1f,2t1t}' FROM way);
+SELECT 'its paths begin and end where one leaves and enters it', bool_and(ST_StartPoint(geom) = CASE WHEN along_in THEN ST_EndPoint(geom_in) ELSE ST_StartPoint(geom_in) END
+  AND ST_EndPoint(geom) = CASE WHEN along_out THEN ST_StartPoint(geom_out) ELSE ST_EndPoint(geom_out) END) FROM way;
+SELECT 'and run as one drives', bool_and(abs(ST_X(ST_PointN(geom, 2)) - 650000) < abs(ST_X(ST_StartPoint(geom)) - 650000)) FROM way WHERE axis_in <> axis_out AND axis_in = 1;
+SELECT 'the model is sound', NOT EXISTS (SELECT FROM streetgen.check_model('narrow') WHERE severity <> 'notice' OR rule LIKE 'lane %');
+SELECT 'who enters a lane opposes who leaves it', (SELECT array_agg(DISTINCT kind ORDER BY kind) = '{merging,opposing}' AND bool_and(ST_GeometryType(geom) = 'ST_Point') FROM narrow.conflict)
+  AND EXISTS (SELECT FROM narrow.conflict f JOIN way a ON a.interconnection_id = interconnection_a JOIN way b ON b.interconnection_id = interconnection_b WHERE kind = 'opposing' AND a.axis_out = a.axis_in AND b.axis_in = b.axis_out);
+UPDATE narrow.interconnection_editing SET connecting = false WHERE interconnection_id = (SELECT interconnection_id FROM way WHERE axis_in = 1 AND along_in AND axis_out = 2);
+SELECT 'one decides of one way through it', (SELECT array_agg(concat(axis_in, along_in, axis_out, along_out)) = '{1t2f}' FROM way WHERE NOT connecting AND method = 'by_hand') AND (SELECT along_in AND NOT along_out FROM narrow.interconnection_override);
+UPDATE narrow.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'the decision stays there when the axis is turned round', (SELECT array_agg(concat(axis_in, along_in, axis_out, along_out)) = '{1f2f}' FROM way WHERE NOT connecting AND method = 'by_hand') AND (SELECT NOT along_in FROM narrow.interconnection_override);
+SELECT 'as a run from scratch has it', test.followed('narrow', 'anew');
+UPDATE narrow.interconnection_editing SET by_hand = false WHERE by_hand;
+SELECT 'and is taken back', NOT EXISTS (SELECT FROM narrow.interconnection_override) AND (SELECT bool_and(connecting) FROM way);
+CREATE FUNCTION public.as_one_drives(lane_in geometry, lane_out geometry, centre geometry, tolerance float8) RETURNS geometry LANGUAGE sql IMMUTABLE AS $$ SELECT ST_MakeLine(ARRAY[ST_EndPoint(lane_in), centre, ST_StartPoint(lane_out)]) $$;
+DO $$ BEGIN PERFORM streetgen.set('narrow', 'trajectory', 'as_one_drives'); PERFORM streetgen.generate('narrow'); END $$;
+SELECT 'a function of the user''s gets its lines as one drives', bool_and(ST_Length(geom) < 40 AND ST_NPoints(geom) = 3) FROM way;
+DO $$ BEGIN PERFORM streetgen.set('narrow', 'u_turn', 'true'); PERFORM streetgen.set('narrow', 'trajectory', 'bezier'); PERFORM streetgen.generate('narrow'); END $$;
+SELECT 'it turns back upon itself at dead ends alone', (SELECT count(*) = 6 AND bool_and(turn = 'u_turn' AND along_in <> along_out) AND count(*) FILTER (WHERE plausible) = 3 FROM way WHERE lane_in = lane_out);
+-- A closed street of one lane, with a way in.
+DO $$ BEGIN
+  PERFORM streetgen.set('narrow', 'u_turn', 'false');
+  DELETE FROM narrow.axis;
+  INSERT INTO narrow.axis (axis_id, geom, width) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 4 FROM (VALUES (1, 'LINESTRING(-80 0,0 0)'), (2, 'LINESTRING(0 0,60 50,120 0,60 -50,0 0)')) v(id, line);
+  PERFORM streetgen.generate('narrow');
+END $$;
+SELECT 'both its ends are entered and left at one node', array_agg(concat(axis_in, along_in, axis_out, along_out) ORDER BY axis_in, along_in, axis_out, along_out) = '{1t2f,1t2t,2f1f,2t1f}' AND bool_and(plausible) FROM way;

@@ -3,11 +3,11 @@ SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.street(y float8, x float8 DEFAULT 0) RETURNS geometry LANGUAGE sql AS $$
   SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + x, 6860000 + y), ST_MakePoint(650100 + x, 6860000 + y)), 2154) $$;
 DO $$ BEGIN PERFORM streetgen.create_model('lanes', 2154); PERFORM streetgen.live('lanes', false); END $$;
--- Directions by ordinality.
+-- Directions by ordinality: along, against, both.
 CREATE FUNCTION pg_temp.ways(axis bigint) RETURNS text LANGUAGE sql AS $$
-  SELECT string_agg(CASE WHEN along_axis THEN 't' ELSE 'f' END, '' ORDER BY ordinality) FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
+  SELECT string_agg(CASE WHEN both_ways THEN 'b' WHEN along_axis THEN 't' ELSE 'f' END, '' ORDER BY ordinality) FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
 CREATE FUNCTION pg_temp.kinds(axis bigint) RETURNS text LANGUAGE sql AS $$
-  SELECT string_agg(concat(kind, CASE WHEN along_axis THEN '+' ELSE '-' END), ' ' ORDER BY lane_position) FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
+  SELECT string_agg(concat(kind, CASE WHEN both_ways THEN '*' WHEN along_axis THEN '+' ELSE '-' END), ' ' ORDER BY lane_position) FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
 CREATE FUNCTION pg_temp.widths(axis bigint) RETURNS numeric[] LANGUAGE sql AS $$
   SELECT array_agg(round(l.width::numeric, 3) ORDER BY lane_position) FROM lanes.lane l JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
 CREATE FUNCTION pg_temp.rules(axis bigint) RETURNS text LANGUAGE sql AS $$
@@ -26,13 +26,28 @@ DO $$ BEGIN
     (31, pg_temp.street(520), 8, 'direct', 'parking|general', 'cycle', '|', '2.25', 'none', NULL),
     (32, pg_temp.street(540), 8, 'both', 'general|general', NULL, '5||', NULL, 'left|through|right', NULL),
     (33, pg_temp.street(560), 6, 'direct', 'general|general', NULL, '4|8', NULL, NULL, NULL);
-  INSERT INTO lanes.axis (axis_id, geom, width, width_end, lane_count) VALUES (40, pg_temp.street(700), 6, 14, 4);
+  INSERT INTO lanes.axis (axis_id, geom, width, width_end, lane_count) VALUES (40, pg_temp.street(700), 6, 14, 4), (57, pg_temp.street(940), 4, 9, NULL);
+  -- Lanes for both directions.
+  INSERT INTO lanes.axis (axis_id, geom, width, direction, lane_count, lanes_forward, lanes_both, kind_forward, kind_backward) VALUES
+    (50, pg_temp.street(800), 4.4, 'both', NULL, NULL, NULL, NULL, NULL), (51, pg_temp.street(820), 4.5, 'both', NULL, NULL, NULL, NULL, NULL), (52, pg_temp.street(840), 4, 'both', 2, NULL, NULL, NULL, NULL),
+    (53, pg_temp.street(860), 4, 'direct', NULL, NULL, NULL, NULL, NULL), (54, pg_temp.street(880), 10, 'both', 3, NULL, 1, NULL, NULL), (55, pg_temp.street(900), 6, 'direct', 2, NULL, 1, NULL, NULL),
+    (56, pg_temp.street(920), 6.5, 'both', 1, NULL, NULL, 'cycle', 'cycle'), (58, pg_temp.street(960), 12, 'both', 4, 2, 1, NULL, NULL), (59, pg_temp.street(980), 4, 'both', NULL, NULL, 1, NULL, NULL),
+    (60, pg_temp.street(1000), 14, 'both', NULL, NULL, 2, NULL, NULL), (61, pg_temp.street(1020), 4, 'both', NULL, 1, NULL, NULL, NULL), (62, pg_temp.street(1040), 3, 'both', NULL, NULL, NULL, 'cycle', 'cycle');
 END $$;
 SELECT 'lanes are reported' AS name, (SELECT inserted > 0 FROM streetgen.generate('lanes') WHERE relation = 'lane') AS holds;
 
 SELECT 'one-way streets have lanes of their way only, as published', pg_temp.ways(1) || ' ' || pg_temp.ways(2) || ' ' || pg_temp.ways(4) || ' ' || pg_temp.ways(5) || ' ' || pg_temp.ways(7) || ' ' || pg_temp.ways(9) = 't f tt ff fff tttt';
 SELECT 'two-way streets keep to the right, the centre lane along, as published', pg_temp.ways(3) || ' ' || pg_temp.ways(6) || ' ' || pg_temp.ways(8) = 'ft tft ftft';
-SELECT 'one lane for both directions is taken as two', pg_temp.ways(10) = 'ft' AND pg_temp.rules(10) LIKE '%one lane for both%';
+SELECT 'one lane of a two-way street is of both directions', pg_temp.ways(10) = 'b' AND pg_temp.rules(10) NOT LIKE '%direction%' AND (SELECT (lane_count, lanes_forward, lanes_backward, lanes_both) = (1, 0, 0, 1) FROM lanes.edge WHERE axis_id = 10);
+SELECT 'so is that of a narrow street of unknown lanes, and of no other', pg_temp.ways(50) || ' ' || pg_temp.ways(51) || ' ' || pg_temp.ways(53) || ' ' || pg_temp.ways(57) || ' ' || pg_temp.ways(59) = 'b ft t ft b';
+SELECT 'a stated count wins over the width', pg_temp.ways(52) = 'ft' AND pg_temp.ways(61) = 'ft';
+SELECT 'lanes for both directions lie in the middle', pg_temp.kinds(54) = 'general- general* general+' AND pg_temp.kinds(58) = 'general- general* general+ general+' AND pg_temp.kinds(60) = 'general- general* general* general+';
+SELECT 'and are counted', bool_and(lane_count = lanes_forward + lanes_backward + lanes_both) AND count(*) FILTER (WHERE lanes_both > 0) = 7 FROM lanes.edge;
+SELECT 'a one-way street has none, and names them', pg_temp.ways(55) = 'tt' AND pg_temp.rules(55) = 'lanes for both directions of a one-way street, not taken';
+SELECT 'cycle lanes run beside it, and a track for cycles gets none', pg_temp.kinds(56) = 'cycle- general* cycle+' AND pg_temp.widths(56) = '{1.5,3.5,1.5}' AND pg_temp.kinds(62) = 'cycle- cycle+';
+SELECT 'one may cross the lines about it', (SELECT array_agg(concat(kind, ' ', dashed) ORDER BY axis_id, lane_position) = '{centre t,centre t,same_direction t,same_direction t}' FROM lanes.lane_separator JOIN lanes.edge USING (edge_id) WHERE axis_id IN (10, 54, 56));
+SELECT 'a lane for both directions has no arrow', NOT EXISTS (SELECT FROM lanes.marking JOIN lanes.lane USING (edge_id, lane_position) WHERE both_ways);
+SELECT 'and runs along the axis, as its line does', bool_and(along_axis) FROM lanes.lane WHERE both_ways;
 SELECT 'a two-way street of unknown lanes has one each way', pg_temp.ways(11) = 'ft' AND (SELECT 'lane_count' = ANY (estimated) FROM lanes.edge WHERE axis_id = 11);
 SELECT 'thirty lanes fill six metres', (SELECT count(*) = 30 AND abs(sum(l.width) - 6) < 1e-9 FROM lanes.lane l JOIN lanes.edge USING (edge_id) WHERE axis_id = 12)
     AND (SELECT count(*) = 30 FROM streetgen.check_model('lanes') c JOIN lanes.lane l ON l.lane_id = c.id JOIN lanes.edge e USING (edge_id) WHERE rule = 'narrow lane, m' AND axis_id = 12);
@@ -67,7 +82,7 @@ SELECT 'arrows lie on their lanes', bool_and(ST_CoveredBy(m.geom, ST_Buffer(l.su
 SELECT 'parking lanes have no arrow', NOT EXISTS (SELECT FROM lanes.marking m JOIN lanes.lane l USING (edge_id, lane_position) WHERE m.kind = 'arrow' AND l.kind = 'parking');
 SELECT 'paint is valid', bool_and(ST_IsValid(surface)) FROM (SELECT surface FROM lanes.marking UNION ALL SELECT surface FROM lanes.lane_separator) p;
 SELECT 'the model has no error', count(*) = 0 FROM streetgen.check_model('lanes') WHERE severity = 'error';
-SELECT 'a summary counts lanes by kind', (SELECT amount = 2 FROM streetgen.summary('lanes') WHERE subject = 'lanes, cycle');
+SELECT 'a summary counts lanes by kind', (SELECT amount = 6 FROM streetgen.summary('lanes') WHERE subject = 'lanes, cycle');
 SELECT 'a drawing shows paint', streetgen.svg('lanes', ST_Expand(pg_temp.street(0), 10)) LIKE '%"paint"%' AND streetgen.svg('lanes', width => 100) NOT LIKE '%"paint"%';
 
 -- By hand.
@@ -90,6 +105,19 @@ SELECT 'so they are once these are gone', (SELECT array_agg(id ORDER BY id) = '{
 SELECT 'without overrides all is as it was', (SELECT count(*) > 0 FROM streetgen.generate('lanes')) AND NOT EXISTS ((SELECT * FROM test.content('lanes') EXCEPT ALL SELECT * FROM content_before) UNION ALL (SELECT * FROM content_before EXCEPT ALL SELECT * FROM test.content('lanes')));
 SELECT 'an override needs a place', test.state('INSERT INTO lanes.lane_override (axis_id, abscissa, ordinality) VALUES (1, ''NaN'', 1)') = '23514'
     AND test.state('INSERT INTO lanes.lane_override (axis_id, abscissa, ordinality, width) VALUES (1, 1, 1, ''NaN'')') = '23514';
+
+-- Opened to both directions by hand, and by settings.
+INSERT INTO lanes.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways) VALUES (3, 50, 1, NULL, true), (10, 50, 1, false, NULL), (54, 50, 1, true, false);
+DO $$ BEGIN PERFORM streetgen.generate('lanes'); END $$;
+SELECT 'a lane opened to both directions, others closed to one', pg_temp.ways(3) = 'bt' AND pg_temp.ways(10) = 'f' AND pg_temp.ways(54) = 'tft';
+UPDATE lanes.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (3, 10);
+DO $$ BEGIN PERFORM streetgen.generate('lanes'); END $$;
+SELECT 'they keep their place and way when the axis is turned round', pg_temp.ways(3) = 'fb' AND pg_temp.ways(10) = 't';
+UPDATE lanes.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (3, 10);
+DELETE FROM lanes.lane_override;
+DO $$ BEGIN PERFORM streetgen.set('lanes', 'two_way_width_minimal', '0'); PERFORM streetgen.generate('lanes'); END $$;
+SELECT 'a width of zero leaves two lanes to narrow streets', pg_temp.ways(50) || ' ' || pg_temp.ways(10) = 'ft b';
+DO $$ BEGIN PERFORM streetgen.set('lanes', 'two_way_width_minimal', '4.5'); PERFORM streetgen.generate('lanes'); END $$;
 
 -- Fewer lanes than before, other numbers, another side of the road.
 UPDATE lanes.axis SET lane_count = 2 WHERE axis_id = 8;
@@ -117,6 +145,8 @@ SELECT 'they bear no paint', NOT EXISTS (SELECT FROM crossed.marking JOIN crosse
 DO $$ BEGIN PERFORM streetgen.drop_model('crossed'); END $$;
 
 -- Alone.
+SELECT 'with one for both directions', (SELECT array_agg((along_axis, both_ways, round(lane_width::numeric, 2))::text ORDER BY lane_position) = '{"(f,f,3.00)","(t,t,3.00)","(t,f,3.00)"}' FROM streetgen.lanes('LINESTRING(0 0,50 0)', 9, lanes_both => 1))
+    AND (SELECT count(*) = 1 AND bool_and(both_ways) FROM streetgen.lanes('LINESTRING(0 0,50 0)', 3.5, 0, 0, lanes_both => 1));
 SELECT 'lanes of a line alone', (SELECT array_agg(along_axis ORDER BY ordinality) = '{t,f,t}' AND array_agg(ST_Length(geom) ORDER BY ordinality) = '{50,50,50}' FROM streetgen.lanes('SRID=2154;LINESTRING(0 0,50 0)', 9, 2, 1));
 SELECT 'they tile the roadway of a bend', (SELECT abs(sum(ST_Area(surface)) - ST_Area(streetgen.section_surface('LINESTRING(0 0,50 0,50 50)', 9, 0, 100))) < 1e-6 FROM streetgen.lanes('LINESTRING(0 0,50 0,50 50)', 9, 2, 1));
 SELECT 'an offset line', ST_AsText(streetgen.offset_line('LINESTRING(0 0,50 0,50 50)', 2)) = 'LINESTRING(0 2,48 2,48 50)' AND ST_AsText(streetgen.offset_line('LINESTRING(0 0,50 0)', 2, -1)) = 'LINESTRING(0 2,50 -1)';
@@ -126,7 +156,7 @@ SELECT format('%s is refused', statement), test.state(statement) = '22023' FROM 
     ($$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 'Infinity')$$), ($$SELECT streetgen.offset_line('LINESTRING EMPTY', 1)$$)) s(statement);
 
 SELECT format('%s is named', argument), test.said(statement) LIKE argument || ' is %' FROM (VALUES ('width', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 0)$$), ('lanes_forward', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, -1)$$),
-    ('lanes_backward', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, 1, 41)$$), ('axis_offset', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 201)$$), ('offset_end', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 1, 201)$$)) s(argument, statement);
+    ('lanes_backward', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, 1, 41)$$), ('lanes_both', $$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, lanes_both => 41)$$), ('axis_offset', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 201)$$), ('offset_end', $$SELECT streetgen.offset_line('LINESTRING(0 0,50 0)', 1, 201)$$)) s(argument, statement);
 SELECT format('widths for another number of lanes are refused: %s', widths), test.state(format($$SELECT streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'general|general|cycle', lane_width_forward => %L)$$, widths)) = '22023' FROM unnest('{3,3|3|1|2}'::text[]) widths;
 SELECT format('those of all lanes or of the driving lanes are not: %s', widths), (SELECT count(*) = 4 FROM streetgen.lanes('LINESTRING(0 0,50 0)', 7, kind_forward => 'general|general|cycle', lane_width_forward => widths)) FROM unnest('{3|3,3|3|1,""}'::text[]) widths;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
@@ -91,8 +92,10 @@ class Builder {
     NodeLeg leg{edge, at_start, {}, {}};
     const EdgeLanes& own = of_edge_[edge];
     for (std::size_t i = own.first; i < own.first + own.count; ++i) {
-      if (lanes_[i].kind == LaneKind::parking) continue;
-      (lanes_[i].along_axis == at_start ? leg.out : leg.in).push_back(static_cast<int>(i));
+      const Lane& lane = lanes_[i];
+      if (lane.kind == LaneKind::parking) continue;
+      if (lane.both_ways || lane.along_axis == at_start) leg.out.push_back(static_cast<int>(i));
+      if (lane.both_ways || lane.along_axis != at_start) leg.in.push_back(static_cast<int>(i));
     }
     // Positions run from the left kerb in the direction of the axis.
     std::reverse((at_start ? leg.in : leg.out).begin(), (at_start ? leg.in : leg.out).end());
@@ -121,23 +124,26 @@ class Builder {
     return norm(own) == 0 || norm(own - direction) < same_direction ? direction : own;
   }
 
-  LaneEnd end_of(int index, bool comes_in) const {
+  // Whether traffic runs along the axis there.
+  static bool runs_along(const NodeLeg& leg, bool comes_in) { return leg.at_start != comes_in; }
+
+  LaneEnd end_of(int index, const NodeLeg& leg, bool comes_in) const {
     const Lane& lane = lanes_[index];
-    const bool at_front = lane.along_axis != comes_in;
     LaneEnd end{lane.kind, lane.turns, {}, {}};
-    end.place = planar(at_front ? lane.line.front() : lane.line.back());
-    end.direction = direction_at(lane, at_front) * (lane.along_axis ? 1 : -1);
+    end.place = planar(leg.at_start ? lane.line.front() : lane.line.back());
+    end.direction = direction_at(lane, leg.at_start) * (runs_along(leg, comes_in) ? 1 : -1);
     return end;
   }
 
-  LaneToNode to_node(int index, const LaneEnd& end, const NodeLeg& leg, int border) const {
+  LaneToNode to_node(int index, const LaneEnd& end, const NodeLeg& leg, bool comes_in,
+                     int border) const {
     const Lane& lane = lanes_[index];
     const Roadway& roadway = streets_.roadways[leg.edge];
     LaneToNode out{end, {}, border};
     out.line = lane_to_node(streets_.network.edges[leg.edge].line, roadway.width / 2,
                             roadway.width_end / 2, end_abscissa(lane, leg.at_start), end.place,
                             leg.at_start);
-    if (lane.along_axis == leg.at_start) out.end.direction = end.direction * -1;
+    if (!comes_in) out.end.direction = end.direction * -1;
     return out;
   }
 
@@ -154,8 +160,8 @@ class Builder {
 
   Leg ends_of(const NodeLeg& leg) const {
     Leg ends;
-    for (const int lane : leg.in) ends.in.push_back(end_of(lane, true));
-    for (const int lane : leg.out) ends.out.push_back(end_of(lane, false));
+    for (const int lane : leg.in) ends.in.push_back(end_of(lane, leg, true));
+    for (const int lane : leg.out) ends.out.push_back(end_of(lane, leg, false));
     ends.importance = axes_.at(axis_of(leg))->importance;
     return ends;
   }
@@ -208,7 +214,7 @@ class Builder {
       for (std::size_t b = 0; b < legs.size(); ++b) {
         if (legs[a].in.empty() || legs[b].out.empty()) continue;
         if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
-        movements.push_back({static_cast<int>(a), static_cast<int>(b), false, 0, {}, {}});
+        movements.push_back({static_cast<int>(a), static_cast<int>(b), {}, 0, {}, {}});
       }
     if (movements.empty()) return;
     std::vector<Leg> ends;
@@ -225,10 +231,12 @@ class Builder {
         pairs[m][p].reason = movements[m].verdicts[p].reason;
         out_.push_back(std::move(pairs[m][p]));
       }
+    const auto place = [](const Interconnection& i) {
+      return std::make_tuple(i.lane_in, i.lane_out, i.along_in, i.along_out);
+    };
     std::sort(
-        out_.begin() + first, out_.end(), [](const Interconnection& a, const Interconnection& b) {
-          return std::make_pair(a.lane_in, a.lane_out) < std::make_pair(b.lane_in, b.lane_out);
-        });
+        out_.begin() + first, out_.end(),
+        [&](const Interconnection& a, const Interconnection& b) { return place(a) < place(b); });
   }
 
   std::vector<Interconnection> draw(int node, const std::vector<Leg>& ends, const Kerbs& kerbs,
@@ -244,6 +252,8 @@ class Builder {
         pair.node = node;
         pair.lane_in = from.in[i];
         pair.lane_out = to.out[o];
+        pair.along_in = runs_along(from, true);
+        pair.along_out = runs_along(to, false);
         pair.angle = rounded(turn_angle(in.direction, out.direction));
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
@@ -252,8 +262,8 @@ class Builder {
                        streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
                        settings_.least_radius);
         if (kerbs.stop(path.line, movement.from, movement.to)) {
-          auto late = late_turn(to_node(from.in[i], in, from, movement.from),
-                                to_node(to.out[o], out, to, movement.to), settings_.rule,
+          auto late = late_turn(to_node(from.in[i], in, from, true, movement.from),
+                                to_node(to.out[o], out, to, false, movement.to), settings_.rule,
                                 settings_.tolerance, kerbs);
           if (late) path = std::move(*late);
         }
@@ -269,23 +279,25 @@ class Builder {
                        std::vector<Movement>& movements) const {
     const auto found = restrictions_.find(node);
     if (found == restrictions_.end()) return;
-    std::vector<bool> only(legs.size(), false);
-    std::vector<char> allowed(movements.size(), 0);
-    for (const TurnRestriction* r : found->second)
+    std::vector<LaneKinds> only(legs.size()), allowed(movements.size());
+    for (const TurnRestriction* r : found->second) {
+      LaneKinds bound = LaneKinds().set();
+      for (const LaneKind kind : r->except) bound.reset(index_of(kind));
       for (std::size_t m = 0; m < movements.size(); ++m) {
         Movement& movement = movements[m];
         const double angle = turn_angle(ends[movement.from].in.front().direction,
                                         ends[movement.to].out.front().direction);
         if (!concerns(*r, legs[movement.from], legs[movement.to], legs, angle)) continue;
         if (r->only) {
-          only[movement.from] = true;
-          allowed[m] = 1;
+          only[movement.from] |= bound;
+          allowed[m] |= bound;
         } else {
-          movement.restricted = true;
+          movement.restricted |= bound;
         }
       }
+    }
     for (std::size_t m = 0; m < movements.size(); ++m)
-      if (only[movements[m].from] && !allowed[m]) movements[m].restricted = true;
+      movements[m].restricted |= only[movements[m].from] & ~allowed[m];
   }
 
   const Streets& streets_;

@@ -64,11 +64,25 @@ MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const
   return variable_buffer(middle, half);
 }
 
-SeparatorKind kind_between(const std::vector<LaneWish>& wishes, int position) {
-  if (position == 0 || position == static_cast<int>(wishes.size())) return SeparatorKind::edge;
-  return wishes[position - 1].along_axis != wishes[position].along_axis
-             ? SeparatorKind::centre
-             : SeparatorKind::same_direction;
+bool drives(const LaneWish& wish) {
+  return wish.kind == LaneKind::general || wish.kind == LaneKind::bus;
+}
+
+struct LineBetween {
+  SeparatorKind kind = SeparatorKind::edge;
+  bool dashed = false;
+};
+
+// Into and out of a lane that both directions use one may cross the line, a centre line too.
+LineBetween line_between(const std::vector<LaneWish>& wishes, int position) {
+  if (position == 0 || position == static_cast<int>(wishes.size())) return {};
+  const LaneWish &left = wishes[position - 1], &right = wishes[position];
+  if (left.both_ways || right.both_ways) {
+    const bool parts = left.both_ways != right.both_ways && drives(left) && drives(right);
+    return {parts ? SeparatorKind::centre : SeparatorKind::same_direction, true};
+  }
+  if (left.along_axis == right.along_axis) return {SeparatorKind::same_direction, true};
+  return {SeparatorKind::centre, std::count_if(wishes.begin(), wishes.end(), drives) <= 2};
 }
 
 // The lanes of one edge with the lines between them.
@@ -82,9 +96,6 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
   const int count = static_cast<int>(wishes.size());
   const std::vector<double> shares = lane_shares(wishes, strip.width(), settings.narrowest);
   const auto offset_of = [&](double share) { return strip.half_at(strip.from) * (1 - 2 * share); };
-  const auto driving = std::count_if(wishes.begin(), wishes.end(), [](const LaneWish& wish) {
-    return wish.kind == LaneKind::general || wish.kind == LaneKind::bus;
-  });
   EdgeLanes out;
   std::vector<Line> borders;
   for (const double share : shares) borders.push_back(line_at_share(strip, share));
@@ -96,6 +107,7 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
     lane.position = p;
     lane.side = side_of(p, count);
     lane.along_axis = wish.along_axis;
+    lane.both_ways = wish.both_ways;
     lane.kind = wish.kind;
     lane.width = (shares[p] - shares[p - 1]) * strip.width();
     lane.axis_offset = offset_of(middle);
@@ -108,10 +120,10 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
   for (int p = 0; p <= count; ++p) {
     LaneSeparator separator;
     separator.position = p;
-    separator.kind = kind_between(wishes, p);
+    const LineBetween between = line_between(wishes, p);
+    separator.kind = between.kind;
+    separator.dashed = between.dashed;
     if (separator.kind == SeparatorKind::edge && !settings.edge_lines) continue;
-    separator.dashed = separator.kind == SeparatorKind::same_direction ||
-                       (separator.kind == SeparatorKind::centre && driving <= 2);
     separator.axis_offset = offset_of(shares[p]);
     separator.line = std::move(borders[p]);
     separator.painted = with_surface;
@@ -170,7 +182,8 @@ class Builder {
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       if (!crossed) {
-        append_end_markings(streets_, ranks, strip, made.lanes, out.markings);
+        append_end_markings(streets_, ranks, strip, made.lanes, settings_.driving_side,
+                            out.markings);
         append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       }
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
@@ -214,8 +227,10 @@ class Builder {
       for (int p = 1; p <= count; ++p) {
         if (ordinality_of(p, count, settings_.order) != by_hand->ordinality) continue;
         LaneWish& wish = wishes[p - 1];
-        if (by_hand->direction != LaneOverride::Direction::as_is)
-          wish.along_axis = by_hand->direction == LaneOverride::Direction::along;
+        if (by_hand->direction != LaneOverride::Direction::as_is) {
+          wish.along_axis = by_hand->direction != LaneOverride::Direction::against;
+          wish.both_ways = by_hand->direction == LaneOverride::Direction::both;
+        }
         if (by_hand->width > 0) wish.width = by_hand->width;
         if (!by_hand->line.empty()) decisions[p - 1].line = &by_hand->line;
         decisions[p - 1].by_hand = true;

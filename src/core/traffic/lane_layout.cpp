@@ -19,9 +19,12 @@ std::vector<LaneWish> across(const AxisLanes& lanes, DrivingSide side) {
   std::vector<LaneWish> forward = lanes.forward, backward = lanes.backward;
   for (LaneWish& lane : forward) lane.along_axis = true;
   for (LaneWish& lane : backward) lane.along_axis = false;
+  std::vector<LaneWish> middle = lanes.both_ways;
+  for (LaneWish& lane : middle) lane.along_axis = lane.both_ways = true;
   std::reverse(backward.begin(), backward.end());
   auto &first = side == DrivingSide::right ? backward : forward,
        &second = side == DrivingSide::right ? forward : backward;
+  first.insert(first.end(), middle.begin(), middle.end());
   first.insert(first.end(), second.begin(), second.end());
   if (first.empty()) first.emplace_back();
   return std::move(first);

@@ -189,7 +189,7 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const LaneStrip& strip, const std::vector<Lane>& lanes,
-                         std::vector<Marking>& out) {
+                         DrivingSide driving_side, std::vector<Marking>& out) {
   if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
   const Edge& edge = streets.network.edges[lanes.front().edge];
   for (const bool at_start : {true, false}) {
@@ -197,7 +197,8 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const int lower = streets.roadways[lanes.front().edge].importance - ranks[node].importance;
     if (ranks[node].degree < 3 || lower < 1) continue;
     for (const Lane& lane : lanes) {
-      if (lane.along_axis == at_start || !painted(lane)) continue;
+      const bool comes = lane.both_ways || lane.along_axis != at_start;
+      if (!comes || !painted(lane)) continue;
       const Line end =
           at_start ? substring(lane.line, 0, stop_width)
                    : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
@@ -206,14 +207,19 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
                                 (at_start ? strip.from_border : strip.to_border)[0]) *
                            (lane.width / 2);
       const Point middle = end.front() + inwards * 0.5;
+      // Against the axis one drives on its other side.
+      const bool right_half = at_start != (driving_side == DrivingSide::right);
+      const double width = lane.both_ways ? lane.width / 2 : lane.width;
       Marking marking;
       marking.kind = lower > 1 ? MarkingKind::stop : MarkingKind::yield;
       marking.edge = lane.edge;
       marking.position = lane.position;
+      marking.along_axis = !at_start;
       marking.node = node;
-      marking.line = {middle - across, middle + across};
-      const auto spans = lower > 1 ? std::vector<std::pair<double, double>>{{0, lane.width}}
-                                   : dashes(lane.width, yield_dash, yield_dash);
+      marking.line = {lane.both_ways && right_half ? middle : middle - across,
+                      lane.both_ways && !right_half ? middle : middle + across};
+      const auto spans = lower > 1 ? std::vector<std::pair<double, double>>{{0, width}}
+                                   : dashes(width, yield_dash, yield_dash);
       for (const auto& [from, to] : spans) {
         const Line piece = substring(marking.line, from, to);
         marking.surface.push_back(
@@ -227,7 +233,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
 void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
-    if (!painted(lane)) continue;
+    if (lane.both_ways || !painted(lane)) continue;
     const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const double total = length(way);
@@ -238,6 +244,7 @@ void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
     marking.kind = MarkingKind::arrow;
     marking.edge = lane.edge;
     marking.position = lane.position;
+    marking.along_axis = lane.along_axis;
     marking.node = lane.along_axis ? edge.to_node : edge.from_node;
     const Point foot = place_at(way, tip - reach).point, head = place_at(way, tip).point;
     if (distance(foot, head) < 0.9 * reach) continue;

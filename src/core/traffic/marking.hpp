@@ -18,13 +18,15 @@ struct NodeRank {
 std::vector<NodeRank> ranks_of(const Streets& streets);
 
 // Across each lane that comes to a node of three and more edges where another is more important:
-// a yield line, or a stop line where it is so by two.  None on parking and very narrow lanes.
+// a yield line, or a stop line where it is so by two.  None on parking and very narrow lanes.  Of a
+// lane for both directions, across the half on which one comes.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const LaneStrip& strip, const std::vector<Lane>& lanes,
-                         std::vector<Marking>& out);
+                         DrivingSide driving_side, std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its end, or in the middle of
-// a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes.
+// a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
+// on lanes for both directions.
 void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out);
 

@@ -98,31 +98,39 @@ class Choice {
   }
 
   void approach(int leg) {
-    std::vector<Way> open;
-    bool onwards = false;
     unsigned marked = 0;
     for (const LaneEnd& lane : legs_[leg].in) marked |= lane.turns;
+    for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle}) {
+      const Group lanes = group_of(legs_[leg].in, kind);
+      if (!lanes.empty()) assign(lanes, kind, open_ways(leg, lanes, kind, marked & turn::reverse));
+    }
+  }
+
+  // The ways that lanes of a kind may take, from left to right; of the others it says why not.
+  std::vector<Way> open_ways(int leg, const Group& lanes, LaneKind kind, bool may_turn_back) {
+    std::vector<Way> open;
+    bool onwards = false;
     for (const Way& way : ways_)
-      if (way.movement->from == leg && !way.movement->restricted)
+      if (way.movement->from == leg && !way.movement->forbidden(kind))
         onwards = onwards || !turns_back(way);
     for (const Way& way : ways_) {
       if (way.movement->from != leg) continue;
-      const bool back = onwards && turns_back(way) && !(marked & turn::reverse);
-      if (way.movement->restricted || back)
-        judge_all(way, way.movement->restricted ? Reason::restriction : Reason::u_turn);
+      const bool back = onwards && turns_back(way) && !may_turn_back;
+      if (way.movement->forbidden(kind) || back)
+        judge_all(way, lanes, back ? Reason::u_turn : Reason::lane_kind);
       else
         open.push_back(way);
     }
     std::stable_sort(open.begin(), open.end(),
                      [](const Way& a, const Way& b) { return a.order > b.order; });
-    for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle}) {
-      const Group lanes = group_of(legs_[leg].in, kind);
-      if (!lanes.empty()) assign(lanes, kind, open);
-    }
+    return open;
   }
 
-  static void judge_all(const Way& way, Reason reason) {
-    for (Verdict& verdict : way.movement->verdicts) verdict = {false, reason};
+  // Where a restriction holds it is the reason.
+  void judge_all(const Way& way, const Group& lanes, Reason reason) const {
+    for (const int in : lanes)
+      for (int out = 0; out < static_cast<int>(way.to->out.size()); ++out)
+        at(way, in, out) = {false, forbidden(way, in, out) ? Reason::restriction : reason};
   }
 
   void assign(const Group& lanes, LaneKind kind, const std::vector<Way>& open) {
@@ -301,8 +309,8 @@ class Choice {
     if (high > 0) {
       bool from_left = false, from_right = false;
       for (const Way& other : ways_)
-        if (other.to == way.to && other.movement != way.movement && !other.movement->restricted &&
-            !turns_back(other))
+        if (other.to == way.to && other.movement != way.movement &&
+            !other.movement->forbidden(LaneKind::general) && !turns_back(other))
           (other.order > way.order ? from_left : from_right) = true;
       if (from_left != from_right) return from_left ? high : 0;
     }
@@ -382,9 +390,14 @@ class Choice {
             tight(way, in, out), std::abs(way.angle) + importance_weight * astray(way, in, out)};
   }
 
-  static bool may(const Way& way, const LaneEnd& in, const LaneEnd& out) {
-    return !way.movement->restricted &&
-           (in.kind == out.kind || in.kind == LaneKind::general || out.kind == LaneKind::general);
+  bool forbidden(const Way& way, int in, int out) const {
+    return way.movement->forbidden(from(way).in[in].kind, way.to->out[out].kind);
+  }
+
+  bool may(const Way& way, int i, int o) const {
+    const LaneKind in = from(way).in[i].kind, out = way.to->out[o].kind;
+    return !way.movement->forbidden(in, out) &&
+           (in == out || in == LaneKind::general || out == LaneKind::general);
   }
 
   struct Pair {
@@ -400,7 +413,7 @@ class Choice {
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
-          if (!wanted(way, i, o) || !may(way, from(way).in[i], way.to->out[o])) continue;
+          if (!wanted(way, i, o) || !may(way, i, o)) continue;
           const Cost now = cost(way, i, o);
           if (best.verdict && !(now < least)) continue;
           best = {&at(way, i, o), !tight(way, i, o) && !turns_back(way)};

@@ -1,6 +1,7 @@
 // Which lane goes on to which at one node.  docs/geometry.md, Plausible.
 #pragma once
 
+#include <bitset>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -22,6 +23,9 @@ struct Leg {
   int importance = 99;
 };
 
+using LaneKinds = std::bitset<4>;
+constexpr std::size_t index_of(LaneKind kind) { return static_cast<std::size_t>(kind); }
+
 struct Verdict {
   bool plausible = false;
   Reason reason = Reason::lane_order;
@@ -31,10 +35,13 @@ struct Verdict {
 struct Movement {
   int from = 0;  // index of the leg
   int to = 0;
-  bool restricted = false;
-  double least_radius = 0;     // metres, what the speed needs
+  LaneKinds restricted;     // forbidden to lanes in of these kinds, unless to a lane out of another
+  double least_radius = 0;  // metres, what the speed needs
   std::vector<double> radius;  // of the trajectory of each pair
   std::vector<Verdict> verdicts;
+
+  bool forbidden(LaneKind in) const { return restricted[index_of(in)]; }
+  bool forbidden(LaneKind in, LaneKind out) const { return forbidden(in) && forbidden(out); }
 };
 
 // Degrees in (-180, 180], positive to the left.

@@ -137,6 +137,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column(axes, "speed", FLOAT8OID),
                 column(axes, "lanes_forward", INT4OID),
                 column(axes, "lanes_backward", INT4OID),
+                column(axes, "lanes_both", INT4OID),
                 column_or_null(axes, "kind_forward", TEXTOID),
                 column_or_null(axes, "kind_backward", TEXTOID),
                 column_or_null(axes, "lane_width_forward", TEXTOID),
@@ -169,6 +170,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                  column(lanes, "abscissa", FLOAT8OID),
                  column(lanes, "ordinality", INT4OID),
                  column_or_null(lanes, "along_axis", BOOLOID),
+                 column_or_null(lanes, "both_ways", BOOLOID),
                  column_or_null(lanes, "width", FLOAT8OID),
                  column_or_null(lanes, "line", BYTEAOID)};
 
@@ -179,7 +181,8 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(restrictions, "x", FLOAT8OID),
                         column(restrictions, "y", FLOAT8OID),
                         column(restrictions, "kind", TEXTOID),
-                        column_or_null(restrictions, "turn", TEXTOID)};
+                        column_or_null(restrictions, "turn", TEXTOID),
+                        column_or_null(restrictions, "except_kinds", TEXTOID)};
 
   const Rows edges = rows(fcinfo, 8, "former edges");
   call->former_edges = {edges.count,

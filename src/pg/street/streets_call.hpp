@@ -20,7 +20,7 @@ struct StreetsCall {
   struct {
     int count;
     Column axis_id, geom, level, width, width_end, radius, importance, speed;
-    Column lanes_forward, lanes_backward, kind_forward, kind_backward;
+    Column lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward;
     Column lane_width_forward, lane_width_backward, turn_forward, turn_backward;
     Column changed, outer_axis;
   } axes;
@@ -38,11 +38,11 @@ struct StreetsCall {
   } corners;
   struct {
     int count;
-    Column axis_id, abscissa, ordinality, along_axis, width, line;
+    Column axis_id, abscissa, ordinality, along_axis, both_ways, width, line;
   } lanes;
   struct {
     int count;
-    Column from_axis, to_axis, x, y, kind, turn;
+    Column from_axis, to_axis, x, y, kind, turn, except_kinds;
   } restrictions;
   struct {
     int count;

@@ -153,18 +153,20 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
   for (int i = 0; i < rows.count; ++i) {
     const std::int64_t axis_id = DatumGetInt64(rows.axis_id.values[i]);
     const std::string of_axis = " of axis " + std::to_string(axis_id);
+    const auto counted = [&](const Column& count) {
+      return static_cast<int>(in_range(DatumGetInt32(count.values[i]), 0, 100, "lanes" + of_axis));
+    };
     const auto read = [&](const Column& count, const Column& kinds, const Column& widths,
                           const Column& turns) {
-      const int lanes =
-          static_cast<int>(in_range(DatumGetInt32(count.values[i]), 0, 100, "lanes" + of_axis));
-      return read_lanes(lanes, text_or_empty(kinds, i), text_or_empty(widths, i),
+      return read_lanes(counted(count), text_or_empty(kinds, i), text_or_empty(widths, i),
                         text_or_empty(turns, i), defaults, of_axis);
     };
     axes.push_back(
         {axis_id,
          {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward, rows.turn_forward),
           read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
-               rows.turn_backward)}});
+               rows.turn_backward),
+          std::vector<LaneWish>(counted(rows.lanes_both))}});
   }
   return axes;
 }
@@ -201,7 +203,9 @@ std::vector<LaneOverride> lane_overrides_of(const StreetsCall& call) {
     put.axis_id = DatumGetInt64(rows.axis_id.values[i]);
     put.abscissa = DatumGetFloat8(rows.abscissa.values[i]);
     put.ordinality = DatumGetInt32(rows.ordinality.values[i]);
-    if (!rows.along_axis.nulls[i])
+    if (!rows.both_ways.nulls[i] && DatumGetBool(rows.both_ways.values[i]))
+      put.direction = Direction::both;
+    else if (!rows.along_axis.nulls[i])
       put.direction =
           DatumGetBool(rows.along_axis.values[i]) ? Direction::along : Direction::against;
     if (!rows.width.nulls[i])
@@ -241,6 +245,8 @@ std::vector<TurnRestriction> restrictions_of(const StreetsCall& call) {
                                         {turn_name(Turn::left), Turn::left},
                                         {turn_name(Turn::right), Turn::right},
                                         {turn_name(Turn::u_turn), Turn::u_turn}});
+    restriction.except =
+        read_kinds(text_or_empty(rows.except_kinds, i), "exception of a turn restriction");
     restrictions.push_back(restriction);
   }
   return restrictions;

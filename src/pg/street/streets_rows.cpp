@@ -131,11 +131,12 @@ bool fill_lane(const ComputedStreets& computed, const Named& named, std::size_t 
   if (edge == 0) return false;
   Value turn;
   if (lane.turns != 0) turn = turn_text(lane.turns);
-  return put(
-      row, edge, computed.streets.network.edges[lane.edge].axis_id, lane.ordinality, lane.position,
-      name(lane_side_name(lane.side)), lane.along_axis, name(lane_kind_name(lane.kind)), lane.width,
-      lane.axis_offset, std::move(turn), Geometry{stored_line(lane.line, flat(computed))},
-      Geometry{stored_surface(lane.surface, flat(computed))}, name(method_name(lane.method)));
+  return put(row, edge, computed.streets.network.edges[lane.edge].axis_id, lane.ordinality,
+             lane.position, name(lane_side_name(lane.side)), lane.along_axis, lane.both_ways,
+             name(lane_kind_name(lane.kind)), lane.width, lane.axis_offset, std::move(turn),
+             Geometry{stored_line(lane.line, flat(computed))},
+             Geometry{stored_surface(lane.surface, flat(computed))},
+             name(method_name(lane.method)));
 }
 
 bool fill_lane_separator(const ComputedStreets& computed, const Named& named, std::size_t i,
@@ -151,7 +152,7 @@ bool fill_lane_separator(const ComputedStreets& computed, const Named& named, st
 bool fill_marking(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Marking& marking = computed.lanes.markings[i];
   const std::int64_t edge = named.edges[marking.edge];
-  return edge > 0 && put(row, edge, marking.position, named.nodes[marking.node],
+  return edge > 0 && put(row, edge, marking.position, marking.along_axis, named.nodes[marking.node],
                          name(marking_kind_name(marking.kind)),
                          Geometry{stored_line(marking.line, flat(computed))},
                          Geometry{stored_surface(marking.surface, flat(computed))});
@@ -163,8 +164,9 @@ bool fill_interconnection(const ComputedStreets& computed, const Named& named, s
   const std::int64_t node = named.nodes[pair.node];
   const std::int64_t lane_in = named.lanes[pair.lane_in], lane_out = named.lanes[pair.lane_out];
   if (node == 0 || lane_in == 0 || lane_out == 0) return false;
-  return put(row, node, lane_in, lane_out, name(turn_name(pair.turn)), pair.angle, pair.plausible,
-             name(reason_name(pair.reason)), Geometry{stored_point(pair.control, flat(computed))},
+  return put(row, node, lane_in, lane_out, pair.along_in, pair.along_out,
+             name(turn_name(pair.turn)), pair.angle, pair.plausible, name(reason_name(pair.reason)),
+             Geometry{stored_point(pair.control, flat(computed))},
              Geometry{stored_line(pair.line, flat(computed))});
 }
 

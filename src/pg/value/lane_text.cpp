@@ -60,20 +60,23 @@ double width_of(const std::string& text, const std::string& what) {
 
 }  // namespace
 
+std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& what) {
+  std::vector<LaneKind> read;
+  if (kinds.empty()) return read;
+  for (const std::string& kind : parted(kinds, '|'))
+    read.push_back(word_of<LaneKind>(kind, what,
+                                     {{"general", LaneKind::general},
+                                      {"bus", LaneKind::bus},
+                                      {"cycle", LaneKind::cycle},
+                                      {"parking", LaneKind::parking}}));
+  return read;
+}
+
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
                                  const std::string& what) {
   std::vector<LaneWish> lanes(kinds.empty() ? count : 0);
-  if (!kinds.empty())
-    for (const std::string& kind : parted(kinds, '|')) {
-      LaneWish lane;
-      lane.kind = word_of<LaneKind>(kind, "lane" + what,
-                                    {{"general", LaneKind::general},
-                                     {"bus", LaneKind::bus},
-                                     {"cycle", LaneKind::cycle},
-                                     {"parking", LaneKind::parking}});
-      lanes.push_back(lane);
-    }
+  for (const LaneKind kind : read_kinds(kinds, "lane" + what)) lanes.emplace_back().kind = kind;
   std::vector<LaneWish*> all, driving;
   for (LaneWish& lane : lanes) {
     all.push_back(&lane);

@@ -24,6 +24,9 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
 // Whether a list of widths or turns has a word for each lane, or for each general and bus lane.
 bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes);
 
+// "bus|cycle"; none of an empty text.  `what` as word_of has it.
+std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& what);
+
 // "left;through"; empty where nothing is said.
 std::string turn_text(unsigned turns);
 

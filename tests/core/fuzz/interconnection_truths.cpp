@@ -30,12 +30,15 @@ std::vector<LaneWish> random_lanes(Random& random) {
 Asked random_traffic(Random& random, const Town& town) {
   Asked asked;
   for (const StreetAxis& axis : town.axes) {
-    asked.axes.push_back({axis.axis_id, {random_lanes(random), random_lanes(random)}});
+    asked.axes.push_back({axis.axis_id,
+                          {random_lanes(random), random_lanes(random),
+                           random.one_in(3) ? random_lanes(random) : std::vector<LaneWish>{}}});
     if (!random.one_in(5)) continue;
     const StreetAxis& to = random.of(town.axes);
     asked.restrictions.push_back(
         {axis.axis_id, to.axis_id, axis.line.back(), random.one_in(2),
-         random.one_in(2) ? std::optional<Turn>(Turn::left) : std::nullopt});
+         random.one_in(2) ? std::optional<Turn>(Turn::left) : std::nullopt,
+         random.one_in(3) ? std::vector<LaneKind>{LaneKind::bus} : std::vector<LaneKind>{}});
   }
   asked.settings.u_turn = random.one_in(3);
   if (random.one_in(3)) asked.settings.rule = TrajectoryRule::arcs;
@@ -44,7 +47,7 @@ Asked random_traffic(Random& random, const Town& town) {
   return asked;
 }
 
-// By node, what comes in and what goes out, as (edge, lane).
+// By node, what comes in and what goes out, as (edge, lane); of both directions at both ends.
 struct NodeLanes {
   std::vector<std::pair<int, int>> in, out;
 };
@@ -56,8 +59,11 @@ std::map<int, NodeLanes> lanes_of_nodes(const Network& network, const std::vecto
     if (lane.kind == LaneKind::parking) continue;
     const Edge& edge = network.edges[lane.edge];
     const std::pair<int, int> entry{lane.edge, static_cast<int>(i)};
-    nodes[lane.along_axis ? edge.to_node : edge.from_node].in.push_back(entry);
-    nodes[lane.along_axis ? edge.from_node : edge.to_node].out.push_back(entry);
+    for (const bool along : {true, false}) {
+      if (!lane.both_ways && lane.along_axis != along) continue;
+      nodes[along ? edge.to_node : edge.from_node].in.push_back(entry);
+      nodes[along ? edge.from_node : edge.to_node].out.push_back(entry);
+    }
   }
   return nodes;
 }
@@ -79,8 +85,11 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
     const std::string name =
         " from lane " + std::to_string(pair.lane_in) + " to " + std::to_string(pair.lane_out);
     const Lane &in = lanes[pair.lane_in], &out = lanes[pair.lane_out];
-    const Point start = in.along_axis ? in.line.back() : in.line.front();
-    const Point end = out.along_axis ? out.line.front() : out.line.back();
+    if ((!in.both_ways && pair.along_in != in.along_axis) ||
+        (!out.both_ways && pair.along_out != out.along_axis))
+      faults.push_back("a path against its lane" + name);
+    const Point start = pair.along_in ? in.line.back() : in.line.front();
+    const Point end = pair.along_out ? out.line.front() : out.line.back();
     if (distance(pair.line.front(), start) > 0 || distance(pair.line.back(), end) > 0)
       faults.push_back("a path off its lanes" + name);
     for (const Point& p : pair.line)
@@ -100,25 +109,25 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
 // bus and cycle lanes may meet in vain.
 void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
                Faults& faults) {
-  std::map<int, bool> leads_on, reached;
+  std::map<std::pair<int, bool>, bool> leads_on, reached;
   for (const Interconnection& pair : pairs) {
     const LaneKind in = lanes[pair.lane_in].kind, out = lanes[pair.lane_out].kind;
     const bool fits = in == out || in == LaneKind::general || out == LaneKind::general;
     if (pair.reason == Reason::restriction || !fits) continue;
-    leads_on[pair.lane_in] |= pair.plausible;
+    leads_on[{pair.lane_in, pair.along_in}] |= pair.plausible;
     const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;
-    if (!turns_back || pair.plausible) reached[pair.lane_out] |= pair.plausible;
+    if (!turns_back || pair.plausible) reached[{pair.lane_out, pair.along_out}] |= pair.plausible;
   }
   for (const auto& [lane, holds] : leads_on)
-    if (!holds) faults.push_back("lane " + std::to_string(lane) + " leads nowhere");
+    if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " leads nowhere");
   for (const auto& [lane, holds] : reached)
-    if (!holds) faults.push_back("lane " + std::to_string(lane) + " is not reached");
+    if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " is not reached");
 }
 
 bool same(const Interconnection& a, const Interconnection& b) {
   return a.node == b.node && a.lane_in == b.lane_in && a.lane_out == b.lane_out &&
-         a.plausible == b.plausible && a.reason == b.reason && a.angle == b.angle &&
-         a.line.size() == b.line.size();
+         a.along_in == b.along_in && a.along_out == b.along_out && a.plausible == b.plausible &&
+         a.reason == b.reason && a.angle == b.angle && a.line.size() == b.line.size();
 }
 
 }  // namespace

@@ -33,12 +33,15 @@ Asked random_lanes(Random& random, const Town& town) {
   Asked asked;
   for (const StreetAxis& axis : town.axes) {
     if (!random.one_in(10))
-      asked.axes.push_back({axis.axis_id, {random_wishes(random), random_wishes(random)}});
+      asked.axes.push_back({axis.axis_id,
+                            {random_wishes(random), random_wishes(random),
+                             random.one_in(3) ? random_wishes(random) : std::vector<LaneWish>{}}});
     if (random.one_in(3))
-      asked.overrides.push_back({axis.axis_id, random.between(0, 50), 1 + random.below(5),
-                                 random.of(std::vector<Direction>{
-                                     Direction::as_is, Direction::along, Direction::against}),
-                                 random.one_in(2) ? random.scaled(0.1, 20) : 0});
+      asked.overrides.push_back(
+          {axis.axis_id, random.between(0, 50), 1 + random.below(5),
+           random.of(std::vector<Direction>{Direction::as_is, Direction::along, Direction::against,
+                                            Direction::both}),
+           random.one_in(2) ? random.scaled(0.1, 20) : 0});
   }
   if (random.one_in(3)) asked.settings.order = LaneOrder::right_first;
   if (random.one_in(3)) asked.settings.driving_side = DrivingSide::left;

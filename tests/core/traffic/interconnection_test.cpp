@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
@@ -22,6 +23,7 @@ struct Road {
   std::vector<LaneWish> forward, backward;
   double width = 0;
   double speed = 50;
+  int both_ways = 0;  // lanes
 };
 
 std::vector<LaneWish> general(int count, unsigned turns = 0) {
@@ -34,13 +36,16 @@ Road road(std::int64_t id, const Line& line, int forward, int backward) {
   return {id, line, general(forward), general(backward), 3.5 * (forward + backward), 50};
 }
 
+// One lane that both directions use.
+Road narrow(std::int64_t id, const Line& line) { return {id, line, {}, {}, 3.5, 50, 1}; }
+
 class Town {
  public:
   explicit Town(const std::vector<Road>& roads, double radius = 8) {
     std::vector<LanesOfAxis> wishes;
     for (const Road& r : roads) {
       axes_.push_back({r.id, r.line, 0, r.width, r.width, radius, 5, r.speed});
-      wishes.push_back({r.id, {r.forward, r.backward}});
+      wishes.push_back({r.id, {r.forward, r.backward, general(r.both_ways)}});
     }
     streets_ = streets(axes_, {});
     lanes_ = streetgen::lanes(streets_, wishes, {}, {}).lanes;
@@ -148,6 +153,68 @@ TEST(Interconnection, StartsAndEndsOnItsLanes) {
     EXPECT_EQ(distance(i.line.front(), in.along_axis ? in.line.back() : in.line.front()), 0);
     EXPECT_EQ(distance(i.line.back(), out.along_axis ? out.line.front() : out.line.back()), 0);
   }
+}
+
+// As (from, to, along the axis of the one, of the other).
+using Ways = std::set<std::tuple<std::int64_t, std::int64_t, bool, bool>>;
+Ways ways(const Town& town, const std::vector<Interconnection>& all) {
+  Ways found;
+  for (const Interconnection& i : all)
+    found.emplace(town.axis_of(i.lane_in), town.axis_of(i.lane_out), i.along_in, i.along_out);
+  EXPECT_EQ(found.size(), all.size());
+  return found;
+}
+
+TEST(Interconnection, ALaneForBothDirectionsComesInAndGoesOutAtBothEnds) {
+  const Line middle{{0, 0, 0}, {90, 0, 0}}, onwards{{180, 0, 0}, {90, 0, 0}};
+  const Town town({narrow(1, west), narrow(2, middle), road(3, onwards, 1, 1)});
+  EXPECT_EQ(
+      ways(town, town.join()),
+      (Ways{{1, 2, true, true}, {2, 1, false, false}, {2, 3, true, false}, {3, 2, true, false}}));
+  InterconnectionSettings settings;
+  settings.u_turn = true;
+  for (const Interconnection& i : town.join({}, settings)) {
+    const bool back = town.lane(i.lane_in).edge == town.lane(i.lane_out).edge;
+    const bool dead_end = std::abs(i.line.front().x - 40) > 130;
+    EXPECT_EQ(i.plausible, !back || dead_end);
+  }
+}
+
+TEST(Interconnection, LeavesALaneForBothDirectionsAsOneDrives) {
+  for (const TrajectoryRule rule : {TrajectoryRule::bezier, TrajectoryRule::arcs}) {
+    InterconnectionSettings settings;
+    settings.rule = rule;
+    const Line away{{0, 0, 0}, {0, -100, 0}};
+    const Town town({narrow(1, west), narrow(2, away), narrow(3, east), narrow(4, north)});
+    const auto all = town.join({}, settings);
+    EXPECT_EQ(all.size(), 12u);
+    for (const Interconnection& i : all) {
+      const Line &in = town.lane(i.lane_in).line, &out = town.lane(i.lane_out).line;
+      EXPECT_TRUE(i.plausible);
+      EXPECT_EQ(distance(i.line.front(), i.along_in ? in.back() : in.front()), 0);
+      EXPECT_EQ(distance(i.line.back(), i.along_out ? out.front() : out.back()), 0);
+      // Towards the node, and away from it.
+      const Point node{0, 0, 0}, &start = i.line.front(), &end = i.line.back();
+      EXPECT_GT(dot(unit(i.line[1] - start), unit(node - start)), 0.95);
+      EXPECT_GT(dot(unit(end - i.line[i.line.size() - 2]), unit(end - node)), 0.95);
+    }
+  }
+}
+
+TEST(Interconnection, TellsTheEndsOfALaneForBothDirectionsApart) {
+  const Line upper{{0, 0, 0}, {50, 60, 0}, {100, 0, 0}},
+      lower{{0, 0, 0}, {50, -60, 0}, {100, 0, 0}};
+  const Town ring({narrow(1, upper), narrow(2, lower)});
+  EXPECT_EQ(
+      ways(ring, ring.join()),
+      (Ways{{1, 2, true, false}, {2, 1, true, false}, {1, 2, false, true}, {2, 1, false, true}}));
+  const Line loop{{0, 0, 0}, {60, -60, 0}, {120, 0, 0}, {60, 60, 0}, {0, 0, 0}};
+  const Town lasso({narrow(1, west), narrow(2, loop)});
+  const auto all = lasso.join();
+  EXPECT_EQ(
+      ways(lasso, all),
+      (Ways{{1, 2, true, true}, {1, 2, true, false}, {2, 1, true, false}, {2, 1, false, false}}));
+  for (const Interconnection& i : all) EXPECT_TRUE(i.plausible);
 }
 
 // Streets of 7 m, some nearly beside each other: the limits of these lie far from the node, and
@@ -261,6 +328,42 @@ TEST(Plausible, AnOnlyRestrictionForbidsTheOthers) {
   EXPECT_FALSE(plausible(town, all, 1, 3).empty());
   EXPECT_TRUE(plausible(town, all, 1, 2).empty());
   EXPECT_TRUE(plausible(town, all, 1, 4).empty());
+}
+
+TEST(Plausible, ARestrictionDoesNotBindLanesThatItExcepts) {
+  std::vector<Road> roads{road(1, west, 2, 1), road(2, south, 1, 1), road(3, east, 1, 1),
+                          road(4, north, 1, 1)};
+  roads[0].forward[1].kind = LaneKind::bus;
+  const auto only_buses = [&](const TurnRestriction& restriction, std::int64_t to) {
+    const Town town(roads);
+    bool buses = false;
+    for (const Interconnection& i : town.join({restriction})) {
+      if (town.axis_of(i.lane_in) != 1 || town.axis_of(i.lane_out) != to) continue;
+      const bool bus = town.lane(i.lane_in).kind == LaneKind::bus;
+      EXPECT_EQ(i.reason == Reason::restriction, !bus);
+      buses = buses || (bus && i.plausible);
+    }
+    return buses;
+  };
+  const std::vector<LaneKind> bus{LaneKind::bus};
+  EXPECT_TRUE(only_buses({1, 4, {0, 0, 0}, false, {}, bus}, 4));
+  EXPECT_TRUE(only_buses({1, 3, {0, 0, 0}, true, {}, bus}, 2));
+  // An exception for others is none for buses.
+  for (const Interconnection& i :
+       Town(roads).join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::cycle}}}))
+    EXPECT_FALSE(i.plausible && Town(roads).axis_of(i.lane_in) == 1 &&
+                 Town(roads).axis_of(i.lane_out) == 4);
+}
+
+TEST(Plausible, ARestrictionLetsIntoTheLanesThatItExcepts) {
+  std::vector<Road> roads{road(1, west, 1, 1), road(2, south, 1, 1), road(4, north, 1, 2)};
+  roads[2].backward[1].kind = LaneKind::bus;
+  const Town town(roads);
+  std::set<LaneKind> reached;
+  for (const Interconnection& i : town.join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::bus}},
+                                             {2, 4, {0, 0, 0}, false, {}, {LaneKind::bus}}}))
+    if (i.plausible && town.axis_of(i.lane_out) == 4) reached.insert(town.lane(i.lane_out).kind);
+  EXPECT_EQ(reached, (std::set<LaneKind>{LaneKind::bus}));
 }
 
 TEST(Plausible, OfContradictoryRestrictionsTheForbiddingOneHolds) {

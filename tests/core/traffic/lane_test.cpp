@@ -59,6 +59,19 @@ TEST(Lane, RunsAlongTheAxisOnTheSideThatOneDrivesOn) {
   }
 }
 
+TEST(Lane, OfBothDirectionsLiesBetweenTheOthers) {
+  AxisLanes wanted = general(2, 1);
+  wanted.both_ways.resize(1);
+  for (const DrivingSide side : {DrivingSide::left, DrivingSide::right}) {
+    LaneSettings settings;
+    settings.driving_side = side;
+    for (const Lane& lane : on_straight(wanted, settings)) {
+      EXPECT_EQ(lane.both_ways, lane.position == (side == DrivingSide::right ? 2 : 3));
+      EXPECT_TRUE(lane.along_axis || !lane.both_ways);
+    }
+  }
+}
+
 TEST(Lane, SharesTheRoadwayEquallyAndKnowsItsSide) {
   const std::vector<Lane> lanes = on_straight(general(2, 1));
   ASSERT_EQ(lanes.size(), 3u);
@@ -337,6 +350,58 @@ TEST(Lanes, PartDirectionsByACentreLine) {
   EXPECT_EQ(dashed, (std::vector<bool>{false, true, true, true}));
 }
 
+TEST(Lanes, OfBothDirectionsAreEnteredAcrossDashedLines) {
+  AxisLanes wanted = general(2, 1);
+  wanted.both_ways.resize(2);
+  wanted.backward[0].kind = LaneKind::bus;
+  AxisLanes cycled = general(1, 1);
+  cycled.both_ways.resize(1);
+  cycled.forward[0].kind = cycled.backward[0].kind = LaneKind::cycle;
+  AxisLanes alone;
+  alone.both_ways.resize(1);
+  const Lanes made = lanes(tee(3), {{1, wanted}, {2, cycled}, {3, alone}}, {}, {});
+  std::vector<SeparatorKind> kinds;
+  for (const LaneSeparator& separator : made.separators) {
+    kinds.push_back(separator.kind);
+    EXPECT_TRUE(separator.dashed);
+  }
+  EXPECT_EQ(kinds, (std::vector<SeparatorKind>{SeparatorKind::centre, SeparatorKind::same_direction,
+                                               SeparatorKind::centre, SeparatorKind::same_direction,
+                                               SeparatorKind::same_direction,
+                                               SeparatorKind::same_direction}));
+}
+
+// A narrow street southwards, from one more important street to another.
+TEST(Lanes, OfBothDirectionsWaitOnTheHalfOnWhichOneComes) {
+  const Streets town = streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 8, 8, 5, 3},
+                                {2, {{0, 0, 0}, {100, 0, 0}}, 0, 8, 8, 5, 3},
+                                {3, {{0, 0, 0}, {0, -100, 0}}, 0, 4, 4, 5, 4},
+                                {4, {{-100, -100, 0}, {0, -100, 0}}, 0, 8, 8, 5, 3},
+                                {5, {{0, -100, 0}, {100, -100, 0}}, 0, 8, 8, 5, 3}},
+                               {});
+  AxisLanes both;
+  both.both_ways.resize(1);
+  for (const DrivingSide side : {DrivingSide::left, DrivingSide::right}) {
+    LaneSettings settings;
+    settings.driving_side = side;
+    int waiting = 0;
+    for (const Marking& marking : lanes(town, {{3, both}}, {}, settings).markings) {
+      if (town.network.edges[marking.edge].axis_id != 3) continue;
+      EXPECT_EQ(marking.kind, MarkingKind::yield);
+      ++waiting;
+      // Northwards, against the axis, on the right one comes on the east.
+      const bool east = marking.along_axis == (side == DrivingSide::left);
+      EXPECT_NEAR(length(marking.line), 2, 1e-9);
+      EXPECT_NEAR((marking.line[0].x + marking.line[1].x) / 2, east ? 1 : -1, 1e-9);
+      EXPECT_GT(area(marking.surface), 0);
+      const Point node = town.network.nodes[marking.node].point;
+      EXPECT_EQ(marking.along_axis, node.y < -50);
+      EXPECT_LT(distance(marking.line[0], node), 20);
+    }
+    EXPECT_EQ(waiting, 2);
+  }
+}
+
 TEST(Lanes, OfAnEndlessStreetAreStillLanes) {
   const Lanes made = lanes(streets({{1, {{-1e12, 0, 0}, {1e12, 5, 0}}, 0, 8, 8, 5, 3}}, {}),
                            {{1, general(1, 1)}}, {}, {});
@@ -363,6 +428,19 @@ TEST(Lanes, ObeyOverridesOfTheirPlace) {
   EXPECT_NEAR(made.lanes[3].width, 5.5, 1e-12);
   EXPECT_NEAR(made.lanes[4].width, 3, 1e-12);
   EXPECT_FALSE(made.lanes[4].along_axis);
+}
+
+TEST(Lanes, AreOpenedToBothDirectionsAndClosedByHand) {
+  using Direction = LaneOverride::Direction;
+  AxisLanes both;
+  both.both_ways.resize(1);
+  const Lanes made =
+      lanes(tee(3), {{1, general(1, 1)}, {2, both}, {3, both}},
+            {{1, 10, 1, Direction::both}, {2, 10, 1, Direction::against}, {3, 10, 1}}, {});
+  ASSERT_EQ(made.lanes.size(), 4u);
+  EXPECT_TRUE(made.lanes[0].both_ways && made.lanes[0].along_axis);
+  EXPECT_FALSE(made.lanes[2].both_ways || made.lanes[2].along_axis);
+  EXPECT_TRUE(made.lanes[3].both_ways);
 }
 
 }  // namespace

@@ -5,19 +5,19 @@ CREATE FUNCTION test.content(model name) RETURNS TABLE (content text) LANGUAGE p
 BEGIN
   RETURN QUERY EXECUTE replace($q$
     SELECT concat_ws(' ', 'node', geom::text) FROM @.node
-    UNION ALL SELECT concat_ws(' ', 'edge', e.axis_id, e.start_abscissa, e.end_abscissa, e.level, e.width, e.width_end, e.geom::text) FROM @.edge e
+    UNION ALL SELECT concat_ws(' ', 'edge', e.axis_id, e.start_abscissa, e.end_abscissa, e.level, e.width, e.width_end, e.lanes_both, e.geom::text) FROM @.edge e
     UNION ALL SELECT concat_ws(' ', 'limit', e.axis_id, e.start_abscissa, l.which, l.wanted_abscissa, l.abscissa, l.method, l.border_line::text)
       FROM @.section_limit l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'section', e.axis_id, e.start_abscissa, s.method, s.contested_area, s.surface::text) FROM @.section s JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'corner', a.axis_id, a.start_abscissa, k.end_a, b.axis_id, b.start_abscissa, k.end_b, k.radius_wanted, k.radius, k.method, k.arc::text)
       FROM @.corner k JOIN @.edge a ON a.edge_id = k.edge_a JOIN @.edge b ON b.edge_id = k.edge_b
-    UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.kind, l.width, l.axis_offset, l.turn, l.method, l.geom::text, l.surface::text)
+    UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.both_ways, l.kind, l.width, l.axis_offset, l.turn, l.method, l.geom::text, l.surface::text)
       FROM @.lane l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
-    UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.kind, n.geom::text, m.geom::text, m.surface::text)
+    UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.along_axis, m.kind, n.geom::text, m.geom::text, m.surface::text)
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
-    UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, b.axis_id, b.start_abscissa, o.ordinality, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
+    UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, c.along_in, b.axis_id, b.start_abscissa, o.ordinality, c.along_out, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
       FROM @.interconnection c LEFT JOIN @.node n USING (node_id) JOIN @.lane i ON i.lane_id = c.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = c.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'report', issue, axis_a, axis_b, measure, geom::text) FROM @.report
     UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$,
