@@ -51,13 +51,13 @@ install_missing() {
     { tail -20 "$build/packages.log" >&2; fail "the packages cannot be installed; $build/packages.log says more"; }
 }
 
-# timed NAME COMMAND…: says how long it took; also before it and of less than 10 s where $time_all is set.
+# timed NAME COMMAND…: says how long it took; also before it and of less than 20 s where $time_all is set.
 timed() {
   local name=$1 began=$SECONDS
   shift
   [ -z "${time_all:-}" ] || ! [ -t 2 ] || tell "$name" …
   "$@"
-  [ -z "${time_all:-}" ] && [ $((SECONDS - began)) -lt 10 ] || tell "$name" "$((SECONDS - began)) s"
+  [ -z "${time_all:-}" ] && [ $((SECONDS - began)) -lt 20 ] || tell "$name" "$((SECONDS - began)) s"
 }
 
 # tell NAME HOW_FAR: a line; on a terminal the next one replaces it where it ends in "…".
