@@ -23,11 +23,17 @@ as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@
 
 install_packages() {
   install_missing g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
-    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libgtest-dev \
-    osm2pgsql gdal-bin librsvg2-bin
+    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev \
+    osm2pgsql gdal-bin librsvg2-bin fonts-dejavu-core
 }
 
 install_qgis() { install_missing python3-qgis qgis-providers; }
+
+install_for_tests() {
+  install_packages
+  install_missing libgtest-dev
+  install_qgis
+}
 
 install_missing() {
   local missing=() package
@@ -36,20 +42,53 @@ install_missing() {
   done
   [ ${#missing[@]} = 0 ] && return
   say "installing ${missing[*]}"
+  mkdir -p "$build"
   if ! [ -e /etc/postgresql-common/createcluster.conf ]; then
     as_root mkdir -p /etc/postgresql-common
     echo 'create_main_cluster = false' | as_root tee /etc/postgresql-common/createcluster.conf >/dev/null
   fi
-  as_root apt-get update -qq
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+  { as_root apt-get update -qq && as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >"$build/packages.log" 2>&1 ||
+    { tail -20 "$build/packages.log" >&2; fail "the packages cannot be installed; $build/packages.log says more"; }
+}
+
+# timed NAME COMMAND…: says how long it took; also before it and of less than 20 s where $time_all is set.
+timed() {
+  local name=$1 began=$SECONDS
+  shift
+  [ -z "${time_all:-}" ] || ! [ -t 2 ] || tell "$name" …
+  "$@"
+  [ -z "${time_all:-}" ] && [ $((SECONDS - began)) -lt 20 ] || tell "$name" "$((SECONDS - began)) s"
+}
+
+# tell NAME HOW_FAR: a line; on a terminal the next one replaces it where it ends in "…".
+tell() {
+  if [ -t 2 ]; then printf '\r%-12s %-12s' "$1" "$2" >&2; else printf '%-12s %s' "$1" "$2" >&2; fi
+  [[ -t 2 && $2 = *… ]] || printf '\n' >&2
+}
+
+# From what cmake prints: every tenth part of what is compiled.
+tell_compiling() {
+  local line told=0 share
+  while IFS= read -r line; do
+    [[ $line =~ ^\[\ *([0-9]+)%\]\ Building ]] || continue
+    share=$((BASH_REMATCH[1] / 10 * 10))
+    [ "$share" -le "$told" ] || { told=$share; tell compiling "$share % …"; }
+  done
+}
+
+# build_targets TARGET…
+build_targets() {
+  mkdir -p "$build"
+  cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake --build "$build/release" -j"$(nproc)" --target "$@" 2>&1 | tee "$build/build.log" | tell_compiling || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
 }
 
 build_extension() {
-  mkdir -p "$build"
-  cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
-  cmake --build "$build/release" -j"$(nproc)" >"$build/build.log" 2>&1 || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
+  build_targets streetgen install_script
   DESTDIR=$stage cmake --install "$build/release" >/dev/null
 }
+
+build_tests() { build_targets streetgen_core_test; }
 
 # The core, its tests and the fuzz program under ASan and UBSan.
 build_sanitized() {
@@ -160,8 +199,8 @@ fresh_database() {
 }
 
 set_up() {
-  install_packages
+  timed packages install_packages
   settle_home
-  build_extension
-  start_cluster
+  timed compiling build_extension
+  timed cluster start_cluster
 }

@@ -1,0 +1,21 @@
+-- What data/streetgen load does with the rows that it read, in one transaction. Variables: model, srid, again, crossing, mapping, take, read, source, file, warning.
+-- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
+BEGIN;
+SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null
+SELECT streetgen.create_model(:'model', :srid) WHERE NOT :again \g /dev/null
+SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
+CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
+SELECT what, class, count, array_to_string(source_refs[:5] || CASE WHEN cardinality(source_refs) > 5 THEN '…' END, ', ') AS source_refs FROM load_report ORDER BY line;
+-- The last words where less than half of the rows became axes: why, the most frequent reasons first, and what to do.
+WITH row AS (SELECT count(*) AS rows, (SELECT coalesce(sum(count), 0) FROM load_report WHERE what = 'taken') AS taken FROM :source),
+reason AS (SELECT row_number() OVER (ORDER BY count DESC, line) AS turn, * FROM load_report WHERE what LIKE 'not taken: %' OR what LIKE '%, left out')
+SELECT format('warning: %s of the %s rows of %s were taken', taken, rows, :'file') FROM row WHERE 2 * taken < rows
+UNION ALL SELECT words FROM row, (
+    SELECT turn, format('  %s %s%s', count, what, ' "' || class || '"') AS words FROM reason WHERE turn <= 5
+    UNION ALL SELECT 6, format('  and %s for %s other reasons', sum(count), count(*)) FROM reason WHERE turn > 5 HAVING count(*) > 0
+    UNION ALL SELECT 7, format('  where letters of a class are wrong, set SHAPE_ENCODING to the encoding of the file; a class that is new INSERT into %I.axis_class, then load --again', :'model')
+        WHERE EXISTS (SELECT FROM reason WHERE what = 'not taken: unknown class')
+    UNION ALL SELECT 8, format('  UPDATE %I.axis_class SET taken = true for the classes that are wanted, then load --again', :'model') WHERE EXISTS (SELECT FROM reason WHERE what = 'not taken: class')) w
+WHERE 2 * taken < rows \g (format=unaligned tuples_only=on) :warning
+DROP TABLE :read;
+COMMIT;

@@ -1,0 +1,55 @@
+# Sourced by data/streetgen: a layer of a file that GDAL reads, as a table of schema streetgen_source.
+
+# layers_in FILE: a line for each of its layers, "name<tab>type of geometry"; those with a geometry alone where there are such.
+layers_in() {
+  ogrinfo -q -ro "$1" 2>/dev/null | sed -nE 's/^[0-9]+: (.*) \((.*)\)$/\1\t\2/p' | sed -E 's/ \(title: [^\t]*\)\t/\t/' |
+    awk -F'\t' '{ line[NR] = $0 } $2 != "None" { shaped[++n] = $0 } END { for (i = 1; i <= (n ? n : NR); i++) print n ? shaped[i] : line[i] }'
+}
+
+# chosen_layer FILE [LAYER]: the layer that is asked for, or the only one.
+chosen_layer() {
+  local file=$1 asked=${2:-} layers listed
+  layers=$(layers_in "$file")
+  listed=$(sed 's/\t\(.*\)/ (\1)/' <<<"$layers" | paste -sd, | sed 's/,/, /g')
+  if [ -z "$layers" ]; then
+    # ogr2ogr says why.
+    printf %s "$asked"
+  elif [ -n "$asked" ]; then
+    cut -f1 <<<"$layers" | grep -xF -- "$asked" >/dev/null || fail "$(basename "$file") has no layer \"$asked\"; it has: $listed"
+    printf %s "$asked"
+  elif [ "$(wc -l <<<"$layers")" = 1 ]; then
+    cut -f1 <<<"$layers"
+  else
+    fail "$(basename "$file") has several layers: name one with --layer NAME, of: $listed"
+  fi
+}
+
+# shape_encoding FILE LAYER: how the text of a shapefile is to be read; nothing for other files, and where SHAPE_ENCODING or its .cpg says so.
+shape_encoding() {
+  local said
+  said=$(ogrinfo -so -ro -mdd SHAPEFILE "$1" "$2" 2>/dev/null) || return 0
+  if [ -n "${SHAPE_ENCODING:-}" ] || ! grep -q '^Metadata (SHAPEFILE):' <<<"$said" || grep -q '^  ENCODING_FROM_CPG=.' <<<"$said"; then
+    return
+  elif ogr2ogr -q -f CSV /vsistdout/ "$1" "$2" --config SHAPE_ENCODING '' 2>/dev/null | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1; then
+    echo UTF-8
+  else
+    echo ISO-8859-1
+  fi
+}
+
+# read_vector FILE TABLE SRID [LAYER]
+read_vector() {
+  local file=$1 table=$2 srid=$3 layer encoding reference=() log=$build/ogr2ogr.log failed=
+  layer=$(chosen_layer "$file" "${4:-}")
+  encoding=$(shape_encoding "$file" "$layer")
+  # A file that does not say its reference is taken to be in the model's.
+  if ogrinfo -so -ro "$file" "$layer" 2>/dev/null | grep -A1 '^Layer SRS WKT' | grep -q '(unknown)'; then
+    reference=(-a_srs "EPSG:$srid")
+  fi
+  run_sql -c "DROP TABLE IF EXISTS streetgen_source.$table"
+  ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=gis dbname=$database" "$file" ${layer:+"$layer"} ${reference[@]+"${reference[@]}"} \
+    ${encoding:+--config SHAPE_ENCODING "$encoding"} -nln "$table" -lco GEOMETRY_NAME=geom -lco SCHEMA=streetgen_source -lco PRECISION=NO -nlt PROMOTE_TO_MULTI 2>"$log" || failed=yes
+  # Without the list of all its drivers.
+  sed '/^FAILURE:$/d; /^  -> /d; s/ with the following drivers\.$//' "$log" >&2
+  [ -z "$failed" ] || fail "$file cannot be read by ogr2ogr"
+}
