@@ -5,6 +5,7 @@
 // plausible pairs are told from the others.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -48,6 +49,7 @@ struct InterconnectionSettings {
   double least_radius = 3;      // metres, see trajectory
   double tolerance = 0.05;      // metres, of the trajectories' chords
   double node_tolerance = 0.5;  // metres, of the network
+  std::size_t most = 10000;     // at a node of more pairs of lanes none are made
 };
 
 struct Interconnection {
