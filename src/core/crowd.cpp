@@ -20,7 +20,8 @@ constexpr double side_of_square = 10;    // metres
 constexpr std::int64_t looked_into = 8;  // squares a side, from which on boxes alone do not tell
 
 GridCell cell_at(double x, double y) {
-  return {std::llround(std::floor(x / side_of_square)), std::llround(std::floor(y / side_of_square))};
+  return {std::llround(std::floor(x / side_of_square)),
+          std::llround(std::floor(y / side_of_square))};
 }
 
 // Squares side by side, the last ones not included.
@@ -119,8 +120,8 @@ Parts parted(MultiPolygon ground, const MultiPolygon& surface, const Ground& cla
   }
   constexpr auto on_grid = Arrangement::Vertices::on_grid;
   Parts parts{without_crumbs(faces.joined(claimed, on_grid)), {}};
-  parts.rest = parts.claimed.empty() ? std::move(ground)
-                                     : without_crumbs(faces.joined(rest, on_grid));
+  parts.rest =
+      parts.claimed.empty() ? std::move(ground) : without_crumbs(faces.joined(rest, on_grid));
   return parts;
 }
 
@@ -229,7 +230,7 @@ std::map<int, MultiPolygon> left_by_crowds(Geos& geos, const std::vector<Claim>&
                                            std::size_t most) {
   if (claims.size() <= most) return {};
   Shares shares(claims);
-  for (const Crowd& crowd : crowds(shares.boxes(), most, [&](int claim, const Box& box) {
+  for (const Crowd& crowd : crowds(shares.boxes(), most, [&](int claim, const Box&box) {
          return shares.comes_into(claim, box);
        }))
     shares.share_out(crowd);

@@ -19,7 +19,8 @@ constexpr std::size_t at_once = 64;
 MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
   if (parts.size() > at_once) {
     const auto middle = parts.begin() + parts.size() / 2;
-    return united(geos, {united(geos, {parts.begin(), middle}), united(geos, {middle, parts.end()})});
+    return united(geos,
+                  {united(geos, {parts.begin(), middle}), united(geos, {middle, parts.end()})});
   }
   std::vector<LineView> lines;
   for (const MultiPolygon& part : parts)
