@@ -46,7 +46,7 @@ def roadway():
 
 def surface_by_method(colour):
     return lambda: rules(('kerb', '', fill(KERB, KERB, 0.6, 'MapUnit')), ('roadway', 'ELSE', fill(colour)),
-                         ('contested', "method = 'contested'", fill('#8a7748')), ('transition', "method = 'transition'", fill('#6d6287')))
+                         ('contested', "method IN ('contested', 'crowded')", fill('#8a7748')), ('transition', "method = 'transition'", fill('#6d6287')))
 
 
 def lane():

@@ -6,6 +6,7 @@
 // others.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -50,6 +51,7 @@ struct InterconnectionSettings {
   double least_radius = 3;      // metres, see trajectory
   double tolerance = 0.05;      // metres, of the trajectories' chords
   double node_tolerance = 0.5;  // metres, of the network
+  std::size_t most = 10000;     // at a node of more pairs of lanes none are made
 };
 
 struct Interconnection {

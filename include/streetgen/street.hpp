@@ -59,7 +59,7 @@ struct StreetSettings {
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
   // More surfaces that come into a square of 10 m of a fixed grid share the ground there by rank.
-  int overlaps_maximal = 50;
+  int overlaps_maximal = 30;
 };
 
 // By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.

@@ -63,6 +63,14 @@ listed AS MATERIALIZED (
     LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward, a.direction = 'reverse'),
                     (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward, a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
     WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL),
+-- Nodes of more pairs of lanes than are made.
+busy_node AS MATERIALIZED (
+    SELECT node_id, sum(comes) * sum(goes) - CASE WHEN u_turn THEN 0 ELSE sum(comes * goes) END AS pairs
+    FROM (SELECT node_id, edge_id, count(*) FILTER (WHERE comes) AS comes, count(*) FILTER (WHERE NOT comes) AS goes
+          FROM lane_node l JOIN %1$I.lane USING (lane_id), LATERAL (VALUES (l.enters, true), (l.leaves, false)) v(node_id, comes)
+          GROUP BY node_id, edge_id) e,
+         (SELECT max(value) FILTER (WHERE name = 'interconnections_maximal') AS most, max(value) FILTER (WHERE name = 'u_turn') = 'true' AS u_turn FROM %1$I.setting) s
+    GROUP BY node_id, u_turn, most HAVING sum(comes) * sum(goes) - CASE WHEN u_turn THEN 0 ELSE sum(comes * goes) END > most::float8),
 degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)
 SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM invalid
 UNION ALL SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap WHERE ST_Area(shared) > 0.001
@@ -80,8 +88,12 @@ UNION ALL SELECT 'error', 'interconnection off its lanes, m', 'interconnection',
     FROM %1$I.interconnection c JOIN %1$I.lane i ON i.lane_id = c.lane_in JOIN %1$I.lane o ON o.lane_id = c.lane_out) p WHERE off > 0.001
 UNION ALL SELECT 'notice', 'lane without a plausible way on', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l JOIN degree d ON d.node_id = l.enters
     WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
+        AND d.node_id NOT IN (SELECT node_id FROM busy_node)
 UNION ALL SELECT 'notice', 'lane that no plausible way reaches', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l JOIN degree d ON d.node_id = l.leaves
     WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c WHERE (c.lane_out, c.along_out) = (l.lane_id, l.along) AND c.plausible)
+        AND d.node_id NOT IN (SELECT node_id FROM busy_node)
+UNION ALL SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'node', node_id, pairs, n.geom
+    FROM busy_node JOIN %1$I.node n USING (node_id)
 UNION ALL SELECT 'warning', 'turn restriction without a place', 'turn_restriction', r.turn_restriction_id, 0, r.geom FROM %1$I.turn_restriction r
     WHERE NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id) WHERE a.axis_id = r.from_axis AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))
 UNION ALL SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction', a.turn_restriction_id, b.turn_restriction_id, a.geom FROM %1$I.turn_restriction a
@@ -100,12 +112,16 @@ UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom)
     AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')
 UNION ALL SELECT 'notice', 'kind that is no class, taken as unknown', 'axis', a.axis_id, 0, a.geom FROM %1$I.axis a WHERE NOT EXISTS (SELECT FROM %1$I.axis_class c WHERE c.class = a.kind) AND a.kind IS NOT NULL
 UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
-UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1
-UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1
+UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1 AND method <> 'crowded'
+UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1 AND method <> 'crowded'
+UNION ALL SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'section', edge_id, contested_area, geom
+    FROM %1$I.section JOIN %1$I.edge USING (edge_id) WHERE method = 'crowded'
+UNION ALL SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'intersection', node_id, contested_area, geom
+    FROM %1$I.intersection JOIN %1$I.node USING (node_id) WHERE method = 'crowded'
 UNION ALL SELECT 'warning', 'transition_override finds no change of width', 'transition_override', o.transition_override_id, 0, u.geom
     FROM %1$I.transition_override o LEFT JOIN used u USING (axis_id) WHERE NOT EXISTS (
         SELECT FROM %1$I.edge e JOIN %1$I.intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node ELSE e.to_node END JOIN degree d USING (node_id)
-        WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested')
+        WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested', 'crowded')
             AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start' THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
 UNION ALL SELECT 'error', 'lanes of the directions do not sum up', 'edge', e.edge_id, e.lane_count, e.geom FROM %1$I.edge e
     WHERE e.lane_count <> e.lanes_forward + e.lanes_backward + e.lanes_both

@@ -49,8 +49,8 @@ WITH frame AS (
 size AS (SELECT ST_XMin(box) AS x, ST_YMax(box) AS y, greatest(ST_XMax(box) - ST_XMin(box), 1) AS w, greatest(ST_YMax(box) - ST_YMin(box), 1) AS h,
                 greatest(ST_XMax(box) - ST_XMin(box), 1) / $2 AS pixel, ST_SetSRID(box, %2$s) AS box FROM frame),
 shape(layer, style, line, geom, id) AS (
-    SELECT 1 + level * 10, CASE method WHEN 'contested' THEN 'section contested' ELSE 'section' END, false, surface, edge_id FROM %1$I.section
-    UNION ALL SELECT 2 + level * 10, CASE method WHEN 'contested' THEN 'intersection contested' WHEN 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id FROM %1$I.intersection
+    SELECT 1 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'section contested' ELSE 'section' END, false, surface, edge_id FROM %1$I.section
+    UNION ALL SELECT 2 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'intersection contested' WHEN method = 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id FROM %1$I.intersection
     -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
     UNION ALL SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
     UNION ALL SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5

@@ -1,4 +1,5 @@
--- Calls that take long: on lines of :vertices vertices, on a town of about 2 * :blocks * :blocks axes.
+-- Calls that take long: on lines of :vertices vertices, on a town of about 2 * :blocks * :blocks axes, on :crowd axes
+-- from one point, 10 * :crowd axes a centimetre apart and :crowd equal ones.
 -- Fills long_call (name, statement), and town, a model that is generated.
 SET client_min_messages = warning;
 CREATE EXTENSION IF NOT EXISTS postgis_topology;
@@ -8,7 +9,8 @@ CREATE TABLE long_line AS
 CREATE TABLE long_pair AS SELECT kind, geom, ST_Rotate(geom, 1.3, ST_StartPoint(geom)) AS turned FROM long_line;
 
 DO $$ BEGIN
-  PERFORM streetgen.create_model(m, 2154) FROM unnest(ARRAY['town', 'alone', 'dual', 'crossed', 'imported']) m;
+  PERFORM streetgen.create_model(m, 2154) FROM unnest(ARRAY['town', 'alone', 'dual', 'crossed', 'imported', 'star', 'band', 'bundle']) m;
+  PERFORM streetgen.live(m, false) FROM unnest(ARRAY['star', 'band', 'bundle']) m;
 END $$;
 CREATE TABLE street AS SELECT row_number() OVER () AS id, 'residential' AS class, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 80 * x, 6860000 + 60 * y),
     ST_MakePoint(650000 + 80 * (x + dx), 6860000 + 60 * (y + 1 - dx))), 2154) AS geom
@@ -24,6 +26,14 @@ INSERT INTO dual.axis (geom, width) SELECT ST_Translate(geom, 0, d), 7 FROM long
 INSERT INTO crossed.axis (geom, width) SELECT geom, 7 FROM long_line WHERE kind = 'gentle'
   UNION ALL SELECT ST_MakeLine(p, ST_Translate(p, 0, 60)), 6 FROM long_line, generate_series(1, ST_NPoints(geom), 200) i, ST_PointN(geom, i) p WHERE kind = 'gentle';
 
+INSERT INTO star.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000),
+    ST_MakePoint(650000 + 100 * cosd(360.0 * i / :crowd), 6860000 + 100 * sind(360.0 * i / :crowd))), 2154), 6
+  FROM generate_series(1, :crowd) i;
+INSERT INTO band.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000 + 0.01 * i),
+    ST_MakePoint(650100, 6860000 + 0.01 * i)), 2154), 6 FROM generate_series(1, 10 * :crowd) i;
+INSERT INTO bundle.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000),
+    ST_MakePoint(650100, 6860000)), 2154), 6 FROM generate_series(1, :crowd) i;
+
 CREATE TABLE long_call (name text, statement text);
 INSERT INTO long_call SELECT primitive || ', ' || kind, format('SELECT streetgen.%s FROM long_pair WHERE kind = %L', call, kind) FROM long_line, (VALUES
   ('arc_centre', 'arc_centre(geom, turned, 7, 6, 5)'), ('corner_arc', 'corner_arc(geom, turned, 7, 6, 5)'), ('max_corner_radius', 'max_corner_radius(geom, turned, 7, 6)'),
@@ -37,6 +47,9 @@ INSERT INTO long_call VALUES
   ('generate, long line', 'SELECT streetgen.generate(''alone'')'),
   ('generate, two long lines side by side', 'SELECT streetgen.generate(''dual'')'),
   ('generate, long line with side streets', 'SELECT streetgen.generate(''crossed'')'),
+  ('generate, axes from one point', 'SELECT streetgen.generate(''star'')'),
+  ('generate, axes a centimetre apart', 'SELECT streetgen.generate(''band'')'),
+  ('generate, equal axes', 'SELECT streetgen.generate(''bundle'')'),
   ('generate, town', 'SELECT streetgen.generate(''town'')'),
   ('check_model, town', 'SELECT streetgen.check_model(''town'')'),
   ('summary, town', 'SELECT streetgen.summary(''town'')'),

@@ -2,8 +2,9 @@
 -- tests/long measures how soon, on long lines and a town of thousands of axes.
 \set vertices 10000
 \set blocks 15
+\set crowd 110
 \ir ../cases/long.sql
-CREATE TABLE before AS SELECT m AS model, test.rows(m) AS rows FROM unnest(ARRAY['town', 'alone', 'dual', 'crossed', 'imported']) m;
+CREATE TABLE before AS SELECT m AS model, test.rows(m) AS rows FROM unnest(ARRAY['town', 'alone', 'dual', 'crossed', 'imported', 'star', 'band', 'bundle']) m;
 -- The second run counts: the first one fills caches.
 SELECT count(pg_temp.run(statement)) FROM long_call \g /dev/null
 CREATE TABLE whole AS SELECT c.*, r.* FROM long_call c, pg_temp.run(statement) r;

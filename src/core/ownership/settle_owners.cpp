@@ -286,16 +286,20 @@ class Owners {
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();
       vicinity_.reset();
-      crowds_.reset();
       return holes;
     }
   }
 
-  // What neither moved nor got or lost ground.
+  // What neither moved nor got or lost ground; in a crowd the same ground may have come about
+  // otherwise.
   void leave_what_stays() {
     auto& streets = layout_.streets;
+    std::vector<bool> in_crowd(claims_.size());
+    if (crowds_)
+      for (const Crowd& crowd : *crowds_) each_claim(crowd, [&](int i) { in_crowd[i] = true; });
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
-      if (claims_[i].wanted && was_[i] != nullptr && same(was_[i]->ground, surfaces_[i].ground))
+      if (claims_[i].wanted && !in_crowd[i] && was_[i] != nullptr &&
+          same(was_[i]->ground, surfaces_[i].ground))
         (i < edges_ ? streets.asked_edges : streets.asked_nodes)[i < edges_ ? i : i - edges_] =
             false;
   }

@@ -46,6 +46,11 @@ struct EdgeLanes {
   std::size_t first = 0, count = 0;
 };
 
+// Numbers of lanes with which an edge comes to a node.
+struct EdgeEnds {
+  std::size_t in = 0, out = 0;
+};
+
 // A leg of the node, with the lanes behind each of its ends.
 struct NodeLeg {
   int edge = 0;
@@ -207,8 +212,22 @@ class Builder {
     return certain || !r.turn || *r.turn == turn_of(angle);
   }
 
+  std::size_t pairs_at(const std::vector<NodeLeg>& legs) const {
+    std::size_t in = 0, out = 0, on_one_edge = 0;
+    std::unordered_map<int, EdgeEnds> of_edge;
+    for (const NodeLeg& leg : legs) {
+      in += leg.in.size();
+      out += leg.out.size();
+      of_edge[leg.edge].in += leg.in.size();
+      of_edge[leg.edge].out += leg.out.size();
+    }
+    for (const auto& [edge, ends] : of_edge) on_one_edge += ends.in * ends.out;
+    return in * out - (settings_.u_turn ? 0 : on_one_edge);
+  }
+
   void join(int node) {
     const std::vector<NodeLeg>& legs = legs_[node];
+    if (pairs_at(legs) > settings_.most) return;
     std::vector<Movement> movements;
     for (std::size_t a = 0; a < legs.size(); ++a)
       for (std::size_t b = 0; b < legs.size(); ++b) {

@@ -99,14 +99,14 @@ class Settings {
   }
 
   // streetgen._default_setting() has the range of each; here stands what the core can bear.
-  double measure(const char* name, double low = 0) const {
+  double measure(const char* name, double low = 0, double high = 1000) const {
     const std::string& text = word(name);
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0')
       throw Error(ErrorKind::invalid_input,
                   "setting " + std::string(name) + " is \"" + text + "\", expected a number");
-    return in_range(value, low, 1000, "setting " + std::string(name));
+    return in_range(value, low, high, "setting " + std::string(name));
   }
 
   template <class Meaning>
@@ -140,6 +140,7 @@ StreetSettings street_settings_of(const Settings& given) {
       {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
   settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
   settings.max_hole_area = given.measure("max_hole_area");
+  settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
   settings.reach = given.measure("reach");
   settings.short_axis = given.choice<ShortAxis>(
       "short_axis", {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
@@ -259,6 +260,7 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
       "trajectory", {{"bezier", TrajectoryRule::bezier}, {"arcs", TrajectoryRule::arcs}});
   settings.tolerance = given.measure("trajectory_tolerance", 1e-3);
   settings.least_radius = given.measure("trajectory_radius");
+  settings.most = static_cast<int>(given.measure("interconnections_maximal", 0, 1e6));
   settings.node_tolerance = given.measure("tolerance", 1e-6);
   return settings;
 }
