@@ -183,19 +183,22 @@ class Settlement {
     // Of those that each lose to another: the ones that nobody beats but whom they beat in turn, by
     // way of others.
     std::vector<int> circle() const {
-      std::set<std::pair<int, int>> beats;
-      for (const Duel& d : duels) beats.emplace(d.winner, d.loser);
-      for (const int by_way_of : parties)
-        for (const int i : parties)
-          for (const int j : parties)
-            if (beats.count({i, by_way_of}) > 0 && beats.count({by_way_of, j}) > 0)
-              beats.emplace(i, j);
+      const std::size_t count = parties.size();
+      const auto at = [&](int party) {
+        return std::lower_bound(parties.begin(), parties.end(), party) - parties.begin();
+      };
+      std::vector<std::vector<bool>> beats(count, std::vector<bool>(count));
+      for (const Duel& d : duels) beats[at(d.winner)][at(d.loser)] = true;
+      for (std::size_t by_way_of = 0; by_way_of < count; ++by_way_of)
+        for (std::size_t i = 0; i < count; ++i)
+          for (std::size_t j = 0; beats[i][by_way_of] && j < count; ++j)
+            if (beats[by_way_of][j]) beats[i][j] = true;
       std::vector<int> first;
-      std::copy_if(parties.begin(), parties.end(), std::back_inserter(first), [&](int party) {
-        return std::all_of(parties.begin(), parties.end(), [&](int other) {
-          return beats.count({other, party}) == 0 || beats.count({party, other}) > 0;
-        });
-      });
+      for (std::size_t i = 0; i < count; ++i) {
+        bool beaten = false;
+        for (std::size_t j = 0; j < count; ++j) beaten = beaten || (beats[j][i] && !beats[i][j]);
+        if (!beaten) first.push_back(parties[i]);
+      }
       return first;
     }
     void leave(int claim) {
