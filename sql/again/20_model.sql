@@ -106,13 +106,18 @@ BEGIN
         'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds ~ ''^(bus|cycle)(\|(bus|cycle)){0,9}$'')',
         'ALTER TABLE %1$I.lane_override ADD both_ways boolean',
         'ALTER TABLE %1$I.interconnection_override ADD along_in boolean, ADD along_out boolean',
-        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0', 'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
+        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0',
+        'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
         'ALTER TABLE %1$I.lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways)',
-        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS marking_edge_id_kind_lane_position_key, ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
-        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
+        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS marking_edge_id_kind_lane_position_key,
+            ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
+        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l
+            WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
         'ALTER TABLE %1$I.marking ALTER along_axis SET NOT NULL',
-        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean, DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key, ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
-        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
+        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean,
+            DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key, ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
+        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis
+            FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
         'ALTER TABLE %1$I.interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL'
     ] LOOP
         EXECUTE format(statement, model);

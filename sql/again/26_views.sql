@@ -13,13 +13,17 @@ BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
 SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b, kind,
-       CASE WHEN kind = 'merging' OR meets_in_out THEN ST_EndPoint(a.geom) WHEN kind = 'opposing' THEN ST_StartPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom
+       CASE WHEN kind = 'merging' OR meets_in_out THEN ST_EndPoint(a.geom) WHEN kind = 'opposing' THEN ST_StartPoint(a.geom)
+            ELSE ST_Intersection(a.geom, b.geom) END AS geom
 FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id AND a.interconnection_id < b.interconnection_id
 -- A lane for both directions is entered and left at one end: the other way there.
-CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_in) AS meets_in_out, (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) AS meets_in_in,
+CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_in) AS meets_in_out,
+                           (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) AS meets_in_in,
                            (a.lane_out, a.along_out) = (b.lane_out, b.along_out) AS merges) m
-CROSS JOIN LATERAL (SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing' END AS kind) k
-WHERE a.connecting AND b.connecting AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in) AND (kind <> 'crossing' OR ST_Intersects(a.geom, b.geom))
+CROSS JOIN LATERAL (
+    SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing' END AS kind) k
+WHERE a.connecting AND b.connecting AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
+    AND (kind <> 'crossing' OR ST_Intersects(a.geom, b.geom))
 $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.conflict IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, merge in one lane, or oppose each other in one that both directions use; geom is where'$sql$, model);
 END $$;

@@ -60,9 +60,11 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'cycle')) * cycle_lane_width + cardinality(array_positions(string_to_array(kinds, '|'), 'parking')) * parking_lane_width;
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS 'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forward integer, stated_backward integer, listed boolean, lane_count integer, narrow boolean) RETURNS integer
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forward integer, stated_backward integer, listed boolean,
+        lane_count integer, narrow boolean) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN stated > 0 THEN stated WHEN stated_forward > 0 OR stated_backward > 0 THEN 0 WHEN lane_count = 1 OR listed AND lane_count > 0 THEN lane_count
+    RETURN CASE WHEN stated > 0 THEN stated WHEN stated_forward > 0 OR stated_backward > 0 THEN 0
+        WHEN lane_count = 1 OR listed AND lane_count > 0 THEN lane_count
         WHEN narrow AND lane_count IS NULL AND NOT listed THEN 1 ELSE 0 END;
 COMMENT ON FUNCTION streetgen.lanes_of_both(integer, integer, integer, boolean, integer, boolean) IS 'Lanes of a two-way street that both directions use: what is stated; none where lanes of a direction are; else the one lane that there is, by lane_count or on a narrow street of which no count is stated. Lists of kinds (listed) without a general or bus lane leave all of lane_count. An argument that is NULL is unknown.';
 

@@ -172,7 +172,8 @@ BEGIN
     RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref ORDER BY i.source_ref)
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
-    -- One row a part, in the model's reference, of the model's dimension. Lanes for both directions are the seed of the hash: it stays the same where a source has none.
+    -- One row a part, in the model's reference, of the model's dimension.
+    -- Lanes for both directions are the seed of the hash, so that it stays the same where a source has none.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line, NULL::geometry AS cleaned, (d.path)[1] AS nth,
             hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed, i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward, i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward, i.turn_backward), coalesce(i.lanes_both, 0)) AS hash

@@ -48,7 +48,8 @@ FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, 
                      coalesce(greatest(streetgen._number(s.lane_count, 1, 30)::integer, 1), 1) AS lanes,
                      coalesce(s.bus ~* 'direct|deux|double|bidirectionnel', false) AS bus_forward, coalesce(s.bus ~* 'inverse|deux|double|bidirectionnel', false) AS bus_backward,
                      coalesce(s.cycle ~* 'direct|deux|double|bidirectionnel', false) AS cycle_forward, coalesce(s.cycle ~* 'inverse|deux|double|bidirectionnel', false) AS cycle_backward) d,
-     -- A bus lane against a one-way street takes one of its lanes. One lane in all, unless buses have one of their own, is of both directions.
+     -- A bus lane against a one-way street takes one of its lanes.
+     -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT direction = 'both' AND streetgen._number(s.lane_count, 0, 30) = 1 AND NOT bus_forward AND NOT bus_backward AS of_both) b,
      LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE (lanes + 1) / 2 END WHEN 'direct' THEN CASE WHEN bus_backward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS forward,
                      CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE greatest(lanes / 2, 1) END WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS backward) n$sql$, shape, coalesce(found ->> 'id', 'NULL::text'), coalesce(found ->> 'width', 'NULL::text'), coalesce(found ->> 'lane_count', 'NULL::text'),

@@ -27,7 +27,8 @@ FROM %1$s r LEFT JOIN %2$I.axis a ON (a.source, a.source_ref) = (%3$L, from_way:
 CROSS JOIN LATERAL (
     -- Traffic that has lanes of its own, and traffic that shares those of all.
     SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
-    FROM regexp_split_to_table(lower(%5$s), '[;,]') word CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus' WHEN 'bicycle' THEN 'cycle' END AS kind) k
+    FROM regexp_split_to_table(lower(%5$s), '[;,]') word
+    CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus' WHEN 'bicycle' THEN 'cycle' END AS kind) k
     WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted
 $sql$, restriction, model, line::text, model, excepted);
     RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*), array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r

@@ -85,8 +85,8 @@ CALL compute('again', 6);
 CREATE TABLE there AS SELECT (SELECT count(*) FROM again.lane) AS lanes, (SELECT count(*) FROM again.interconnection) AS interconnections;
 INSERT INTO again.lane (edge_id, ordinality, lane_position, side, along_axis, kind, width, axis_offset, geom, surface, method)
     SELECT -1, ordinality, lane_position, side, along_axis, kind, width, axis_offset, geom, surface, method FROM again.lane LIMIT 1;
-INSERT INTO again.interconnection (node_id, lane_in, lane_out, turn, angle, plausible, reason, connecting, control, geom, method)
-    SELECT node_id, max(lane_id) OVER (), lane_out, turn, angle, plausible, reason, connecting, control, geom, method FROM (SELECT i.*, l.lane_id FROM again.interconnection i, again.lane l WHERE l.edge_id = -1 LIMIT 1) i;
+INSERT INTO again.interconnection (node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting, control, geom, method)
+    SELECT node_id, max(lane_id) OVER (), lane_out, along_in, along_out, turn, angle, plausible, reason, connecting, control, geom, method FROM (SELECT i.*, l.lane_id FROM again.interconnection i, again.lane l WHERE l.edge_id = -1 LIMIT 1) i;
 SELECT streetgen.generate('again') \g /dev/null
 SELECT 'a run over all makes them first, and lets go what hangs on nothing', alike('again', 'whole') AND test.same('again', 'whole') AND NOT EXISTS (SELECT FROM again.lane WHERE edge_id = -1);
 SELECT 'a plan for other settings begins with all of them', streetgen.plan_clusters('again', 2) = 2 AND alike('again', 'whole');
