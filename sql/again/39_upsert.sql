@@ -122,7 +122,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], g
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by hash.
     SET enable_nestloop = off SET enable_mergejoin = off
     -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
-    SET application_name = 'streetgen: reading or writing rows'
+    SET application_name = 'streetgen: reading or writing rows' SET streetgen.computes = 'on'
     AS $$
 DECLARE
     work_mem_before text := current_setting('work_mem');
@@ -168,7 +168,7 @@ COMMENT ON FUNCTION streetgen._make_upsert(name) IS 'Makes the functions of a mo
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_part(model name, written bigint[], gathered bigint[], changed bigint[], onwards boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
     -- More axes than this are worth a plan of their own.

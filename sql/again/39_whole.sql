@@ -15,7 +15,7 @@ BEGIN
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
     END LOOP;
     -- Triggers of others may see rows as they come; ids that others step by are asked for one by one.
-    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_sequence JOIN pg_class c ON c.oid = seqrelid WHERE relnamespace = quote_ident(model)::regnamespace AND seqincrement <> 1) AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
+    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_sequence JOIN pg_class c ON c.oid = seqrelid WHERE relnamespace = quote_ident(model)::regnamespace AND seqincrement <> 1) AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal AND tgname NOT IN ('by_hand', 'by_hand_truncate')
         WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model)) AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
 END $$;
 COMMENT ON FUNCTION streetgen._is_bare(name) IS 'Is a model of a thousand axes and more without a derived row, its tables the caller''s and without triggers of others, and its ids in steps of one?';
@@ -31,7 +31,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._analyse(regclass) IS 'First statistics of a table just filled, from 7,500 rows whatever default_statistics_target is; autovacuum renews them as rows change.';
 
 CREATE OR REPLACE FUNCTION streetgen._validate(relation regclass, name name, cure text) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
     validate constant text := format('ALTER TABLE %s VALIDATE CONSTRAINT %I', relation, name);
@@ -111,7 +111,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS 'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks against all others; not where something of others builds on them. Gives the statements that put them back, with their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn 0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted goes. No row, nothing changed and a warning where somebody uses a table.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
     derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass FROM unnest(streetgen._computed_tables(model)) d(relation));

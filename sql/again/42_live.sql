@@ -46,7 +46,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS 'Brings the streets of a model up to date with axes that changed; tells QGIS.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_results(model name, gone bigint[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
     claimed record;
@@ -67,7 +67,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS 'Removes the results of axes that are gone and marks what is around them as stale.';
 
 CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
     -- Of more axes finding the places takes longer than all places are worth.
@@ -224,7 +224,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model);
+    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model), streetgen._make_marks_by_hand(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 

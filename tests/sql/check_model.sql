@@ -33,6 +33,34 @@ DELETE FROM checked.section WHERE edge_id = (SELECT max(edge_id) FROM checked.se
 SELECT 'an edge without section is an error', EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error' AND rule LIKE 'edge without a section%');
 DO $$ BEGIN PERFORM streetgen.generate('checked'); END $$;
 SELECT 'generate repairs', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE severity = 'error');
+SELECT 'nor is any row marked as changed by hand', NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%');
+-- What an owner changes or deletes among what was computed is told, table by table, and repaired.
+CREATE FUNCTION pg_temp.told_by_hand(statement text) RETURNS boolean LANGUAGE plpgsql AS $$
+DECLARE
+  told boolean;
+BEGIN
+  EXECUTE statement;
+  SELECT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE '%changed by hand%' AND geom IS NOT NULL) INTO told;
+  PERFORM streetgen.generate('checked');
+  RETURN told AND NOT EXISTS (SELECT FROM streetgen.check_model('checked') WHERE rule LIKE 'stale%' OR severity = 'error');
+END $$;
+CREATE TABLE whole AS SELECT content FROM test.content('checked');
+SELECT 'a change by hand is told and repaired: ' || statement, pg_temp.told_by_hand(statement) FROM (VALUES
+  ('UPDATE checked.section SET surface = ST_Multi(ST_Buffer(surface, -0.1)) WHERE edge_id = (SELECT min(edge_id) FROM checked.section)'),
+  ('UPDATE checked.intersection SET method = ''contested'' WHERE node_id = (SELECT min(node_id) FROM checked.intersection)'),
+  ('UPDATE checked.corner SET radius = 1 WHERE corner_id = (SELECT min(corner_id) FROM checked.corner)'),
+  ('UPDATE checked.node SET geom = ST_Translate(geom, 0.01, 0) WHERE node_id = (SELECT min(node_id) FROM checked.node)'),
+  ('UPDATE checked.edge SET width = 3 WHERE edge_id = (SELECT min(edge_id) FROM checked.edge)'),
+  ('UPDATE checked.section_limit SET abscissa = abscissa + 0.01 WHERE edge_id = (SELECT min(edge_id) FROM checked.edge)'),
+  ('UPDATE checked.lane SET kind = ''bus'' WHERE lane_id = (SELECT max(lane_id) FROM checked.lane)'),
+  ('DELETE FROM checked.lane WHERE lane_id = (SELECT max(lane_id) FROM checked.lane)'),
+  ('DELETE FROM checked.corner WHERE corner_id = (SELECT max(corner_id) FROM checked.corner)'),
+  ('DELETE FROM checked.interconnection WHERE interconnection_id = (SELECT max(interconnection_id) FROM checked.interconnection)'),
+  ('DELETE FROM checked.marking WHERE marking_id = (SELECT max(marking_id) FROM checked.marking)'),
+  ('DELETE FROM checked.lane_separator WHERE lane_separator_id = (SELECT max(lane_separator_id) FROM checked.lane_separator)'),
+  ('DELETE FROM checked.section_limit WHERE edge_id = (SELECT max(edge_id) FROM checked.edge)'),
+  ('TRUNCATE checked.marking')) s(statement);
+SELECT 'nothing of it is left', NOT EXISTS ((SELECT content FROM whole EXCEPT ALL SELECT content FROM test.content('checked')) UNION ALL (SELECT content FROM test.content('checked') EXCEPT ALL SELECT content FROM whole));
 UPDATE checked.axis SET kind = CASE axis_id WHEN 3 THEN 'primary' WHEN 4 THEN 'primay' END WHERE axis_id IN (3, 4);
 SELECT 'a kind that is no class is told', array_agg(id) = '{4}' FROM streetgen.check_model('checked') WHERE rule LIKE 'kind that is no class%';
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));
