@@ -6,6 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     AS $$ VALUES
     ('tolerance', '0.5', 'm', 'ends and vertices this near to each other are one node', 0.001, 10, NULL::text[]),
     ('crossing', 'over', NULL, 'axes of one level that cross without a vertex: over (no node) or split', NULL, NULL, ARRAY['over', 'split']),
+    ('axis_length_maximal', '100000', 'm', 'a longer axis is refused: its coordinates are hardly metres of the model', 1000, 10000000, NULL),
     ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000, NULL),
     ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
     ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL, ARRAY['min', 'max', 'mean']),
@@ -22,7 +23,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
     ('overlaps_maximal', '30', NULL, 'where more surfaces come into a square of 10 m the first of them by rank owns each place', 1, 1000, NULL),
-    ('max_width_per_lane', '5.5', 'm', 'a source width beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
+    ('max_width_per_lane', '5.5', 'm', 'a width of a source beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL),
     ('two_way_width_minimal', '4.5', 'm', 'a narrower two-way street of unknown lanes has one lane that both directions use; 0: none', 0, 20, NULL),
     ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10, NULL),

@@ -134,7 +134,8 @@ BEGIN
     IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
-    PERFORM streetgen._make_override_tables(model, srid), streetgen._add_both_ways(model), streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid), streetgen._add_both_ways(model),
+        streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model), streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     PERFORM streetgen._hand_over(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS 'Makes the tables, columns and indexes that came after the first models, where they are missing.';

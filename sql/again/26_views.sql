@@ -43,7 +43,7 @@ $sql$, model);
     EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$, model);
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
-SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN width_end END, width_used) AS width_end,
+SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END, width_used) AS width_end,
        forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward, backward_used AS lanes_backward, both_used AS lanes_both, direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
@@ -51,7 +51,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id, width_used, speed_used,
                coalesce(importance_known, importance_default), forward_used + backward_used + both_used, kind) END),
            importance_known, speed_used, width_used, radii, turning_mode, turning_minimal, turning_maximal) AS radius,
-       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
+       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END,
+                          CASE WHEN kerb_width IS NULL AND believed_end IS NULL AND width_end IS NOT NULL THEN 'width_end' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL THEN 'importance' END], NULL) AS estimated,
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind, class_width, class_speed, class_importance, kerb_width,
            CASE WHEN any_transition OR any_limit OR any_corner OR any_lane THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
@@ -59,7 +60,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 2, section_limit_override_id, hash_record_extended(ROW(abscissa, which), 0) FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
                UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius), 0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
                UNION ALL SELECT 4, lane_override_id, hash_record_extended(ROW(abscissa, ordinality, along_axis, both_ways, width, line::bytea), 0) FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END,
-           direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward), 0) AS input_hash,
+           direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, by_hand), 0) AS input_hash,
        setting_hash
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance FROM %1$I.axis_class) c USING (kind)
 LEFT JOIN %1$I.setting_used ON true
@@ -82,8 +83,12 @@ LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id) FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward, coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
-           streetgen.believed_width(width, lane_count, CASE WHEN kind IN ('runway', 'taxiway') THEN NULL ELSE max_width_per_lane END) AS believed,
-           coalesce(importance, class_importance) AS importance_known HAVING true) known ON true
+           coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand HAVING true) known ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN by_hand OR kind IN ('runway', 'taxiway') THEN NULL ELSE max_width_per_lane END AS most_per_lane HAVING true) m ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
+           streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0)) AS lanes_stated) stated
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed, least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)

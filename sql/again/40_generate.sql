@@ -18,7 +18,8 @@ BEGIN
     END IF;
     PERFORM streetgen._check_owner(model);
     PERFORM streetgen._check_settings(model);
-    PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes));
+    PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
+        FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = ANY (%2$L)', model, axes) lines;
     -- TRUNCATE takes its table before it enters: who entered must not wait for it.
     EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
     IF axes IS NOT NULL THEN
@@ -62,4 +63,4 @@ BEGIN
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(model, CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.' ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END);
 END $$;
-COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL, or each of them named), or the given ones and what they change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock with another session (40P01): repeat the transaction.';
+COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS 'Computes streets and upserts them: all axes (NULL, or each of them named), or the given ones and what they change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis over axis_length_maximal, or where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock with another session (40P01): repeat the transaction.';

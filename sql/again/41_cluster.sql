@@ -104,7 +104,8 @@ BEGIN
         EXECUTE format('SELECT count(*) FROM %I.cluster WHERE ended IS NULL', model) INTO left_over;
         RETURN left_over;
     END IF;
-    PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
+    PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
+        FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model) lines;
     SELECT count(*) INTO many FROM streetgen._axis_lines(model);
     planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
     EXECUTE format('DELETE FROM %I.cluster', model);

@@ -129,6 +129,8 @@ CREATE OR REPLACE FUNCTION %1$I._follow_axis() RETURNS trigger
 DECLARE
     changed bigint[];
     elsewhere bigint[];
+    -- Axes of a source whose width is new, or what it is judged by.
+    judged bigint[];
     live boolean := streetgen._live(%2$L);
     -- Axes whose overrides moved with these.
     remapped constant bigint[] := streetgen._remapped(%2$L);
@@ -144,11 +146,14 @@ BEGIN
         RETURN NULL;
     ELSIF TG_OP = 'INSERT' THEN
         changed := ARRAY(SELECT axis_id FROM new_axis);
+        judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL);
     ELSIF TG_OP = 'DELETE' THEN
         changed := ARRAY(SELECT axis_id FROM old_axis);
     ELSE
         changed := ARRAY(SELECT axis_id FROM (SELECT o.axis_id FROM old_axis o LEFT JOIN new_axis n USING (axis_id) WHERE o IS DISTINCT FROM n
                                               UNION SELECT n.axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
+        judged := ARRAY(SELECT axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id) WHERE n.source IS NOT NULL
+            AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand) IS DISTINCT FROM (o.width, o.width_end, o.lane_count, o.kind, o.width_by_hand));
     END IF;
     IF changed = '{}' THEN
         RETURN NULL;
@@ -157,11 +162,13 @@ BEGIN
     ELSIF live THEN
         -- Ten kilometres around streets that are there the scale is known to hold.
         elsewhere := ARRAY(SELECT axis_id FROM %1$I.axis a WHERE axis_id = ANY (changed)
-            AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.geom && ST_Expand(a.geom, 10000) AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1));
+            AND (ST_Length(geom) < 1 OR NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.geom && ST_Expand(a.geom, 10000) AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1)));
         IF elsewhere <> '{}' THEN
-            PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L, elsewhere));
+            PERFORM streetgen._check_scale(lines), streetgen._warn_misplaced(lines)
+                FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L, elsewhere) lines;
         END IF;
-        PERFORM streetgen._follow(%2$L, changed || remapped);
+        PERFORM streetgen._check_length(%2$L, format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L, changed));
+        PERFORM streetgen._tell_unbelieved(%2$L, judged), streetgen._follow(%2$L, changed || remapped);
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, model, (SELECT string_agg(format('%I.%I', model, r), ', ' ORDER BY n)
@@ -224,7 +231,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model), streetgen._make_marks_by_hand(model);
+    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model), streetgen._make_triggers(model), streetgen._make_refusals(model),
+        streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 

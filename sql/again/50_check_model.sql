@@ -158,7 +158,9 @@ UNION ALL SELECT 'warning', 'stale: settings changed since, edges', 'setting', N
 UNION ALL SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom), u.geom FROM used u WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)
     AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')
 UNION ALL SELECT 'notice', 'kind that is no class, taken as unknown', 'axis', a.axis_id, 0, a.geom FROM %1$I.axis a WHERE NOT EXISTS (SELECT FROM %1$I.axis_class c WHERE c.class = a.kind) AND a.kind IS NOT NULL
-UNION ALL SELECT 'notice', 'width not believed, m', 'axis', a.axis_id, a.width, a.geom FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id) WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated)
+UNION ALL SELECT 'warning', CASE metres WHEN 0 THEN 'looks like degrees' ELSE 'outside the area of use of the SRID, m' END, 'axis', label::bigint, metres, place
+    FROM streetgen._misplaced('SELECT axis_id AS label, geom FROM %1$I.axis')
+UNION ALL SELECT 'notice', attribute || ' not believed, m', 'axis', axis_id, width, geom FROM streetgen._unbelieved(%1$L)
 UNION ALL SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section WHERE contested_area > 1 AND method <> 'crowded'
 UNION ALL SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection WHERE contested_area > 1 AND method <> 'crowded'
 UNION ALL SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'section', edge_id, contested_area, geom

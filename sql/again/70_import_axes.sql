@@ -73,8 +73,7 @@ BEGIN
 WITH doubled AS (
     SELECT unnest(ids) AS axis_id, unnest(streetgen._doubled(lines, levels, (SELECT value::float8 FROM %1$I.setting WHERE name = 'clean_epsilon'))) AS metres
     FROM (SELECT array_agg(axis_id) AS ids, array_agg(geom::bytea) AS lines, array_agg(level) AS levels FROM %1$I.axis) a)
-SELECT 'width not believed', NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref) FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id)
-WHERE a.width IS NOT NULL AND 'width' = ANY (u.estimated) HAVING count(*) > 0
+SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref) FROM streetgen._unbelieved(%1$L) GROUP BY attribute
 UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text) ORDER BY a.source_ref) FROM %1$I.axis a
 WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
 UNION ALL (SELECT CASE WHEN metres > 0.99 * ST_Length(geom) THEN 'lies on another axis' ELSE 'lies on another axis in part' END, NULL, count(*),
@@ -187,10 +186,12 @@ BEGIN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
 
-    PERFORM streetgen._check_scale('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part');
-    -- Where the origin of the reference lies in its own area the scale does not tell.
-    RETURN QUERY SELECT 'taken as metres, looks like degrees', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part p
-        HAVING ST_Covers(ST_MakeEnvelope(-180, -90, 180, 90), ST_SetSRID(ST_Extent(p.line)::geometry, 0)) AND max(ST_Length(p.line)) < 1;
+    PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
+        FROM (VALUES ('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part')) v(lines);
+    SELECT m.* INTO bad FROM streetgen._misplaced('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part') m;
+    IF FOUND THEN
+        RAISE EXCEPTION '%', bad.remark USING ERRCODE = '22023', HINT = bad.way_out;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._take_rows(name) IS 'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 
@@ -219,10 +220,14 @@ CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean 
 DECLARE
     number bigint;
 BEGIN
+    RETURN QUERY EXECUTE format($sql$
+SELECT 'width by hand kept, the source says another', NULL::text, count(*), array_agg(p.source_ref ORDER BY p.source_ref)
+FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref
+WHERE a.width_by_hand AND (a.width, a.width_end) IS DISTINCT FROM (p.width, p.width_end) HAVING count(*) > 0 $sql$, model) USING source;
     -- What the source says as before stays as it is, edited by hand or not.
     EXECUTE format($sql$
 DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
-    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (a.width, a.width_end, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
+    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (CASE WHEN a.width_by_hand THEN a.source_width ELSE a.width END, CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward)
         IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward)) $sql$, model) USING source;
     IF clean THEN
         number := streetgen._clean_parts(model, source);
@@ -230,11 +235,14 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
     EXECUTE format($sql$
 INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
 SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
-ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, width = excluded.width, width_end = excluded.width_end, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, lanes_both = excluded.lanes_both, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
+ON CONFLICT (source, source_ref) DO UPDATE SET
+    width = CASE WHEN a.width_by_hand THEN a.width ELSE excluded.width END, source_width = CASE WHEN a.width_by_hand THEN excluded.width END,
+    width_end = CASE WHEN a.width_by_hand THEN a.width_end ELSE excluded.width_end END, source_width_end = CASE WHEN a.width_by_hand THEN excluded.width_end END,
+    geom = excluded.geom, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed, importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind, radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward, lanes_both = excluded.lanes_both, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward, lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward, turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward, source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;
-COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS 'Upserts the parts of the import that are new or changed into axis, by source and source_ref, cleaned if asked to; reports how many.';
+COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS 'Upserts the parts of the import that are new or changed into axis, by source and source_ref, cleaned if asked to, with the width that was put by hand; reports how many, and widths by hand that are not the source''s.';
 
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -242,6 +250,7 @@ CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text
     AS $$
 DECLARE
     changed bigint;
+    written bigint[];
 BEGIN
     PERFORM streetgen._check_settings(model);
     -- What fails within it shows the name of a view, and not all of the query.
@@ -253,6 +262,9 @@ BEGIN
         RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
     END IF;
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
+    EXECUTE format('SELECT array_agg(a.axis_id) FROM %I.axis a WHERE a.source = $1
+        AND (a.source_ref IS NULL OR a.source_ref IN (SELECT p.source_ref FROM pg_temp._import_part p))', model) INTO written USING source;
+    PERFORM streetgen._tell_unbelieved(model, written);
     EXECUTE format('ANALYZE %I.axis', model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);

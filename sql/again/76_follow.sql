@@ -44,7 +44,10 @@ BEGIN
     IF bad.source_ref IS NOT NULL THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
-    PERFORM streetgen._drop_vanished(model, source, among), streetgen._write_axes(model, source);
+    PERFORM streetgen._drop_vanished(model, source, among);
+    FOR told IN SELECT * FROM streetgen._write_axes(model, source) t WHERE t.source_refs IS NOT NULL LOOP
+        RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
+    END LOOP;
     DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[]) IS 'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the source_refs of what they were.';

@@ -56,11 +56,13 @@ UPDATE lines SET breite = 7 WHERE id = -1;
 DELETE FROM lines WHERE id = -1;
 SELECT 'columns that are not mapped, and statements that find no row, write nothing', rows = test.rows('town') AND axes = (SELECT array_agg((ctid, xmin)::text ORDER BY ctid) FROM town.axis) FROM before;
 SELECT pg_temp.step($$UPDATE lines SET breite = 6 WHERE id = 8$$) \g /dev/null
-UPDATE town.axis SET width = 11 WHERE source_ref = '16';
+UPDATE town.axis SET width = 11, name = 'by hand' WHERE source_ref = '16';
 UPDATE lines SET breite = 8 WHERE id = 8;
 SELECT 'what was edited by hand stays while its row does', width = 11 FROM town.axis WHERE source_ref = '16';
 UPDATE lines SET label = 'changed' WHERE id = 16;
-SELECT 'and gives way to a change of it', width IS DISTINCT FROM 11 FROM town.axis WHERE source_ref = '16';
+SELECT 'and gives way to a change of it, but for a width', (width, name) = (11, 'changed') FROM town.axis WHERE source_ref = '16';
+UPDATE town.axis SET width = NULL WHERE source_ref = '16';
+SELECT 'until that is emptied', a.width IS NOT DISTINCT FROM l.breite::float8 FROM town.axis a JOIN lines l ON l.id = 16 WHERE source_ref = '16';
 
 -- Cut by hand: a change of the row, or its end, takes the pieces.
 INSERT INTO lines VALUES (500, 6, NULL, 'cut', NULL, 'SRID=2154;LINESTRING(651000 6860000, 651100 6860000)'), (501, 6, NULL, 'same line', NULL, 'SRID=2154;LINESTRING(651000 6860000, 651100 6860000)');

@@ -70,7 +70,7 @@ UPDATE import_source SET width = coalesce(width, 6) + 1 WHERE id = 2;
 SELECT 'importing again takes only the row that changed', (SELECT count = 1 FROM streetgen.import_axes('import_a', 'import_source',
   '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}') WHERE what = 'new or changed');
 SELECT 'an axis edited by hand stays so', a.width = 17 AND a.name = 'by hand' AND a.geom::bytea = e.geom::bytea FROM import_a.axis a JOIN edited e USING (axis_id) WHERE e.source_ref = '1';
-SELECT 'one whose row changed is as its row', a.width = s.width AND a.name = s.label AND a.geom::bytea <> e.geom::bytea FROM import_a.axis a JOIN edited e USING (axis_id) JOIN import_source s ON id = 2 WHERE e.source_ref = '2';
+SELECT 'one whose row changed is as its row, but for a width by hand', (a.width, a.source_width) = (17, s.width) AND a.name = s.label AND a.geom::bytea <> e.geom::bytea FROM import_a.axis a JOIN edited e USING (axis_id) JOIN import_source s ON id = 2 WHERE e.source_ref = '2';
 ALTER TABLE import_a.axis DROP source_hash;
 SELECT streetgen.adopt_model('import_a') \g /dev/null
 UPDATE import_a.axis SET geom = ST_Translate(geom, 0, 1) WHERE source_ref = '2';
