@@ -130,5 +130,7 @@ BEGIN
     EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
     EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, d.choice FROM streetgen._default_setting() d WHERE d.name = $1
         ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model) USING setting, value;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
-COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a radius_function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have ended; rows computed before are stale until generate.';
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS 'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a radius_function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have ended; rows computed before are stale until generate. A lock_timeout that ends: 55P03, naming who holds the settings.';

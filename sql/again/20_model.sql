@@ -254,8 +254,10 @@ BEGIN
     FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl) WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee <> relowner LOOP
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
     END LOOP;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
-COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501.';
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS 'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its views and triggers back, with their comments and readers, also those by which it follows a table (a warning for one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501. A lock_timeout that ends: 55P03, naming who holds the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

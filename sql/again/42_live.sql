@@ -271,8 +271,10 @@ BEGIN
         RAISE NOTICE '% axes of model "%" are stale: SELECT * FROM streetgen.generate(%, wait => true)', stale, model, quote_literal(model);
     END IF;
     RETURN stale;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
-COMMENT ON FUNCTION streetgen.live(name, boolean) IS 'Switches on or off that the streets of a model follow each edit, for bulk loads, once edits under way have ended; returns how many axes are stale, for generate to bring up to date. Off, deleting an axis still removes its results. Needs the rights of its owner (42501).';
+COMMENT ON FUNCTION streetgen.live(name, boolean) IS 'Switches on or off that the streets of a model follow each edit, for bulk loads, once edits under way have ended; returns how many axes are stale, for generate to bring up to date. Off, deleting an axis still removes its results. A lock_timeout that ends: 55P03, naming who holds the model. Needs the rights of its owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen.activity(model name)
     RETURNS TABLE(pid integer, who name, application text, since timestamptz, holds text, waits_for integer[], query text)

@@ -36,9 +36,8 @@ STREETGEN_FUNCTION(streetgen_surely_valid) {
 
 STREETGEN_FUNCTION(streetgen_share_ground) {
   const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
-  return answer(true, [&] {
-    return share_ground(read_surface(a, "surface"), read_surface(b, "surface"));
-  });
+  return answer(
+      true, [&] { return share_ground(read_surface(a, "surface"), read_surface(b, "surface")); });
 }
 
 STREETGEN_FUNCTION(streetgen_lies_on) {
