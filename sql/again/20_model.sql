@@ -306,12 +306,12 @@ COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
     'Role public: everybody. An unknown role: 42704; the owner of the model, who keeps all rights: 22023; another kind: 22023. Needs the rights of the owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen.revoke(model name, role name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     through text;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role);
     PERFORM streetgen._take_back(model, role);
     -- What a role has by others it is not alone to lose.
     SELECT string_agg(CASE grantee WHEN 0 THEN 'public' ELSE grantee::regrole::text END, ', ' ORDER BY grantee) INTO through

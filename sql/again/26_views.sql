@@ -97,10 +97,10 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds, speed_per_width)) AS speed_used HAVING true) p ON true
 LEFT JOIN LATERAL (
-    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN width_end END) < two_way_width_minimal AS narrow HAVING true) r ON true
+    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow HAVING true) r ON true
 LEFT JOIN LATERAL (
     SELECT CASE direction WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
-               coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used HAVING true) b ON true
+               coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used HAVING true) t ON true
 -- What these leave to the lanes of one direction.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0 THEN 0

@@ -72,10 +72,7 @@ DECLARE
     before oid[];
 BEGIN
     PERFORM streetgen._check_owner(model);
-    IF subject IS NULL OR wanted IS NULL THEN
-        RAISE EXCEPTION '% is NULL', CASE WHEN subject IS NULL THEN 'the subject' ELSE 'wanted' END
-            USING ERRCODE = '22004', HINT = format('SELECT * FROM streetgen.subject(%L) lists the subjects.', model);
-    END IF;
+    PERFORM streetgen._check_given('subject', subject, 'wanted', wanted::text);
     PERFORM streetgen._with_needs(ARRAY[subject]);
     PERFORM streetgen._enter(model, wait => true, alone => true);
     computed := streetgen._subjects(model);
