@@ -43,3 +43,13 @@ text { font: 12px sans-serif; fill: #222222; stroke: #ffffff; stroke-width: 3; p
 %3$s
 </svg>$svg$, width, height, parts);
 END $$;
+
+-- The surfaces, border lines and axes of a model, as rows for a drawing; contested surfaces have a colour of their own.
+CREATE FUNCTION pg_temp.streets(model name) RETURNS TABLE (geom geometry, look text, label text) LANGUAGE plpgsql AS $$
+BEGIN
+    RETURN QUERY EXECUTE format('
+        SELECT surface::geometry, ''section'', NULL FROM (SELECT * FROM %1$I.section ORDER BY level, edge_id) s
+        UNION ALL SELECT surface, CASE contested_area WHEN 0 THEN ''intersection'' ELSE ''contested'' END, NULL FROM (SELECT * FROM %1$I.intersection ORDER BY level, node_id) i
+        UNION ALL SELECT border_line, ''kerb'', NULL FROM (SELECT * FROM %1$I.section_limit ORDER BY section_limit_id) l
+        UNION ALL SELECT a.geom, ''axis'', name FROM (SELECT * FROM %1$I.axis ORDER BY axis_id) a', model);
+END $$;

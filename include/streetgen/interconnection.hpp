@@ -1,7 +1,7 @@
 // Interconnections: how traffic goes on at a node, lane to lane.  StreetGen paper, 2.7.3.
 //
 // Every lane that comes in is paired with every lane that goes out by another edge (setting
-// u_turn: also by the same edge); parking lanes take no part.  docs/geometry.md says how
+// u_turn: also by the same edge); parking lanes take no part.  docs/concepts/geometry.md says how
 // plausible pairs are told from the others.
 #pragma once
 

@@ -1,5 +1,5 @@
 // From the network to surfaces: corners, section limits, sections, intersections.
-// StreetGen paper, sections 2.4 and 2.5; docs/geometry.md shows each step.
+// StreetGen paper, sections 2.4 and 2.5; docs/concepts/geometry.md shows each step.
 #pragma once
 
 #include <array>
