@@ -229,4 +229,6 @@ BEGIN
     END IF;
     PERFORM streetgen._grant_edit_views(model);
 END $$;
-COMMENT ON FUNCTION streetgen.grant(name, name, text) IS 'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides (editor); role public: everybody. An unknown role: 42704.';
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
+    'Gives a role the right to read a model (reader) or also to edit its input: axes, turn restrictions, overrides '
+    '(editor); role public: everybody. An unknown role: 42704. Another kind: 22023.';

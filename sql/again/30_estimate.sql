@@ -43,7 +43,9 @@ COMMENT ON FUNCTION streetgen._estimated_speed(integer, float8, float8[], float8
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._estimated_speed(importance, width, streetgen._by_importance(speed_by_importance), speed_per_width);
-COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110.';
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
+    'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from '
+    'the width (metres), 20 to 110. Speeds that are no JSON object: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -102,7 +104,9 @@ COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, fl
 CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8, radius_by_importance text, mode text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._wanted_radius(radius, importance, speed, width, streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode);
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius.';
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text) IS
+    'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the '
+    'first entry the first; a null entry: 0, no arc), else turning_radius. A text that is no JSON: 22P02.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)

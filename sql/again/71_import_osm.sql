@@ -142,4 +142,10 @@ SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*,
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source, streetgen._osm_table('_restriction', prefix, schemas));
 END $$;
-COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS 'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of search_path or named with its schema (gis.osm): lanes (lanes:both_ways, a centre turn lane, counts as the innermost forward lane), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported by way.';
+COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
+    'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
+    'search_path or named with its schema (gis.osm): lanes (lanes:both_ways, a centre turn lane, counts as the '
+    'innermost forward lane), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, '
+    'class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the '
+    'turn restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and '
+    'reported by way. No such table: 42P01; bad rows: 22023; then the model stays as it was.';

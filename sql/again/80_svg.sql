@@ -40,4 +40,9 @@ SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%%s" height="%%s" 
 $sql$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) INTO drawing USING extent, width;
     RETURN coalesce(drawing, format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s"/>', width, width));
 END $$;
-COMMENT ON FUNCTION streetgen.svg(name, geometry, integer) IS 'One styled SVG of a model, or of an extent of it (geometry in the model''s SRID): surfaces by level, what is painted on them and paths between lanes (green, grey where not plausible; both where a pixel is under half a metre), axes, limits, arcs (blue; orange where the wanted radius did not hold), contested ground (ochre), what the network reports (red). Where a pixel is 3 m and more, a map: the roadway alone, dark, and reports. width in pixels.';
+COMMENT ON FUNCTION streetgen.svg(name, geometry, integer) IS
+    'One styled SVG of a model, or of an extent of it (geometry in the model''s SRID): surfaces by level, what is '
+    'painted on them and paths between lanes (green, grey where not plausible; both where a pixel is under half a '
+    'metre), axes, limits, arcs (blue; orange where the wanted radius did not hold), contested ground (ochre), what '
+    'the network reports (red). Where a pixel is 3 m and more, a map: the roadway alone, dark, and reports. width in '
+    'pixels. A width beyond 16 to 20,000 pixels: 22023.';
