@@ -1,5 +1,5 @@
 // What streets are computed from, and what comes out: corners, section limits, sections,
-// intersections.  StreetGen paper, sections 2.4 and 2.5; docs/geometry.md shows each step.
+// intersections.  StreetGen paper, sections 2.4 and 2.5; docs/concepts/geometry.md shows each step.
 #pragma once
 
 #include <array>

@@ -37,7 +37,10 @@ CREATE OR REPLACE FUNCTION streetgen.border_line(axis geometry, abscissa float8,
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._border_line(axis::bytea, abscissa, width)::geometry $$;
-COMMENT ON FUNCTION streetgen.border_line(geometry, float8, float8) IS 'The line across the axis at an abscissa (metres, clamped), from the left to the right kerb, normal to the axis between 0.1 m before and after. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.border_line(geometry, float8, float8) IS
+    'The line (LINESTRING) across the axis at an abscissa (metres, clamped to the axis), from the left to the right '
+    'kerb, normal to the axis between 0.1 m before and after. Width kerb to kerb, 0.001 to 200 m. Bad geometry or '
+    'numbers: 22023. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._section_surface(bytea, float8, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_section_surface';
@@ -46,7 +49,10 @@ CREATE OR REPLACE FUNCTION streetgen.section_surface(axis geometry, width float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._section_surface(axis::bytea, width, start_abscissa, end_abscissa)::geometry $$;
-COMMENT ON FUNCTION streetgen.section_surface(geometry, float8, float8, float8) IS 'The roadway (POLYGON) of an axis between two abscissas, metres: flat ends, round outer bends, mitred inner ones. Empty where the abscissas cross. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.section_surface(geometry, float8, float8, float8) IS
+    'The roadway (POLYGON) of an axis between two abscissas (metres, clamped to the axis): flat ends, round outer '
+    'bends, mitred inner ones. Width kerb to kerb, 0.001 to 200 m. Empty where the abscissas cross. Bad geometry or '
+    'numbers: 22023. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._offset_line(bytea, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_offset_line';
@@ -78,7 +84,12 @@ CREATE OR REPLACE FUNCTION streetgen.clean(line geometry, keep boolean[], epsilo
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._clean(line::bytea, keep, epsilon, r_min)::geometry $$;
-COMMENT ON FUNCTION streetgen.clean(geometry, boolean[], float8, float8) IS 'Removes points nearer than epsilon to the last kept one, collinear ones (within 1 mm of the chord that replaces them), then those where r_min tan(theta / 2) exceeds half of a neighbouring segment; never an end, nor a point whose keep is true (empty: none), nor what would fold a closed line flat. Metres. A keep of another length, an epsilon or r_min beyond 0 to 1000: 22023. GIS data to functional road models, 3.4. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.clean(geometry, boolean[], float8, float8) IS
+    'Removes points nearer than epsilon to the last kept one, collinear ones (within 1 mm of the chord that replaces '
+    'them), then those where r_min tan(theta / 2) exceeds half of a neighbouring segment; never an end, nor a point '
+    'whose keep is true (empty: none), nor what would fold a closed line flat. Metres. A keep of another length, an '
+    'epsilon or r_min beyond 0 to 1000: 22023. GIS data to functional road models, 3.4. A line that is no LINESTRING: '
+    '22023. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._intersection_surface(bytea[], float8[], float8[], boolean) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500 AS 'MODULE_PATHNAME', 'streetgen_intersection_surface';
@@ -87,7 +98,10 @@ CREATE OR REPLACE FUNCTION streetgen.intersection_surface(axes geometry[], width
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 500
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._intersection_surface(ARRAY(SELECT axis::bytea FROM unnest(axes) WITH ORDINALITY AS t(axis, i) ORDER BY i), widths, radii, curved)::geometry $$;
-COMMENT ON FUNCTION streetgen.intersection_surface(geometry[], float8[], float8[], boolean) IS 'The intersection (POLYGON) of axes that start at one node, in any order; radii[i] belongs to the corner from axes[i] to the next axis counter-clockwise. curved: a CURVEPOLYGON with true arcs, where the outline can be built piece by piece. Lists of different length: 22023. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.intersection_surface(geometry[], float8[], float8[], boolean) IS
+    'The intersection (POLYGON) of axes that start at one node, in any order; radii[i] (0 to 1000 m) belongs to the '
+    'corner from axes[i] to the next axis counter-clockwise. curved: a CURVEPOLYGON with true arcs, where the outline '
+    'can be built piece by piece. Lists of different length, bad geometry or numbers: 22023. NULL for NULL.';
 CREATE OR REPLACE FUNCTION streetgen._variable_buffer(bytea, float8[], text, text) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500 AS 'MODULE_PATHNAME', 'streetgen_variable_buffer';
 COMMENT ON FUNCTION streetgen._variable_buffer(bytea, float8[], text, text) IS 'EWKB twin of streetgen.variable_buffer';
@@ -95,7 +109,10 @@ CREATE OR REPLACE FUNCTION streetgen.variable_buffer(line geometry, radii float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 500
     SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._variable_buffer(line::bytea, radii, side, ends)::geometry $$;
-COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS 'The roadway about a line whose half width (radii, metres, one a vertex) is linear between vertices; side both, left or right; ends flat or round. StreetGen paper, figure 11. NULL for NULL.';
+COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS
+    'The roadway about a line whose half width is linear between vertices (radii, 0 to 1000 m, one a vertex); side '
+    'both, left or right; ends flat or round. Bad geometry, numbers or words, radii for another number of vertices: '
+    '22023. StreetGen paper, figure 11. NULL for NULL.';
 CREATE OR REPLACE FUNCTION streetgen.turning_radius(
     speed float8, width float8, mode text DEFAULT 'paper', minimal float8 DEFAULT 0.15, maximal float8 DEFAULT 15) RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_turning_radius';

@@ -43,7 +43,9 @@ COMMENT ON FUNCTION streetgen._estimated_speed(integer, float8, float8[], float8
 CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb, speed_per_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._estimated_speed(importance, width, streetgen._by_importance(speed_by_importance), speed_per_width);
-COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS 'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from the width (metres), 20 to 110. An argument that is NULL is unknown.';
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
+    'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from '
+    'the width (metres), 20 to 110. Speeds that are no JSON object: 22023. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -113,7 +115,7 @@ CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance int
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN streetgen._wanted_radius(radius, importance, speed, width,
         streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode, minimal, maximal);
-COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text, float8, float8) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius between minimal and maximal. An argument that is NULL is unknown.';
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text, float8, float8) IS 'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the first entry the first; a null entry: 0, no arc), else turning_radius between minimal and maximal. An argument that is NULL is unknown. A text that is no JSON: 22P02.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)

@@ -205,4 +205,7 @@ EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call ends as 57014.
     RAISE;
 END $$;
-COMMENT ON FUNCTION streetgen.check_model(name) IS 'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity error: the model is sound.';
+COMMENT ON FUNCTION streetgen.check_model(name) IS
+    'A row for everything broken (error), stale (warning) or noteworthy (notice) in a model. No row of severity '
+    'error: the model is sound. measure is in the unit that the rule names (m, m2), else a number or 0. An unknown '
+    'model: 3F000; a call that is cancelled: 57014.';

@@ -24,4 +24,5 @@ UNION ALL (SELECT 'interconnections, ' || CASE WHEN plausible THEN 'plausible by
 UNION ALL (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)
 $sql$, model);
 END $$;
-COMMENT ON FUNCTION streetgen.summary(name) IS 'How much there is in a model, and how it came about.';
+COMMENT ON FUNCTION streetgen.summary(name) IS
+    'How much there is in a model, and how it came about. An unknown model: 3F000.';

@@ -58,4 +58,8 @@ FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, 
         driving_side, coalesce(found ->> 'bus', 'NULL::text'), coalesce(found ->> 'cycle', 'NULL::text'));
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;
-COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS 'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, position against the ground, nature, street name, bus and cycle lanes. Fictitious axes are left out and counted; a width, speed or number of lanes that means nothing is unknown, and reported.';
+COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS
+    'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, '
+    'position against the ground, nature, street name, bus and cycle lanes. Fictitious axes are left out and counted; '
+    'a width, speed or number of lanes that means nothing is unknown, and reported. A table that is no BD TOPO, or '
+    'bad rows: 22023; then the model stays as it was.';

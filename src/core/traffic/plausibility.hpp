@@ -1,4 +1,4 @@
-// Which lane goes on to which at one node.  docs/geometry.md, Plausible.
+// Which lane goes on to which at one node.  docs/concepts/geometry.md, Plausible.
 #pragma once
 
 #include <bitset>

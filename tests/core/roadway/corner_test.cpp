@@ -16,7 +16,7 @@ Line ray(double angle, double size) {
 
 double degrees(double d) { return d * M_PI / 180; }
 
-// Two straight axes: the derivation is in docs/geometry.md.
+// Two straight axes: the derivation is in docs/concepts/geometry.md.
 TEST(CornerArc, StraightAxesHaveTheDerivedLimit) {
   for (const double phi : {30., 60., 90., 120., 150.}) {
     const double p = degrees(phi), a = 3.5, b = 3.5, r = 5;

@@ -1,0 +1,2 @@
+-- see set
+SELECT name, value, unit, minimum, maximum FROM streetgen.setting('town') WHERE unit = 'm2';

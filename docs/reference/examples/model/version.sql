@@ -1,0 +1,2 @@
+-- see adopt_model
+SELECT streetgen.version() ~ '^\d+\.\d+\.\d+$' AS has_three_numbers;

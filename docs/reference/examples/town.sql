@@ -1,0 +1,7 @@
+CREATE EXTENSION IF NOT EXISTS streetgen CASCADE;
+SELECT streetgen.create_model('town', srid => 2154);
+INSERT INTO town.axis (geom, width, name) VALUES
+    ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 9, 'high street'),
+    ('SRID=2154;LINESTRING(650100 6860000, 650200 6860000)', 7, 'high street'),
+    ('SRID=2154;LINESTRING(650100 6860000, 650110 6859920)', 6, 'mill lane'),
+    ('SRID=2154;LINESTRING(650200 6860000, 650280 6860040)', 5, 'hill road');
