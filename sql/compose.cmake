@@ -1,5 +1,5 @@
-# The install script: all once-files, then all again-files.  An object planted beforehand
-# must make the install fail, so OR REPLACE is taken out.
+# The install script: all once-files, all again-files folder by folder, and the end.  An object
+# planted beforehand must make the install fail, so OR REPLACE is taken out.
 set(script "\\echo Use \"CREATE EXTENSION streetgen CASCADE\" to load this file. \\quit\n")
 foreach(part IN LISTS ONCE AGAIN)
   file(READ ${part} text)

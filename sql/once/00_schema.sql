@@ -1,5 +1,7 @@
 CREATE SCHEMA streetgen;
-COMMENT ON SCHEMA streetgen IS 'StreetGen: road axes in, streets out. Models live in schemas of their owners. A function that gets NULL for an argument without a default raises 22004 and names the argument, unless its comment says what NULL means.';
+COMMENT ON SCHEMA streetgen IS
+    'StreetGen: road axes in, streets out. Models live in schemas of their owners. A function that gets NULL for an '
+    'argument without a default raises 22004 and names the argument, unless its comment says what NULL means.';
 
 CREATE TABLE streetgen.model (
     name name PRIMARY KEY,
@@ -7,7 +9,8 @@ CREATE TABLE streetgen.model (
     dimension integer NOT NULL CHECK (dimension IN (2, 3)),
     template_version text NOT NULL
 );
-COMMENT ON TABLE streetgen.model IS 'The models of this database, one schema each. Written by create_model, adopt_model and drop_model.';
+COMMENT ON TABLE streetgen.model IS
+    'The models of this database, one schema each. Written by create_model, adopt_model and drop_model.';
 COMMENT ON COLUMN streetgen.model.name IS 'schema of the model';
 COMMENT ON COLUMN streetgen.model.srid IS 'projected spatial reference, in metres';
 COMMENT ON COLUMN streetgen.model.dimension IS '2, or 3 where axes, nodes, edges and limits carry Z';

@@ -1,6 +1,7 @@
 -- The rows that streetgen._streets computes streets from.
 CREATE TYPE streetgen.street_axis AS (
-    axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer, speed float8,
+    axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer,
+        speed float8,
     lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
     lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
     changed boolean, outer_axis boolean
@@ -18,16 +19,22 @@ COMMENT ON COLUMN streetgen.street_axis.lanes_forward IS 'lanes along the axis';
 COMMENT ON COLUMN streetgen.street_axis.lanes_backward IS 'lanes against the axis';
 COMMENT ON COLUMN streetgen.street_axis.lanes_both IS 'lanes that both directions use';
 COMMENT ON COLUMN streetgen.street_axis.kind_forward IS 'kinds of the lanes along the axis, parted by |; NULL: general';
-COMMENT ON COLUMN streetgen.street_axis.kind_backward IS 'kinds of the lanes against the axis, parted by |; NULL: general';
-COMMENT ON COLUMN streetgen.street_axis.lane_width_forward IS 'widths of the lanes along the axis, m, parted by |; NULL: shares';
-COMMENT ON COLUMN streetgen.street_axis.lane_width_backward IS 'widths of the lanes against the axis, m, parted by |; NULL: shares';
-COMMENT ON COLUMN streetgen.street_axis.turn_forward IS 'turns painted on the lanes along the axis, parted by |; NULL: none';
-COMMENT ON COLUMN streetgen.street_axis.turn_backward IS 'turns painted on the lanes against the axis, parted by |; NULL: none';
+COMMENT ON COLUMN streetgen.street_axis.kind_backward IS
+    'kinds of the lanes against the axis, parted by |; NULL: general';
+COMMENT ON COLUMN streetgen.street_axis.lane_width_forward IS
+    'widths of the lanes along the axis, m, parted by |; NULL: shares';
+COMMENT ON COLUMN streetgen.street_axis.lane_width_backward IS
+    'widths of the lanes against the axis, m, parted by |; NULL: shares';
+COMMENT ON COLUMN streetgen.street_axis.turn_forward IS
+    'turns painted on the lanes along the axis, parted by |; NULL: none';
+COMMENT ON COLUMN streetgen.street_axis.turn_backward IS
+    'turns painted on the lanes against the axis, parted by |; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
 COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
 
 CREATE TYPE streetgen.street_transition AS (axis_id bigint, which text, kind text, length float8);
-COMMENT ON TYPE streetgen.street_transition IS 'The change of width at one end of an axis, instead of the settings transition_kind and transition_length.';
+COMMENT ON TYPE streetgen.street_transition IS
+    'The change of width at one end of an axis, instead of the settings transition_kind and transition_length.';
 COMMENT ON COLUMN streetgen.street_transition.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.street_transition.which IS 'which end: start or end';
 COMMENT ON COLUMN streetgen.street_transition.kind IS 'symmetric, left or right';
@@ -40,15 +47,18 @@ COMMENT ON COLUMN streetgen.street_limit.abscissa IS 'the place, m along the axi
 COMMENT ON COLUMN streetgen.street_limit.which IS 'which end of the edge: start or end';
 
 CREATE TYPE streetgen.street_corner AS (axis_a bigint, axis_b bigint, x float8, y float8, radius float8);
-COMMENT ON TYPE streetgen.street_corner IS 'The radius of a corner by hand, counter-clockwise from one axis to the next at a node.';
+COMMENT ON TYPE streetgen.street_corner IS
+    'The radius of a corner by hand, counter-clockwise from one axis to the next at a node.';
 COMMENT ON COLUMN streetgen.street_corner.axis_a IS 'the axis it begins at';
 COMMENT ON COLUMN streetgen.street_corner.axis_b IS 'the axis it ends at';
 COMMENT ON COLUMN streetgen.street_corner.x IS 'abscissa of a place near the node, in the plane';
 COMMENT ON COLUMN streetgen.street_corner.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_corner.radius IS 'm';
 
-CREATE TYPE streetgen.street_lane AS (axis_id bigint, abscissa float8, ordinality integer, along_axis boolean, both_ways boolean, width float8, line bytea);
-COMMENT ON TYPE streetgen.street_lane IS 'A lane by hand: direction, width and line, each NULL where it stays as computed.';
+CREATE TYPE streetgen.street_lane AS (axis_id bigint, abscissa float8, ordinality integer, along_axis boolean,
+    both_ways boolean, width float8, line bytea);
+COMMENT ON TYPE streetgen.street_lane IS
+    'A lane by hand: direction, width and line, each NULL where it stays as computed.';
 COMMENT ON COLUMN streetgen.street_lane.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.street_lane.abscissa IS 'a place on the edge, m along the axis';
 COMMENT ON COLUMN streetgen.street_lane.ordinality IS 'number of the lane on the edge';
@@ -57,18 +67,22 @@ COMMENT ON COLUMN streetgen.street_lane.both_ways IS 'do both directions use it?
 COMMENT ON COLUMN streetgen.street_lane.width IS 'm';
 COMMENT ON COLUMN streetgen.street_lane.line IS 'LINESTRING, EWKB';
 
-CREATE TYPE streetgen.street_restriction AS (from_axis bigint, to_axis bigint, x float8, y float8, kind text, turn text, except_kinds text);
+CREATE TYPE streetgen.street_restriction AS (from_axis bigint, to_axis bigint, x float8, y float8, kind text,
+    turn text, except_kinds text);
 COMMENT ON TYPE streetgen.street_restriction IS 'What traffic may not do at a node, or only may.';
 COMMENT ON COLUMN streetgen.street_restriction.from_axis IS 'the axis that traffic comes by';
 COMMENT ON COLUMN streetgen.street_restriction.to_axis IS 'the axis that it goes on by';
 COMMENT ON COLUMN streetgen.street_restriction.x IS 'abscissa of a place near the node, in the plane';
 COMMENT ON COLUMN streetgen.street_restriction.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_restriction.kind IS 'no or only';
-COMMENT ON COLUMN streetgen.street_restriction.turn IS 'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
-COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS 'kinds of lanes that it does not bind, parted by |; NULL: it binds all';
+COMMENT ON COLUMN streetgen.street_restriction.turn IS
+    'through, left, right or u_turn, where both axes go on beyond the node; NULL: any';
+COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS
+    'kinds of lanes that it does not bind, parted by |; NULL: it binds all';
 
 CREATE TYPE streetgen.former_edge AS (
-    axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8, border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
+    axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
+        border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
@@ -89,4 +103,5 @@ COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with
 COMMENT ON COLUMN streetgen.former_node.x IS 'abscissa in the plane';
 COMMENT ON COLUMN streetgen.former_node.y IS 'ordinate in the plane';
 COMMENT ON COLUMN streetgen.former_node.surface IS 'its intersection, MULTIPOLYGON, EWKB';
-COMMENT ON COLUMN streetgen.former_node.contested IS 'did part of the intersection''s ground belong to another surface?';
+COMMENT ON COLUMN streetgen.former_node.contested IS
+    'did part of the intersection''s ground belong to another surface?';

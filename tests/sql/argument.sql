@@ -18,7 +18,8 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('lane_count', 'integer', '2'), ('max_width_per_lane', 'float8', '5'), ('class_width', 'float8', '7'), ('lane_width', 'float8', '3.5'), ('width_default', 'float8', '6'), ('speed_by_importance', 'jsonb', '''{"3": 50}'''), ('speed_per_width', 'float8', '6'),
     ('radius_by_importance', 'text', '''{"3": 5}'''), ('kinds', 'text', '''general|cycle'''), ('list', 'text', '''general'''), ('cycle_lane_width', 'float8', '1.5'), ('parking_lane_width', 'float8', '2'), ('open', 'boolean', 'true'), ('listed', 'boolean', 'false'),
     ('stated', 'integer', '1'), ('against', 'integer', '1'), ('driving', 'integer', '2'), ('buses', 'text', '''|designated'''), ('bus', 'boolean', 'true'), ('driving_side', 'text', '''right'''), ('near_cycle', 'boolean', 'true'), ('far_cycle', 'boolean', 'false'),
-    ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false');
+    ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
+    ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true');
 
 CREATE TABLE given AS
 SELECT p.oid, p.oid::regprocedure::text AS signature, p.proname AS function, p.prokind, p.proretset, coalesce(obj_description(p.oid, 'pg_proc'), '') AS said_of_it, i AS place, p.proargnames[i] AS name, g.value

@@ -1,0 +1,85 @@
+-- The one list of computed tables, and the list of subjects that they belong to.
+
+CREATE OR REPLACE FUNCTION streetgen._computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 11 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'node', 'network', 'node_id', NULL, 'node', 1),
+    (2, 'edge', 'network', 'edge_id', NULL, 'edge', 1),
+    (3, 'section_limit', 'surface', 'section_limit_id', 'edge_id, which', 'edge', 2),
+    (4, 'section', 'surface', 'edge_id', NULL, 'edge', 1),
+    (5, 'corner', 'surface', 'corner_id', 'node_id, edge_a, end_a, edge_b, end_b', 'corner', 1),
+    (6, 'intersection', 'surface', 'node_id', NULL, 'intersection', 1),
+    (7, 'lane', 'lane', 'lane_id', 'edge_id, ordinality', 'lane', 1),
+    (8, 'lane_separator', 'lane', 'lane_separator_id', 'edge_id, lane_position', 'lane_separator', 1),
+    (9, 'marking', 'lane', 'marking_id', 'edge_id, kind, lane_position, along_axis', 'marking', 1),
+    (10, 'interconnection', 'interconnection', 'interconnection_id', 'lane_in, lane_out, along_in, along_out',
+        'interconnection',
+        1),
+    (11, 'report', 'network', NULL, NULL, NULL, NULL) $$;
+COMMENT ON FUNCTION streetgen._computed_table() IS
+    'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that '
+        'the '
+    'table belongs to. key: its primary key. identity: the columns that tell which row of a former run is the same, '
+    'which then keeps its key; NULL: the query of the rows gives the key. gone_with: the table whose deleted rows take '
+    'rows of this one along, gone_each for each; the table itself where its own rows are deleted. A table without a '
+    'key is written by a part of the one statement of its own.';
+
+CREATE OR REPLACE FUNCTION streetgen._subject()
+    RETURNS TABLE(place integer, subject text, needs text[], always boolean, cost text, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'network', '{}'::text[], true, 'is part of every model',
+        'nodes where axes meet or end, edges between them, and what the network step noticed'),
+    (2, 'surface', '{network}'::text[], true, 'is part of every model',
+        'section limits, sections, corners and intersections: the roadway'),
+    (3, 'lane', '{surface}'::text[], false, 'a third of the time and half of the room of a whole model',
+        'lanes, the lines between them, and what is painted on them'),
+    (4, 'interconnection', '{lane}'::text[], false, 'a quarter of the time and of the room of a whole model',
+        'paths from lane to lane at every node') $$;
+COMMENT ON FUNCTION streetgen._subject() IS
+    'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
+    'always: a model cannot do without it. For every other subject there are functions _make_<subject>_tables (model, '
+    'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement.';
+
+CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT array_agg(s.subject ORDER BY s.place) FROM streetgen._subject() s
+    WHERE NOT EXISTS (SELECT FROM streetgen._computed_table() t
+        WHERE t.subject = s.subject AND to_regclass(format('%I.%I', model, t.relation)) IS NULL) $$;
+COMMENT ON FUNCTION streetgen._subjects(name) IS
+    'The subjects that a model computes, in their order: those whose tables are all there.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_tables(model name) RETURNS name[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT array_agg(relation ORDER BY place) FROM streetgen._computed_table()
+    WHERE subject = ANY (streetgen._subjects(model)) $$;
+COMMENT ON FUNCTION streetgen._computed_tables(name) IS
+    'The tables that generate writes in a model, in the order in which their rows are given.';
+
+CREATE OR REPLACE FUNCTION streetgen._with_needs(subjects text[]) RETURNS text[]
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    word text;
+    all_words constant text[] := ARRAY(SELECT s.subject FROM streetgen._subject() s ORDER BY s.place);
+BEGIN
+    FOREACH word IN ARRAY coalesce(subjects, '{}') LOOP
+        IF word IS NULL OR word <> ALL (all_words) THEN
+            RAISE EXCEPTION 'there is no subject "%"', coalesce(word, 'NULL') USING ERRCODE = '22023',
+                HINT = 'The subjects are ' || array_to_string(all_words, ', ') || '.';
+        END IF;
+    END LOOP;
+    RETURN ARRAY(
+        WITH RECURSIVE wanted(subject, needs) AS (
+            SELECT s.subject, s.needs FROM streetgen._subject() s
+            WHERE s.always OR s.subject = ANY (subjects) OR subjects IS NULL
+            UNION SELECT s.subject, s.needs FROM wanted w JOIN streetgen._subject() s ON s.subject = ANY (w.needs))
+        SELECT s.subject FROM streetgen._subject() s JOIN wanted w USING (subject) GROUP BY s.subject, s.place
+        ORDER BY s.place);
+END $$;
+COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
+    'Subjects with all that they need and those of every model, in their order; NULL: all. Another word: 22023.';

@@ -1,0 +1,397 @@
+-- A model is a schema of the user's: these functions make it, hand it out and take it away.
+
+CREATE OR REPLACE FUNCTION streetgen.version() RETURNS text
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT extversion FROM pg_extension WHERE extname = 'streetgen' $$;
+COMMENT ON FUNCTION streetgen.version() IS 'Version of the installed extension.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_model(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF model IS NULL THEN
+        RAISE EXCEPTION 'the model is NULL' USING ERRCODE = '22004',
+            HINT = 'SELECT name FROM streetgen.model lists them.';
+    END IF;
+    IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name
+        WHERE m.name = _check_model.model) THEN
+        RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
+            HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace
+                WHERE nspname = model) AND relname = 'axis_class')
+                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.'
+                    ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT '
+                    'streetgen.create_model(%L, srid => …) makes it.' END, model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_model(name) IS
+    'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    FOR i IN 1 .. cardinality(given) BY 2 LOOP
+        IF given[i + 1] IS NULL THEN
+            RAISE EXCEPTION 'argument % is NULL', given[i] USING ERRCODE = '22004',
+                HINT = 'NULL means nothing there: give a value, or leave the argument out where it has a default.';
+        END IF;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_given(text[]) IS
+    'Raises 22004 for the first argument that is NULL; arguments as pairs of name and value.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_reader(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    IF NOT has_schema_privilege(model, 'USAGE') THEN
+        RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
+            HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_reader(name) IS
+    'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
+        RAISE EXCEPTION 'only the owner of model "%" may do this', model USING ERRCODE = '42501',
+            HINT = 'Ask its owner, or become a member of the role that owns its schema.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_owner(name) IS
+    'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
+
+CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
+    AS $$
+BEGIN
+    -- Inside a definer function current_user is the function's owner: ask for the caller's role.
+    IF NOT pg_has_role(coalesce(nullif(current_setting('role'), 'none'), session_user)::name,
+        (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
+        RAISE EXCEPTION 'schema "%" belongs to another role', model USING ERRCODE = '42501',
+            HINT = 'Only the owner of a schema registers it as a model.';
+    END IF;
+    INSERT INTO streetgen.model VALUES (model, srid, dimension, streetgen.version())
+        ON CONFLICT (name) DO UPDATE SET srid = excluded.srid, dimension = excluded.dimension,
+            template_version = excluded.template_version;
+    DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name);
+END $$;
+COMMENT ON FUNCTION streetgen._register_model(name, integer, integer) IS
+    'Writes the registry, for the owner of the schema only; forgets models whose schema is gone.';
+
+CREATE OR REPLACE FUNCTION streetgen._relations(model name) RETURNS oid[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ARRAY(SELECT oid FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace
+        AND relkind IN ('r', 'v')) $$;
+COMMENT ON FUNCTION streetgen._relations(name) IS 'The tables and views in the schema of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._hand_over(model name, before oid[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    made record;
+BEGIN
+    FOR made IN SELECT c.oid::regclass AS relation, nspowner::regrole AS owner FROM pg_class c
+        JOIN pg_namespace n ON n.oid = relnamespace
+        WHERE c.oid = ANY (streetgen._relations(model)) AND c.oid <> ALL (before) AND relowner <> nspowner
+    LOOP
+        EXECUTE format('ALTER TABLE %s OWNER TO %s', made.relation, made.owner);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._hand_over(name, oid[]) IS
+    'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    statement text;
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'lanes_both')
+        THEN
+        RETURN;
+    END IF;
+    -- What was computed has lanes of one direction only.
+    FOREACH statement IN ARRAY ARRAY[
+        'ALTER TABLE %1$I.axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30)',
+        'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds '
+            '~ ''^(bus|cycle)(\|(bus|cycle)){0,9}$'')',
+        'ALTER TABLE %1$I.lane_override ADD both_ways boolean',
+        'ALTER TABLE %1$I.interconnection_override ADD along_in boolean, ADD along_out boolean',
+        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0',
+        'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
+        'ALTER TABLE %1$I.lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways)',
+        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS '
+            'marking_edge_id_kind_lane_position_key,
+            ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
+        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l
+            WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
+        'ALTER TABLE %1$I.marking ALTER along_axis SET NOT NULL',
+        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean,
+            DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key,
+            ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
+        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis
+            FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
+        'ALTER TABLE %1$I.interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL'
+    ] LOOP
+        EXECUTE format(statement, model);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._add_both_ways(name) IS
+    'Adds to the tables of a model what lanes for both directions and exceptions of turn restrictions are told by, '
+    'where it was made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    before constant oid[] := streetgen._relations(model);
+BEGIN
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'source_hash') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
+    END IF;
+    PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
+        streetgen._add_both_ways(model),
+        streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
+            streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+    PERFORM streetgen._hand_over(model, before);
+END $$;
+COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
+    'Makes the tables, columns and indexes that came after the first models, where they are missing.';
+
+CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
+    subjects text[] DEFAULT NULL) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    wanted constant text[] := streetgen._with_needs(subjects);
+BEGIN
+    PERFORM streetgen._check_given('model', model, 'srid', srid::text, 'dimension', dimension::text);
+    IF model = '' THEN
+        RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023',
+            HINT = 'It names the schema of the model''s tables.';
+    END IF;
+    IF dimension NOT IN (2, 3) THEN
+        RAISE EXCEPTION 'dimension is %, expected 2 or 3', dimension USING ERRCODE = '22023',
+            HINT = '3 keeps the heights of axes and nodes.';
+    END IF;
+    PERFORM streetgen._check_srid(srid);
+    IF EXISTS (SELECT FROM pg_namespace WHERE nspname = model) THEN
+        RAISE EXCEPTION 'schema "%" already exists', model USING ERRCODE = '42P06',
+            HINT = format('Choose another name, or SELECT streetgen.drop_model(%L) if it is a model that may go.',
+                model);
+    END IF;
+    IF NOT has_database_privilege(current_database(), 'CREATE') THEN
+        RAISE EXCEPTION 'role "%" may not make models in database "%"', current_user, current_database()
+            USING ERRCODE = '42501',
+            HINT = format('GRANT CREATE ON DATABASE %I TO %I by its owner allows it.', current_database(),
+                current_user);
+    END IF;
+    EXECUTE format('CREATE SCHEMA %I', model);
+    EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
+    PERFORM streetgen._make_street_tables(model, srid, dimension);
+    PERFORM streetgen._make_decision_tables(model, srid);
+    PERFORM streetgen._make_subject_tables(model, srid, wanted);
+    EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
+    EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
+    PERFORM streetgen._register_model(model, srid, dimension);
+    PERFORM streetgen._add_tables(model, srid);
+    PERFORM streetgen._make_dependents(model);
+    PERFORM streetgen._comment_model(model);
+END $$;
+COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[]) IS
+    'Makes schema model with the tables of a street model in the given SRID (projected, metres). dimension: 3 keeps '
+    'the heights of axes and nodes. subjects: what is computed besides network and surface, each with what it needs '
+    '(streetgen.subject lists them); NULL: all of today; another word: 22023. An existing schema: 42P06; an unfit '
+    'SRID: 22023 with a hint; a role that may not create schemas: 42501.';
+
+CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    schema oid;
+    part text;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    schema := (SELECT oid FROM pg_namespace WHERE nspname = model);
+    -- What is named here goes without a notice; what others made of it goes with one.
+    FOR part IN SELECT format('DROP %s %s CASCADE', kind, string_agg(name, ', ')) FROM (
+            SELECT 1 AS turn, 'VIEW' AS kind, oid::regclass::text AS name FROM pg_class WHERE relnamespace = schema
+                AND relkind = 'v'
+            UNION ALL SELECT 2, 'TABLE', oid::regclass::text FROM pg_class WHERE relnamespace = schema
+                AND relkind IN ('r', 'p')
+            UNION ALL SELECT 3, 'ROUTINE', oid::regprocedure::text FROM pg_proc WHERE pronamespace = schema) p
+                GROUP BY turn, kind ORDER BY turn
+    LOOP
+        EXECUTE part;
+    END LOOP;
+    EXECUTE format('DROP SCHEMA %I CASCADE', model);
+    PERFORM streetgen._forget_models(), streetgen._forget_styles(model);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
+END $$;
+COMMENT ON FUNCTION streetgen.drop_model(name) IS
+    'Drops the schema of a model with all in it, its QGIS project too, and the styles that QGIS keeps for its layers '
+    'in public.layer_styles; a table of styles that belongs neither to the caller nor to a superuser, or may not be '
+    'written, is left as it is. A lock_timeout that ends: 55P03, naming who holds the model.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_styles(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A table of somebody else could run his trigger with the rights of the caller.
+    IF EXISTS (SELECT FROM pg_class c JOIN pg_roles r ON r.oid = relowner JOIN pg_attribute ON attrelid = c.oid
+        WHERE c.oid = to_regclass('public.layer_styles') AND relkind = 'r'
+               AND (r.rolsuper OR r.rolname = current_user) AND has_table_privilege(c.oid, 'SELECT')
+                   AND has_table_privilege(c.oid, 'DELETE') AND attname = 'f_table_schema' AND NOT attisdropped) THEN
+        EXECUTE 'DELETE FROM public.layer_styles WHERE f_table_schema = $1' USING model;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._forget_styles(name) IS
+    'Deletes the styles of the layers of a model from the table that QGIS keeps them in.';
+
+CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
+    AS $$ DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name) $$;
+COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
+
+CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    srid integer;
+    dimension integer;
+    missing text[];
+    reader oid;
+    before oid[];
+BEGIN
+    PERFORM streetgen._check_given('schema', schema);
+    missing := ARRAY(SELECT name
+        FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit',
+        'section', 'corner', 'intersection', 'report']) name
+        WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
+    IF missing <> '{}' THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000',
+            HINT = format('Its tables %s are missing.', array_to_string(missing, ', '));
+    END IF;
+    SELECT g.srid, g.coord_dimension INTO srid, dimension FROM geometry_columns g
+        WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
+    IF NOT FOUND OR srid = 0 THEN
+        RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000',
+            HINT = 'Its table axis has no column geom with an SRID.';
+    END IF;
+    PERFORM streetgen._register_model(schema, srid, dimension);
+    PERFORM streetgen._add_tables(schema, srid);
+    before := streetgen._relations(schema);
+    PERFORM streetgen._make_dependents(schema);
+    PERFORM streetgen._hand_over(schema, before);
+    PERFORM streetgen._grant_edit_views(schema);
+    PERFORM streetgen._comment_model(schema);
+    PERFORM streetgen._follow_again(schema);
+    -- Who may read or write the axes may do so with what was lost or is new.
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
+        WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
+        EXECUTE format('GRANT SELECT ON %1$I.setting_used, %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, '
+            '%1$I.roadway, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s',
+            schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
+    END LOOP;
+    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
+        WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee <> relowner LOOP
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, '
+            '%1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC'
+            ELSE reader::regrole::text END);
+    END LOOP;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
+END $$;
+COMMENT ON FUNCTION streetgen.adopt_model(name) IS
+    'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its '
+    'views and triggers back, with their comments and readers, also those by which it follows a table (a warning for '
+    'one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, '
+    'also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501. A lock_timeout '
+    'that ends: 55P03, naming who holds the model.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- 0 is everybody.
+    holder constant oid := coalesce((SELECT oid FROM pg_roles WHERE rolname = role), 0);
+    held record;
+BEGIN
+    IF role <> 'public' AND holder = 0 THEN
+        RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704',
+            HINT = 'SELECT rolname FROM pg_roles lists them; public is everybody.';
+    ELSIF holder = (SELECT nspowner FROM pg_namespace WHERE nspname = model) THEN
+        RAISE EXCEPTION 'role "%" owns model "%" and keeps all rights', role, model USING ERRCODE = '22023',
+            HINT = format('Another role owns it after ALTER SCHEMA %I OWNER TO …, and the same for its tables and '
+                'views.', model);
+    END IF;
+    FOR held IN SELECT c.oid::regclass AS relation FROM pg_class c
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind IN ('r', 'p', 'v', 'm', 'f', 'S')
+            AND relowner <> holder
+            AND (EXISTS (SELECT FROM aclexplode(relacl) a WHERE a.grantee = holder)
+                OR EXISTS (SELECT FROM pg_attribute, aclexplode(attacl) a WHERE attrelid = c.oid
+                    AND a.grantee = holder))
+    LOOP
+        EXECUTE format('REVOKE ALL ON %s FROM %I CASCADE', held.relation, role);
+    END LOOP;
+    EXECUTE format('REVOKE ALL ON SCHEMA %I FROM %I CASCADE', model, role);
+END $$;
+COMMENT ON FUNCTION streetgen._take_back(name, name) IS
+    'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner '
+        'of the model: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role, 'kind', kind);
+    IF kind NOT IN ('reader', 'editor') THEN
+        RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
+    END IF;
+    PERFORM streetgen._take_back(model, role);
+    EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
+    EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
+    IF kind = 'editor' THEN
+        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
+            '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
+            '%1$I.kerb_point_override TO %2$I', model, role);
+    END IF;
+    PERFORM streetgen._grant_edit_views(model);
+END $$;
+COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
+    'Sets the rights of a role on a model: to read it (reader), or also to edit its input: axes, turn restrictions, '
+        'overrides (editor). Rights beyond these are taken back. '
+    'Role public: everybody. An unknown role: 42704; the owner of the model, who keeps all rights: 22023; another '
+        'kind: 22023. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE FUNCTION streetgen.revoke(model name, role name) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    through text;
+BEGIN
+    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role);
+    PERFORM streetgen._take_back(model, role);
+    -- What a role has by others it is not alone to lose.
+    SELECT string_agg(CASE grantee WHEN 0 THEN 'public' ELSE grantee::regrole::text END, ', ' ORDER BY grantee)
+        INTO through
+        FROM pg_namespace, aclexplode(nspacl) WHERE nspname = model AND privilege_type = 'USAGE' AND role <> 'public'
+            AND CASE WHEN grantee = 0 THEN true ELSE pg_has_role(role, grantee, 'USAGE') END;
+    IF through IS NOT NULL THEN
+        RAISE WARNING 'role "%" still has rights on model "%" through %', role, model, through
+            USING HINT = 'Revoke those too, or take the role out of these roles.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen.revoke(name, name) IS
+    'Takes all rights on a model from a role; role public: what everybody has. A warning names the roles through '
+        'which it still has some. '
+    'An unknown role: 42704; the owner of the model, who keeps all rights: 22023. Needs the rights of the owner '
+        '(42501).';

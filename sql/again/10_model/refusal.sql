@@ -1,0 +1,138 @@
+-- What a row of input may hold, told to who writes another: the constraints of its table hold, but give neither value
+-- nor way out.
+
+CREATE OR REPLACE FUNCTION streetgen._input_rule()
+    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 50 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('axis'::name, 'geom'::name, 'a line through two different places, every coordinate a number within 1e12',
+        'Draw it again, or undo the edit.'),
+    ('axis', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
+    ('axis', 'width_end', '0.001 to 200 m', 'Leave it empty where the width stays the same.'),
+    ('axis', 'lane_count', '1 to 30', 'Leave it empty to have it estimated.'),
+    ('axis', 'direction', 'both, direct (that of the line) or reverse', 'Leave it out for both.'),
+    ('axis', 'speed', '0.001 to 400 km/h', 'Leave it empty to have it estimated.'),
+    ('axis', 'importance', '1 to 99, 1 the highest', 'Leave it empty to take that of the class.'),
+    ('axis', 'level', '-50 to 50', 'Leave it out for 0, the ground.'),
+    ('axis', 'radius', '0 to 200 m', 'Leave it empty to have it estimated, 0 for no arc.'),
+    ('axis', 'lanes_forward', '0 to 30', 'Leave it empty to have it estimated.'),
+    ('axis', 'lanes_backward', '0 to 30', 'Leave it empty to have it estimated.'),
+    ('axis', 'lanes_both', '0 to 30', 'Leave it empty to have it estimated.'),
+    ('axis', 'kind_forward', 'kinds of lanes such as general|bus',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'kind_backward', 'kinds of lanes such as general|bus',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'lane_width_forward', 'widths in metres such as 3.5||3',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'lane_width_backward', 'widths in metres such as 3.5||3',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'turn_forward', 'turns such as left|through;right',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'turn_backward', 'turns such as left|through;right',
+        'Leave it empty where nothing is known of single lanes.'),
+    ('axis_class', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
+    ('axis_class', 'speed', '0 to 400 km/h', 'Leave it empty to have it estimated.'),
+    ('axis_class', 'importance', '1 to 99, 1 the highest', 'Leave it empty for setting importance_default.'),
+    ('turn_restriction', 'kind', 'no or only', 'no forbids the turn, only forbids all others.'),
+    ('turn_restriction', 'turn', 'through, left, right or u_turn',
+        'Leave it empty for all ways from the one axis to the other.'),
+    ('turn_restriction', 'except_kinds', 'bus, cycle or bus|cycle', 'Leave it empty where it binds all traffic.'),
+    ('transition_override', 'which', 'start or end', 'It is the end of the axis where the width changes.'),
+    ('transition_override', 'kind', 'symmetric, left or right', 'Leave it empty for setting transition_kind.'),
+    ('transition_override', 'length', '0 to 200 m', 'Leave it empty for setting transition_length.'),
+    ('lane_override', 'abscissa', '0 m or more along the axis', 'Edit lane_editing, which fills it.'),
+    ('lane_override', 'ordinality', '1 to 60', 'Lanes are numbered from the middle outwards.'),
+    ('lane_override', 'width', '0.1 to 200 m', 'Leave it empty to have it computed.'),
+    ('lane_override', 'line', 'a line with every coordinate a number within 1e12',
+        'Leave it empty to have it computed.'),
+    ('section_limit_override', 'abscissa', '0 m or more along the axis', 'Edit section_limit_editing, which fills it.'),
+    ('section_limit_override', 'which', 'start or end', 'It is the end of the edge that the limit is at.'),
+    ('corner_override', 'radius', '0 to 200 m', '0 for no arc; delete the row to have it computed.'),
+    ('kerb_point_override', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
+    ('kerb_point_override', 'width', '0.001 to 200 m', 'Leave it empty: it is twice the distance from the axis.'),
+    ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12',
+        'Leave it empty to have it computed.')
+    $$;
+COMMENT ON FUNCTION streetgen._input_rule() IS
+    'What the constraints on columns of input tables ask for, in words, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._conditions(input regclass)
+    RETURNS TABLE(attribute name, condition text, sqlstate text, name name)
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog, public
+    AS $$
+    SELECT attname, c.* FROM pg_attribute a CROSS JOIN LATERAL (
+        SELECT format('%I IS NOT NULL', attname), '23502', NULL::name WHERE attnotnull
+        UNION ALL SELECT pg_get_expr(conbin, conrelid), '23514', conname FROM pg_constraint WHERE conrelid = input
+            AND contype = 'c' AND conkey = ARRAY[attnum]) c
+    WHERE attrelid = input AND attnum > 0 AND NOT attisdropped ORDER BY attnum, 3
+    $$;
+COMMENT ON FUNCTION streetgen._conditions(regclass) IS
+    'What holds for each column of a table: NOT NULL and the constraints that name it alone, as SQL, with the '
+    'SQLSTATE of a row that breaks it.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_row() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    broken record;
+    rule record;
+    key text;
+    value text;
+    holds boolean;
+BEGIN
+    FOR broken IN SELECT c.*, atttypid, attidentity, (SELECT k.attname FROM pg_attribute k WHERE k.attrelid = TG_RELID
+        AND k.attnum = 1) AS key
+        FROM streetgen._conditions(TG_RELID) c JOIN pg_attribute ON attrelid = TG_RELID AND attname = attribute
+    LOOP
+        EXECUTE format('SELECT %s, %I::text, %s FROM (SELECT ($1).*) r', broken.condition, broken.key,
+            format(CASE broken.atttypid WHEN 'geometry'::regtype THEN 'left(ST_AsText(%I), 80)' WHEN 'text'::regtype
+                THEN 'to_json(%I)::text' ELSE '%I::text' END, broken.attribute)) INTO holds, key, value USING NEW;
+        IF holds IS FALSE THEN
+            SELECT expected, way_out INTO rule FROM streetgen._input_rule()
+                WHERE (relation, attribute) = (TG_TABLE_NAME, broken.attribute);
+            RAISE EXCEPTION 'the % of % cannot be %', broken.attribute, concat_ws(' ', CASE TG_OP WHEN 'INSERT'
+                THEN 'the new' END, replace(TG_TABLE_NAME, '_', ' '), key), coalesce(value, 'NULL')
+                USING ERRCODE = broken.sqlstate,
+                DETAIL = format('Expected %s.', coalesce(rule.expected, CASE broken.atttypid WHEN 'geometry'::regtype
+                    THEN 'a place, every coordinate a number within 1e12' ELSE 'a value' END)),
+                HINT = coalesce(rule.way_out, CASE WHEN broken.attidentity <> ''
+                    THEN 'Leave it out: it is numbered by itself.' ELSE 'Fill it, or undo the edit.' END),
+                SCHEMA = TG_TABLE_SCHEMA, TABLE = TG_TABLE_NAME, COLUMN = broken.attribute,
+                    CONSTRAINT = coalesce(broken.name, '');
+        END IF;
+    END LOOP;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_row() IS
+    'Trigger of input tables, for rows that a constraint would refuse: names row, column and value, what is expected '
+    'and the way out, with the SQLSTATE of the constraint (23514, 23502). A constraint that is no longer there '
+    'refuses nothing.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_refusals(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    broken record;
+BEGIN
+    FOR broken IN
+        SELECT c.oid::regclass AS input, attribute,
+            string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'),
+            ' AND ') AS condition
+        FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
+        -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
+        JOIN streetgen._model_column() USING (attribute)
+        WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
+            AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override')
+        GROUP BY c.oid, attribute
+    LOOP
+        -- A trigger a column, with a condition: a statement reads those of the columns that it writes, and calls the
+        -- function for a row that breaks one.
+        EXECUTE format('CREATE OR REPLACE TRIGGER %I BEFORE INSERT OR UPDATE OF %I ON %s FOR EACH ROW WHEN (NOT '
+            '(%s)) EXECUTE FUNCTION streetgen._refuse_row()',
+            'refuse_' || broken.attribute, broken.attribute, broken.input, broken.condition);
+        EXECUTE format('COMMENT ON TRIGGER %I ON %s IS %L', 'refuse_' || broken.attribute, broken.input,
+            'Says what the column may hold, before its constraint refuses the row');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_refusals(name) IS
+    'Makes the triggers on the input tables of a model that say what is wrong with a row and what to do.';

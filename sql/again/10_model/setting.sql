@@ -1,0 +1,182 @@
+-- Settings of a model: what there is, in which range, and how one is read and changed.
+
+CREATE OR REPLACE FUNCTION streetgen._default_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ VALUES
+    ('tolerance', '0.5', 'm', 'ends and vertices this near to each other are one node', 0.001, 10, NULL::text[]),
+    ('crossing', 'over', NULL, 'axes of one level that cross without a vertex: over (no node) or split', NULL, NULL,
+        ARRAY['over', 'split']),
+    ('axis_length_maximal', '100000', 'm', 'a longer axis is refused: its coordinates are hardly metres of the model',
+        1000, 10000000, NULL),
+    ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000, NULL),
+    ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
+    ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL,
+        ARRAY['min', 'max', 'mean']),
+    ('short_axis', 'reduce', NULL,
+        'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow '
+        '(the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
+    ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm',
+        'wanted radius by importance; an entry holds up to the next one, the first also before itself; null: no arc; '
+        'empty: turning_radius', NULL, NULL, NULL),
+    ('turning_mode', 'paper', NULL, 'law of turning_radius: paper or setra', NULL, NULL, ARRAY['paper', 'setra']),
+    ('turning_radius_minimal', '0.15', 'm', 'turning_radius gives no less', 0, 3, NULL),
+    ('turning_radius_maximal', '15', 'm', 'turning_radius gives no more', 3, 200, NULL),
+    ('radius_function', NULL, NULL,
+        'wanted radius of an axis, before radius_by_importance and turning_radius: an immutable function '
+        '(width float8, speed float8, importance integer, lane_count integer, kind text) returning float8, with its '
+            'schema; '
+        'NULL: none', NULL, NULL, NULL),
+    ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
+    ('transition_kind', 'symmetric', NULL,
+        'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, '
+        'left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
+    ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
+    ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
+    ('overlaps_maximal', '30', NULL,
+        'where more surfaces come into a square of 10 m the first of them by rank owns each place', 1, 1000, NULL),
+    ('max_width_per_lane', '5.5', 'm',
+        'a width of a source beyond this per stated lane is not believed; NULL believes all', 2, 100, NULL),
+    ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL),
+    ('two_way_width_minimal', '4.5', 'm',
+        'a narrower two-way street of unknown lanes has one lane that both directions use; 0: none', 0, 20, NULL),
+    ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10,
+        NULL),
+    ('cycle_lane_width', '1.5', 'm', 'width of a cycle lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('lane_order', 'left_first', NULL, 'lanes are numbered from the middle outwards: left_first or right_first', NULL,
+        NULL, ARRAY['left_first', 'right_first']),
+    ('driving_side', 'right', NULL, 'side of the road that one drives on: right or left', NULL, NULL,
+        ARRAY['right', 'left']),
+    ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
+    ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL,
+        ARRAY['true', 'false']),
+    ('interconnections_maximal', '10000', NULL, 'at a node of more pairs of lanes none are made', 0, 1000000, NULL),
+    ('trajectory', 'bezier', NULL,
+        'path between two lanes: bezier or arcs, which follow the lanes towards the node where they would cross a '
+        'kerb, or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
+        'geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
+    ('trajectory_radius', '3', 'm',
+        'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule '
+        'of the paper wherever its path stays on the roadway', 0, 100, NULL),
+    ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10,
+        NULL),
+    ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
+    ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
+    ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h',
+        'speed by importance; an entry holds up to the next one, the first also before itself', NULL, NULL, NULL),
+    ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL),
+    ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL),
+    ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
+    ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000,
+        NULL),
+    ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL),
+    ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
+        NULL),
+    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on'])
+    $$;
+COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen.setting(model name)
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_reader(model);
+    RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
+END $$;
+COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known record;
+    holds boolean;
+    expected text;
+BEGIN
+    SELECT * INTO known FROM streetgen._default_setting() d WHERE d.name = setting;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION 'there is no setting "%"', setting USING ERRCODE = '22023',
+            HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
+    END IF;
+    IF value IS NULL THEN
+        IF setting IN ('max_width_per_lane', 'radius_function') THEN RETURN; END IF;
+        RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
+            USING ERRCODE = '22004',
+            HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
+    END IF;
+    IF setting = 'radius_function' THEN
+        PERFORM streetgen._radius_function(model, value);
+        RETURN;
+    ELSIF known.choice IS NOT NULL THEN
+        holds := value = ANY (known.choice);
+        IF NOT holds AND setting = 'trajectory' THEN
+            BEGIN
+                holds := streetgen._trajectory_function(value) IS NOT NULL;
+            -- The value is no name at all.
+            EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN
+            END;
+        END IF;
+        expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory'
+            THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
+            'geometry' ELSE '' END || '.';
+    ELSIF known.minimum IS NOT NULL THEN
+        holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
+            THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
+        expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit) || '.';
+    ELSE
+        expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
+        BEGIN
+            -- Only a radius has another law to fall back on.
+            holds := value = '' AND setting = 'radius_by_importance'
+                OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^[1-9]\d?$'
+                OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400));
+        EXCEPTION WHEN data_exception THEN
+            holds := false;
+        END;
+    END IF;
+    IF NOT holds THEN
+        RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value)
+            USING ERRCODE = '22023', HINT = expected;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS
+    'Raises 22023 for an unknown setting or a value beyond the range, words or form of _default_setting, 22004 for '
+    'NULL, saying how to put the default back; a radius_function as _radius_function.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- A default is within its range.
+    EXECUTE format('SELECT streetgen._check_setting(%L, d.name, s.value) FROM streetgen._default_setting() d LEFT '
+        'JOIN %I.setting s USING (name) WHERE s.value IS DISTINCT FROM d.value', model, model);
+END $$;
+COMMENT ON FUNCTION streetgen._check_settings(name) IS
+    'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
+
+CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_given('setting', setting);
+    PERFORM streetgen._check_setting(model, setting, value);
+    IF setting = 'radius_function' THEN
+        value := streetgen._qualified(streetgen._radius_function(model, value));
+    END IF;
+    -- One at a time, since each goes on to hold out the other.
+    EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
+    EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, '
+        'd.choice FROM streetgen._default_setting() d WHERE d.name = $1
+        ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model)
+            USING setting, value;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
+END $$;
+COMMENT ON FUNCTION streetgen.set(name, text, text) IS
+    'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a '
+    'radius_function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have '
+    'ended; rows computed before are stale until generate. A lock_timeout that ends: 55P03, naming who holds the '
+    'settings.';

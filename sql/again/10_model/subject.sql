@@ -1,0 +1,131 @@
+-- What a model computes: subjects are listed, and switched on and off.
+
+CREATE OR REPLACE FUNCTION streetgen.subject(model name)
+    RETURNS TABLE(subject text, wanted boolean, needs text[], needed_by text[], tables name[], cost text,
+        description text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$
+DECLARE
+    computed text[];
+BEGIN
+    PERFORM streetgen._check_model(model);
+    computed := streetgen._subjects(model);
+    RETURN QUERY SELECT s.subject, s.subject = ANY (computed), s.needs,
+        ARRAY(SELECT n.subject FROM streetgen._subject() n WHERE s.subject = ANY (n.needs) ORDER BY n.place),
+        ARRAY(SELECT t.relation FROM streetgen._computed_table() t WHERE t.subject = s.subject ORDER BY t.place),
+        s.cost, s.description
+    FROM streetgen._subject() s ORDER BY s.place;
+END $$;
+COMMENT ON FUNCTION streetgen.subject(name) IS
+    'The subjects that a model can compute, a row each: is it computed now (wanted), which subjects it needs and which '
+    'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_subject_tables(model name, srid integer, subjects text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    word text;
+BEGIN
+    FOR word IN SELECT s.subject FROM streetgen._subject() s
+        WHERE s.subject = ANY (subjects) AND s.subject <> ALL (streetgen._subjects(model)) ORDER BY s.place
+    LOOP
+        EXECUTE format('SELECT streetgen.%I($1, $2)', '_make_' || word || '_tables') USING model, srid;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_subject_tables(name, integer, text[]) IS
+    'Makes the computed tables of those subjects that a model does not compute yet.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_views(model), streetgen._make_functions(model), streetgen._make_remap(model);
+    PERFORM streetgen._make_edit_views(model), streetgen._make_edit_log(model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_dependents(name) IS
+    'Makes the views, functions and triggers of a model for the subjects that it computes, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._grant_like_axes(model name, relations name[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    held record;
+BEGIN
+    FOR held IN SELECT DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, relation
+        FROM pg_class, aclexplode(relacl), unnest(relations) relation
+        WHERE oid = to_regclass(format('%I.axis', model)) AND privilege_type = 'SELECT' AND grantee <> relowner
+    LOOP
+        EXECUTE format('GRANT SELECT ON %I.%I TO %s', model, held.relation, held.role);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._grant_like_axes(name, name[]) IS
+    'Who may read the axes of a model may read these tables and views of it.';
+
+CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wanted boolean)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,
+        hard bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    computed text[];
+    needing text;
+    part text;
+    has_streets boolean;
+    before oid[];
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._check_given('subject', subject, 'wanted', wanted::text);
+    PERFORM streetgen._with_needs(ARRAY[subject]);
+    PERFORM streetgen._enter(model, wait => true, alone => true);
+    computed := streetgen._subjects(model);
+    IF wanted = (subject = ANY (computed)) THEN
+        RETURN;
+    END IF;
+    before := streetgen._relations(model);
+    IF wanted THEN
+        PERFORM streetgen._make_subject_tables(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model),
+            streetgen._with_needs(ARRAY[subject]));
+        PERFORM streetgen._make_edit_indexes(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+        PERFORM streetgen._make_dependents(model);
+        PERFORM streetgen._hand_over(model, before);
+        PERFORM streetgen._grant_like_axes(model, ARRAY(
+            SELECT relname FROM pg_class WHERE oid = ANY (streetgen._relations(model)) AND oid <> ALL (before)));
+        PERFORM streetgen._grant_edit_views(model);
+        PERFORM streetgen._comment_model(model);
+        EXECUTE format('SELECT EXISTS (SELECT FROM %I.edge)', model) INTO has_streets;
+        IF has_streets THEN
+            RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
+        END IF;
+        RETURN;
+    END IF;
+    IF (SELECT s.always FROM streetgen._subject() s WHERE s.subject = switch_subject.subject) THEN
+        RAISE EXCEPTION 'subject "%" is part of every model', subject USING ERRCODE = '0A000',
+            HINT = 'A model can do without the others.';
+    END IF;
+    SELECT string_agg(s.subject, ', ' ORDER BY s.place) INTO needing FROM streetgen._subject() s
+        WHERE switch_subject.subject = ANY (s.needs) AND s.subject = ANY (computed);
+    IF needing IS NOT NULL THEN
+        RAISE EXCEPTION 'subject "%" is needed by %', subject, needing USING ERRCODE = '2BP01',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, %L, false) first.', model,
+                split_part(needing, ', ', 1));
+    END IF;
+    -- The views of the model that read these tables go with them; anything of others stands in the way.
+    FOR part IN SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._edit_view(model, 0) v
+            WHERE v.subject = switch_subject.subject
+        UNION ALL SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._subject_view() v
+            WHERE v.subject = switch_subject.subject
+    LOOP
+        EXECUTE part;
+    END LOOP;
+    EXECUTE (SELECT 'DROP TABLE ' || string_agg(format('%I.%I', model, t.relation), ', ')
+        FROM streetgen._computed_table() t WHERE t.subject = switch_subject.subject);
+    PERFORM streetgen._make_dependents(model);
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
+END $$;
+COMMENT ON FUNCTION streetgen.switch_subject(name, text, boolean) IS
+    'Says whether a model computes a subject. On: its tables and views are made, with those of the subjects that it '
+    'needs, and filled where streets are there, which gives the rows of streetgen.generate. Off: they are dropped; '
+    'what was decided by hand stays in the tables of overrides. A model that does not exist: 3F000; NULL: 22004; '
+    'another word: 22023; a subject of every model: 0A000; one that another subject needs, or whose tables something '
+    'of others builds on: 2BP01; not the owner of the model: 42501.';

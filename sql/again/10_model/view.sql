@@ -1,0 +1,210 @@
+-- Views of a model: its axes with the values used, and what is seen of several tables at once.
+
+CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('conflict', 'interconnection') $$;
+COMMENT ON FUNCTION streetgen._subject_view() IS
+    'The views of a model that are there only while it computes a subject.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_conflict_view(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
+SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b, kind,
+       CASE WHEN kind = 'merging' OR meets_in_out THEN ST_EndPoint(a.geom) WHEN kind = 'opposing'
+           THEN ST_StartPoint(a.geom)
+            ELSE ST_Intersection(a.geom, b.geom) END AS geom
+FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id
+    AND a.interconnection_id < b.interconnection_id
+-- A lane for both directions is entered and left at one end: the other way there.
+CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_in) AS meets_in_out,
+                           (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) AS meets_in_in,
+                           (a.lane_out, a.along_out) = (b.lane_out, b.along_out) AS merges) m
+CROSS JOIN LATERAL (
+    SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing'
+        END AS kind) k
+WHERE a.connecting AND b.connecting AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
+    AND (kind <> 'crossing' OR ST_Intersects(a.geom, b.geom))
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.conflict
+        IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, merge in one lane, or '
+        'oppose each other in one that both directions use; geom is where'$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
+    -- settings.
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
+           concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
+               THEN streetgen._predictor_definition(value) END), ',' ORDER BY name), 2) AS setting_hash
+FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$,
+        model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
+SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
+    width_used) AS width_end,
+       forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward,
+           backward_used AS lanes_backward, both_used AS lanes_both, direction,
+       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
+       streetgen._wanted_radius(
+           coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id,
+               width_used, speed_used,
+               coalesce(importance_known, importance_default), forward_used + backward_used + both_used, kind) END),
+           importance_known, speed_used, width_used, radii, turning_mode, turning_minimal, turning_maximal) AS radius,
+       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END,
+                          CASE WHEN kerb_width IS NULL AND believed_end IS NULL AND width_end IS NOT NULL
+                              THEN 'width_end' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL
+                              AND stated_backward IS NULL THEN 'lane_count' END,
+                          CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL
+                              THEN 'importance' END], NULL) AS estimated,
+       hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
+           class_width, class_speed, class_importance, kerb_width,
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane
+               THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
+                   0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, hash_record_extended(ROW(abscissa, which), 0)
+                   FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius),
+                   0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 4, lane_override_id,
+                   hash_record_extended(ROW(abscissa, ordinality, along_axis, both_ways, width, line::bytea), 0)
+                   FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END,
+           direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
+               lane_width_backward, turn_forward, turn_backward, by_hand), 0) AS input_hash,
+       setting_hash
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
+    importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN %1$I.setting_used ON true
+LEFT JOIN (
+    SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
+        (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
+           (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
+               (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
+           (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
+               (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
+           (max(value) FILTER (WHERE name = 'two_way_width_minimal'))::float8 AS two_way_width_minimal,
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds,
+               (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
+           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb)
+               AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode,
+           (max(value) FILTER (WHERE name = 'turning_radius_minimal'))::float8 AS turning_minimal,
+           (max(value) FILTER (WHERE name = 'turning_radius_maximal'))::float8 AS turning_maximal,
+           streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor
+    FROM %1$I.setting) s ON true
+-- Most models have none or one kind, and no axis of them is asked for its own of the others.
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
+    EXISTS (SELECT FROM %1$I.transition_override) AS any_transition,
+    EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane
+        HAVING true) o ON true
+-- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
+-- asked for does.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
+        FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
+        coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
+               HAVING true) known ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN by_hand OR kind IN ('runway', 'taxiway') THEN NULL ELSE max_width_per_lane END AS most_per_lane
+        HAVING true) m ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
+           streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
+CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
+    AS lanes_stated) stated
+LEFT JOIN LATERAL (
+    SELECT coalesce(kerb_width, believed,
+        least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
+               + CASE WHEN lanes_stated IS NULL THEN 0
+                   ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward,
+                                                                cycle_lane_width, parking_lane_width), 0) END))
+                                                                AS width_used HAVING true) w ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds,
+        speed_per_width)) AS speed_used HAVING true) p ON true
+LEFT JOIN LATERAL (
+    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
+        HAVING true) r ON true
+LEFT JOIN LATERAL (
+    SELECT CASE direction WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
+               coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
+                   HAVING true) t ON true
+-- What these leave to the lanes of one direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
+        THEN 0
+                ELSE greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1
+                    ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
+                              CASE direction WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
+           CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL
+                   THEN 0 ELSE stated_backward END, count_used, fewest) AS forward_used,
+           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
+                   WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
+                   HAVING true) l ON true
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.axis_used
+        IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$,
+        model);
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
+WITH RECURSIVE crossed AS (
+    SELECT from_node, to_node FROM %1$I.edge JOIN %1$I.section s USING (edge_id)
+    WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM %1$I.intersection)
+        AND to_node IN (SELECT node_id FROM %1$I.intersection)
+), touching AS (
+    SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+), joined AS (
+    SELECT node_id, node_id AS other FROM %1$I.intersection
+    UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+)
+SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id)
+    GROUP BY node_id, i.level
+$sql$, model);
+    IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_conflict_view(model);
+    END IF;
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
+SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind, importance,
+    e.level, e.width, e.lane_count, surface
+FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a
+    USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+UNION ALL
+SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count,
+    surface
+FROM %1$I.intersection i LEFT JOIN LATERAL (
+    SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node
+        THEN width_end END) AS width, lane_count
+    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id
+        LIMIT 1) first ON true
+LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.roadway
+        IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without '
+        'overlap. An intersection is named after its first edge: the most important, then the widest, then that of '
+        'the smallest axis_id'$sql$, model);
+    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group
+        IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '
+        'smallest node of each names it'$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';

@@ -1,0 +1,198 @@
+-- What the source lacks, by named functions; their coefficients are settings of the model.
+
+CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8)
+    RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN width > max_width_per_lane * lane_count THEN NULL ELSE width END;
+COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS
+    'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count '
+    'believes all. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8,
+    width_default float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN least(coalesce(lane_count * lane_width, class_width, width_default), 200);
+COMMENT ON FUNCTION streetgen.estimated_width(integer, float8, float8, float8) IS
+    'Width in metres from the lanes, else from the class, else the default. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen._by_importance(entries jsonb) RETURNS float8[]
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    list float8[];
+    entry float8;
+BEGIN
+    FOR importance IN 1 .. coalesce((SELECT max(key::integer) FROM jsonb_object_keys(entries) key
+        WHERE key ~ '^[1-9]\d?$'), 0) LOOP
+        IF entries ? importance::text THEN
+            entry := entries ->> importance::text;
+            list := coalesce(list, array_fill(entry, ARRAY[importance - 1]));
+        END IF;
+        IF list IS NOT NULL THEN
+            list := list || entry;
+        END IF;
+    END LOOP;
+    RETURN list;
+END $$;
+COMMENT ON FUNCTION streetgen._by_importance(jsonb) IS
+    'What each importance from 1 to the last of an object of importance (1 to 99) to number has: the last entry at or '
+    'before it, before the first entry the first; NULL for no entry.';
+
+CREATE OR REPLACE FUNCTION streetgen._of_importance(importance integer, list float8[]) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN list[CASE WHEN importance < 1 THEN 1 WHEN importance > cardinality(list) THEN cardinality(list)
+        ELSE importance END];
+COMMENT ON FUNCTION streetgen._of_importance(integer, float8[]) IS
+    'What an importance has by the list of streetgen._by_importance; one beyond it what the nearest has.';
+
+CREATE OR REPLACE FUNCTION streetgen._estimated_speed(importance integer, width float8, speeds float8[],
+    speed_per_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(streetgen._of_importance(importance, speeds), greatest(20, least(110, width * speed_per_width)));
+COMMENT ON FUNCTION streetgen._estimated_speed(integer, float8, float8[], float8) IS
+    'streetgen.estimated_speed by a list that is read already.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_speed(importance integer, width float8, speed_by_importance jsonb,
+    speed_per_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN streetgen._estimated_speed(importance, width, streetgen._by_importance(speed_by_importance),
+        speed_per_width);
+COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
+    'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from '
+    'the width (metres), 20 to 110. Speeds that are no JSON object: 22023. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN width BETWEEN 0 AND 1e6 AND lane_width BETWEEN 1e-3 AND 1e6
+        THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)))::integer)
+        END;
+COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
+    'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
+    'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) +
+        cardinality(array_positions(string_to_array(kinds, '|'), 'bus'));
+COMMENT ON FUNCTION streetgen.driving_lanes(text) IS
+    'How many lanes of a list of kinds are general or bus lanes. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width float8, parking_lane_width float8)
+    RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'cycle')) * cycle_lane_width +
+        cardinality(array_positions(string_to_array(kinds, '|'), 'parking')) * parking_lane_width;
+COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS
+    'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forward integer, stated_backward integer,
+    listed boolean,
+        lane_count integer, narrow boolean) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN stated > 0 THEN stated WHEN stated_forward > 0 OR stated_backward > 0 THEN 0
+        WHEN lane_count = 1 OR listed AND lane_count > 0 THEN lane_count
+        WHEN narrow AND lane_count IS NULL AND NOT listed THEN 1 ELSE 0 END;
+COMMENT ON FUNCTION streetgen.lanes_of_both(integer, integer, integer, boolean, integer, boolean) IS
+    'Lanes of a two-way street that both directions use: what is stated; none where lanes of a direction are; else '
+    'the one lane that there is, by lane_count or on a narrow street of which no count is stated. Lists of kinds '
+    '(listed) without a general or bus lane leave all of lane_count. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer,
+    lane_count integer, fewest integer DEFAULT 1) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated
+        ELSE greatest(lane_count - against, fewest) END;
+COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer, integer) IS
+    'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of '
+    'lane_count, at least so many. A direction that is closed to traffic has none but those that a list of kinds '
+    'names (a bus lane against the traffic). An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text,
+    near_cycle boolean, far_cycle boolean, near_parking boolean, far_parking boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN bus OR by_list OR near_cycle OR far_cycle OR near_parking OR far_parking
+                THEN array_to_string(CASE driving_side WHEN 'right' THEN far_inwards || lanes || near
+                    ELSE near_inwards || lanes || far END, '|') END
+    FROM (SELECT string_to_array(buses, '|') AS said WHERE driving BETWEEN 0 AND 40) b,
+    LATERAL (SELECT coalesce(cardinality(said) = driving AND 'designated' = ANY (said), false) AS by_list,
+        array_fill('general'::text, ARRAY[CASE WHEN driving > 1 THEN driving - 1 ELSE driving END]) AS beside_bus) y,
+    LATERAL (SELECT CASE WHEN by_list THEN ARRAY(SELECT CASE word WHEN 'designated' THEN 'bus' ELSE 'general'
+        END FROM unnest(said) WITH ORDINALITY w(word, i) ORDER BY i)
+                         WHEN NOT bus THEN array_fill('general'::text, ARRAY[driving])
+                         WHEN driving_side = 'right' THEN beside_bus || 'bus'::text
+                         ELSE 'bus'::text || beside_bus END AS lanes) l,
+    LATERAL (SELECT array_remove(ARRAY[CASE WHEN near_cycle THEN 'cycle' END, CASE WHEN near_parking
+        THEN 'parking' END], NULL) AS near,
+                    array_remove(ARRAY[CASE WHEN near_parking THEN 'parking' END, CASE WHEN near_cycle
+                        THEN 'cycle' END], NULL) AS near_inwards,
+                    array_remove(ARRAY[CASE WHEN far_cycle THEN 'cycle' END, CASE WHEN far_parking THEN 'parking' END],
+                        NULL) AS far,
+                    array_remove(ARRAY[CASE WHEN far_parking THEN 'parking' END, CASE WHEN far_cycle THEN 'cycle' END],
+                        NULL) AS far_inwards) k $$;
+COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, boolean, boolean, boolean) IS
+    'Kinds of the lanes of one direction from left to right: so many driving lanes, those designated in the list '
+    'buses bus lanes (with bus: the one at the near kerb, which is on the driving side, in place of a driving lane '
+    'where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where '
+    'all are general, or driving is not 0 to 40. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width'
+        THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}',
+        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none')
+            END) $$;
+COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS
+    'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
+
+CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
+COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS
+    'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind '
+    '(general, bus, cycle, parking), width (metres, empty or 0: unknown), or turn (words of OSM''s turn:lanes parted '
+    'by ;, empty: nothing said). NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8,
+        radii float8[], mode text, minimal float8, maximal float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(radius, CASE WHEN importance IS NOT NULL AND radii IS NOT NULL
+        THEN coalesce(streetgen._of_importance(importance, radii), 0) END,
+        streetgen.turning_radius(least(speed, 400), width, mode, minimal, maximal));
+COMMENT ON FUNCTION streetgen._wanted_radius(float8, integer, float8, float8, float8[], text, float8, float8) IS
+    'streetgen.wanted_radius by a list that is read already.';
+
+CREATE OR REPLACE FUNCTION streetgen.wanted_radius(radius float8, importance integer, speed float8, width float8,
+        radius_by_importance text, mode text, minimal float8 DEFAULT 0.15, maximal float8 DEFAULT 15) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN streetgen._wanted_radius(radius, importance, speed, width,
+        streetgen._by_importance(nullif(radius_by_importance, '')::jsonb), mode, minimal, maximal);
+COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, text, text, float8, float8) IS
+    'Corner radius (metres) an axis wants: its own, else by importance (the last entry at or before it, before the '
+    'first entry the first; a null entry: 0, no arc), else turning_radius between minimal and maximal. An argument '
+    'that is NULL is unknown. A text that is no JSON: 22P02.';
+
+CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
+    RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ VALUES
+    ('motorway', true, 10.5::float8, 110::float8, 1), ('motorway_link', true, 6, 70, 2), ('trunk', true, 10.5, 90, 1),
+        ('trunk_link', true, 6, 60, 2),
+    ('primary', true, 9, 50, 2), ('primary_link', true, 5, 50, 3), ('secondary', true, 8, 50, 3),
+        ('secondary_link', true, 5, 50, 3),
+    ('tertiary', true, 7, 50, 4), ('tertiary_link', true, 5, 50, 4), ('residential', true, 6, 30, 5),
+        ('living_street', true, 5, 20, 5),
+    ('unclassified', true, 6, 50, 5), ('service', true, 4, 20, 6), ('road', true, 6, 50, 5),
+    ('runway', true, 40, 100, 1), ('taxiway', true, 20, 30, 2),
+    ('highway', true, 10.5, 90, 1), ('major', true, 8, 50, 3), ('minor', true, 6, 30, 5),
+    ('Type autoroutier', true, 10.5, 110, 1), ('Autoroute', true, 10.5, 130, 1),
+        ('Quasi-autoroute', true, 10.5, 110, 1), ('Bretelle', true, 5, 50, 3),
+    ('Route à 2 chaussées', true, 7, 70, 2), ('Route à 1 chaussée', true, 6, 50, NULL),
+        ('Rond-point', true, 7, 30, NULL), ('Route empierrée', true, 4, 30, 6), ('Chemin', false, 3, 20, 6),
+    ('track', false, 3, 20, 6), ('pedestrian', false, 5, 5, 6), ('footway', false, 2, 5, 6), ('path', false, 2, 5, 6),
+        ('cycleway', false, 2, 20, 6),
+    ('steps', false, 2, 5, 6), ('Sentier', false, 2, 5, 6), ('Escalier', false, 2, 5, 6),
+        ('Piste cyclable', false, 2, 20, 6), ('Bac ou liaison maritime', false, NULL, NULL, NULL)
+    $$;
+COMMENT ON FUNCTION streetgen._default_axis_class() IS
+    'The classes of OSM, BD TOPO and Lille''s lines that a new model knows.';

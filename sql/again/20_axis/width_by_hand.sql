@@ -1,0 +1,97 @@
+-- Which widths are believed: one put by hand always, one of a source up to setting max_width_per_lane.
+
+CREATE OR REPLACE FUNCTION streetgen._add_width_by_hand(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    EXECUTE format('ALTER TABLE %I.axis ADD IF NOT EXISTS width_by_hand boolean NOT NULL DEFAULT false,
+        ADD IF NOT EXISTS source_width float8, ADD IF NOT EXISTS source_width_end float8', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_width_by_hand(name) IS
+    'Adds the columns of axis that tell a width put by hand from one of the source, where they are missing.';
+
+CREATE OR REPLACE FUNCTION streetgen._width_by_hand() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    emptied constant boolean := NEW.width IS NULL
+        AND (NEW.width_end IS NULL OR NEW.width_end IS NOT DISTINCT FROM OLD.width_end);
+BEGIN
+    -- Importers write what the source says with its line and its hash, one of which is another then.
+    IF (NEW.source_hash, NEW.source_geom) IS DISTINCT FROM (OLD.source_hash, OLD.source_geom) THEN
+        RETURN NEW;
+    END IF;
+    IF OLD.width_by_hand AND (emptied OR NOT NEW.width_by_hand) THEN
+        NEW.width := OLD.source_width;
+        NEW.width_end := OLD.source_width_end;
+    END IF;
+    NEW.width_by_hand := NOT emptied AND (NEW.width_by_hand OR NOT OLD.width_by_hand);
+    IF NOT NEW.width_by_hand THEN
+        NEW.source_width := NULL;
+        NEW.source_width_end := NULL;
+    ELSIF NOT OLD.width_by_hand AND NEW.source IS NOT NULL THEN
+        NEW.source_width := OLD.width;
+        NEW.source_width_end := OLD.width_end;
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._width_by_hand() IS
+    'Trigger of axis, for an update of width or width_end that is not the source''s: the width is put by hand, and '
+    'that of the source kept beside it. An empty width, or width_by_hand set to false, gives the axis that of the '
+    'source back.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_width_by_hand(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE TRIGGER by_hand BEFORE UPDATE OF width, width_end, width_by_hand ON %1$I.axis FOR EACH ROW
+    WHEN ((NEW.width, NEW.width_end, NEW.width_by_hand) IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
+    EXECUTE FUNCTION streetgen._width_by_hand();
+COMMENT ON TRIGGER by_hand ON %1$I.axis IS 'Tells a width put by hand from one of the source'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_width_by_hand(name) IS
+    'Makes the trigger of a model that tells a width put by hand from one of the source.';
+
+CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
+    RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+SELECT a.axis_id, w.attribute, w.width, a.lane_count, a.source_ref, a.geom::geometry
+FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id),
+    LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
+WHERE %2$s AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2
+$sql$, model, CASE WHEN axes IS NULL THEN 'true' ELSE 'a.axis_id = ANY ($1)' END) USING axes;
+END $$;
+COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
+    'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '
+    'that are not believed.';
+
+CREATE OR REPLACE FUNCTION streetgen._tell_unbelieved(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    bound text;
+    first record;
+BEGIN
+    IF axes IS NULL OR axes = '{}' THEN
+        RETURN;
+    END IF;
+    SELECT *, count(*) OVER () - 1 AS others INTO first FROM streetgen._unbelieved(model, axes) LIMIT 1;
+    IF FOUND THEN
+        EXECUTE format('SELECT value FROM %I.setting WHERE name = ''max_width_per_lane''', model) INTO bound;
+        RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
+            first.attribute, first.width, first.axis_id, first.lane_count, bound,
+            CASE first.others WHEN 0 THEN '' ELSE format('; nor are %s others', first.others) END
+            USING DETAIL = 'It is estimated.',
+                HINT = format('A width put by hand is believed. SELECT * FROM streetgen.check_model(%L) lists '
+                'all that are not; SELECT streetgen.set(%1$L, ''max_width_per_lane'', NULL) believes all.', model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_unbelieved(name, bigint[]) IS
+    'A notice where a source gives some of the axes a width that is not believed: the first with its axis and the '
+    'setting, and how many others there are.';

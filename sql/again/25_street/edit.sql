@@ -1,0 +1,229 @@
+-- Edits of places on streets: section_limit_editing, corner_editing, kerb_point_editing.
+
+CREATE OR REPLACE FUNCTION streetgen._edit_section_limit() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    edge record;
+    other float8;
+    place geometry;
+    known bigint;
+    written bigint;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Each edge has its two limits: move one of them.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.section_limit_id, NEW.edge_id, NEW.which) IS DISTINCT FROM (OLD.section_limit_id,
+        OLD.edge_id, OLD.which) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or which',
+            'Only abscissa, geom and by_hand can be changed.');
+    END IF;
+    subject := format('section limit %s (%s of edge %s)', OLD.section_limit_id, OLD.which, OLD.edge_id);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
+        TG_TABLE_SCHEMA, OLD.edge_id));
+    edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
+    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+        EXECUTE format('DELETE FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND CASE $2 '
+            'WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa <= $4 END',
+            TG_TABLE_SCHEMA)
+            USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
+        GET DIAGNOSTICS written = ROW_COUNT;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
+    END IF;
+    IF NEW.geom IS DISTINCT FROM OLD.geom THEN
+        PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+        NEW.abscissa := ST_LineLocatePoint(edge.geom, NEW.geom) * ST_Length2D(edge.geom);
+    END IF;
+    EXECUTE format('SELECT abscissa FROM %I.section_limit WHERE edge_id = $1 AND which <> $2', TG_TABLE_SCHEMA)
+        INTO other USING OLD.edge_id, OLD.which;
+    IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom)
+        OR (CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END) THEN
+        RAISE EXCEPTION '% cannot be at %', subject, coalesce(format('%s m', round(NEW.abscissa::numeric, 2)), 'NULL')
+            USING ERRCODE = '22023',
+            DETAIL = format('The edge is %s m long and its other limit is at %s m.',
+                round(ST_Length2D(edge.geom)::numeric, 2), round(other::numeric, 2)),
+            HINT = CASE OLD.which WHEN 'start' THEN 'Put it before the other limit.'
+                ELSE 'Put it beyond the other limit.' END;
+    END IF;
+    -- The end of an edge belongs to the next one.
+    NEW.abscissa := least(edge.start_abscissa + NEW.abscissa, edge.end_abscissa - 1e-6);
+    place := ST_LineInterpolatePoint(edge.axis, least(NEW.abscissa / ST_Length2D(edge.axis), 1));
+    EXECUTE format('SELECT max(section_limit_override_id) FROM %I.section_limit_override WHERE axis_id = $1 AND '
+        'which = $2 AND CASE $2 WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa '
+        '<= $4 END', TG_TABLE_SCHEMA)
+        INTO known USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
+    IF known IS NULL THEN
+        EXECUTE format('INSERT INTO %I.section_limit_override (axis_id, abscissa, which, geom) VALUES ($1, $2, $3, '
+            '$4)', TG_TABLE_SCHEMA) USING edge.axis_id, NEW.abscissa, OLD.which, place;
+    ELSE
+        EXECUTE format('UPDATE %I.section_limit_override SET abscissa = $2, geom = $3 WHERE '
+            'section_limit_override_id = $1', TG_TABLE_SCHEMA) USING known, NEW.abscissa, place;
+    END IF;
+    NEW.abscissa := NEW.abscissa - edge.start_abscissa;
+    NEW.by_hand := true;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_section_limit() IS
+    'Trigger of section_limit_editing: writes section_limit_override. A limit beyond its edge or past the other one: '
+    '22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_corner() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    place record;
+    known bigint[];
+    -- The youngest that speaks of this corner alone.
+    own bigint;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
+            'Corners lie between the edges of a node: change the radius of one.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.corner_id, NEW.node_id) IS DISTINCT FROM (OLD.corner_id, OLD.node_id) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or node_id',
+            'Only radius, geom and by_hand can be changed.');
+    END IF;
+    subject := 'corner ' || OLD.corner_id;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
+        format('SELECT axis_id FROM %1$I.corner JOIN %1$I.edge ON edge_id IN (edge_a, edge_b) WHERE corner_id = %2$s',
+        TG_TABLE_SCHEMA, OLD.corner_id));
+    EXECUTE format($sql$
+SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b,
+    CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width
+    ELSE b.width_end END AS width_b,
+       streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b,
+       EXISTS (SELECT FROM %1$I.corner t JOIN %1$I.edge u ON u.edge_id = t.edge_a
+           JOIN %1$I.edge v ON v.edge_id = t.edge_b WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id
+           AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)) AS twin
+FROM %1$I.corner c JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a
+    JOIN %1$I.edge b ON b.edge_id = c.edge_b
+WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id)
+    AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA) INTO place
+    USING OLD.corner_id;
+    IF place.node IS NULL THEN
+        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its axes do not meet there any more.',
+            HINT = 'Refresh the layer.';
+    END IF;
+    EXECUTE format('SELECT coalesce(array_agg(corner_override_id), ''{}''), max(corner_override_id) FILTER (WHERE '
+        'NOT $5 OR ST_Distance(geom, $3) > 0.001) FROM %I.corner_override
+        WHERE (axis_a, axis_b) = ($1, $2) AND ST_DWithin(geom, $3, $4)
+            AND (NOT $5 OR streetgen._on_side(geom, $3, $6, $7))', TG_TABLE_SCHEMA)
+        INTO known, own USING place.axis_a, place.axis_b, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA),
+            place.twin, place.of_a, place.of_b;
+    IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
+        EXECUTE format('DELETE FROM %I.corner_override WHERE corner_override_id = ANY ($1)', TG_TABLE_SCHEMA)
+            USING known;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+    END IF;
+    IF NEW.geom IS DISTINCT FROM OLD.geom THEN
+        PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+        -- The centre lies a half width and the radius away from both axes; on the roadway there is no arc.
+        NEW.radius := greatest(0, (ST_Distance(NEW.geom, place.line_a) - place.width_a / 2 + ST_Distance(NEW.geom,
+            place.line_b) - place.width_b / 2) / 2);
+    END IF;
+    PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 200, 'm',
+        '0 for no arc; delete the row to take back what was decided by hand.');
+    IF own IS NULL THEN
+        EXECUTE format('INSERT INTO %I.corner_override (geom, axis_a, axis_b, radius) VALUES (CASE WHEN $5 THEN '
+            'ST_Translate($1, $6 * cos($7), $6 * sin($7)) ELSE $1 END, $2, $3, $4)', TG_TABLE_SCHEMA)
+            USING place.node, place.axis_a, place.axis_b, NEW.radius, place.twin, streetgen._tolerance(TG_TABLE_SCHEMA),
+                place.of_a + (place.of_b - place.of_a - 2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2;
+    ELSE
+        EXECUTE format('UPDATE %I.corner_override SET radius = $2 WHERE corner_override_id = $1', TG_TABLE_SCHEMA)
+            USING own, NEW.radius;
+    END IF;
+    NEW.by_hand := true;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_corner() IS
+    'Trigger of corner_editing: writes corner_override, the radius as typed or from where the centre was dragged to. '
+    'A radius beyond 0 to 200 m: 22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_kerb_point() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    axis geometry;
+    foot geometry;
+    at float8;
+    moved constant boolean := NEW.geom IS DISTINCT FROM OLD.geom;
+    -- The point as it is now: what this edit leaves alone another session may have changed.
+    known record;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.kerb_point_override WHERE kerb_point_override_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.kerb_point_id;
+        RETURN OLD;
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND NEW.kerb_point_id IS DISTINCT FROM OLD.kerb_point_id THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key',
+            'Only axis_id, width and geom can be changed.');
+    END IF;
+    subject := CASE TG_OP WHEN 'INSERT' THEN 'the new kerb point' ELSE 'kerb point ' || OLD.kerb_point_id END;
+    PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+    IF NEW.axis_id IS NULL THEN
+        EXECUTE format('SELECT axis_id FROM %I.axis ORDER BY geom <-> $1, axis_id LIMIT 1', TG_TABLE_SCHEMA)
+            INTO NEW.axis_id USING NEW.geom;
+    END IF;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
+        format('SELECT axis_id FROM %I.kerb_point_override WHERE kerb_point_override_id = %s UNION ALL SELECT %s',
+        TG_TABLE_SCHEMA, quote_nullable(OLD.kerb_point_id), quote_nullable(NEW.axis_id)));
+    IF TG_OP = 'UPDATE' THEN
+        EXECUTE format('SELECT axis_id, geom FROM %I.kerb_point_override WHERE kerb_point_override_id = $1 FOR UPDATE',
+            TG_TABLE_SCHEMA) INTO known USING OLD.kerb_point_id;
+        IF known.geom IS NULL THEN
+            RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.',
+                HINT = 'Refresh the layer.';
+        END IF;
+        NEW.axis_id := CASE WHEN NEW.axis_id = OLD.axis_id THEN known.axis_id ELSE NEW.axis_id END;
+        NEW.geom := CASE WHEN moved THEN NEW.geom ELSE known.geom END;
+    END IF;
+    EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
+        USING NEW.axis_id;
+    IF axis IS NULL THEN
+        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
+            DETAIL = format('There is no axis %s.', NEW.axis_id),
+            HINT = 'Leave axis_id empty to take the nearest axis.';
+    END IF;
+    at := ST_LineLocatePoint(axis, NEW.geom);
+    foot := ST_LineInterpolatePoint(axis, at);
+    -- A width that was typed puts the point where it means that width.
+    IF NEW.width IS DISTINCT FROM OLD.width AND (TG_OP = 'INSERT' OR NOT moved) THEN
+        PERFORM streetgen._check_edit_number('the width of ' || subject, coalesce(NEW.width, 'NaN'), 0.001, 200, 'm',
+            'Delete the point to take it back.');
+        IF ST_Distance(foot, NEW.geom) > 0 THEN
+            NEW.geom := ST_SetSRID(ST_MakePoint(ST_X(foot) + (ST_X(NEW.geom) - ST_X(foot)) * NEW.width / 2 /
+                ST_Distance(foot, NEW.geom),
+                                                ST_Y(foot) + (ST_Y(NEW.geom) - ST_Y(foot)) * NEW.width / 2 /
+                                                    ST_Distance(foot, NEW.geom)), ST_SRID(axis));
+        END IF;
+    END IF;
+    NEW.width := 2 * ST_Distance(axis, NEW.geom);
+    IF at IN (0, 1) AND NOT ST_DWithin(streetgen._beside(axis, foot), NEW.geom,
+        sqrt(25 + NEW.width * NEW.width / 4) + 0.01) OR NOT NEW.width BETWEEN 0.001 AND 200 THEN
+        RAISE EXCEPTION '% lies beside no street', subject USING ERRCODE = '22023',
+            DETAIL = format('It is %s m from axis %s%s.', round((NEW.width / 2)::numeric, 2), NEW.axis_id,
+                CASE WHEN at IN (0, 1) THEN ', beyond its end' ELSE '' END),
+            HINT = 'Drop it on the kerb, up to 100 m from an axis and not beyond its end.';
+    END IF;
+    IF TG_OP = 'INSERT' THEN
+        EXECUTE format('INSERT INTO %I.kerb_point_override (axis_id, geom, abscissa, width) VALUES ($1, $2, $3, $4) '
+            'RETURNING kerb_point_override_id', TG_TABLE_SCHEMA)
+            INTO NEW.kerb_point_id USING NEW.axis_id, NEW.geom, at * ST_Length2D(axis), NEW.width;
+    ELSE
+        EXECUTE format('UPDATE %I.kerb_point_override SET axis_id = $2, geom = $3, abscissa = $4, width = $5 WHERE '
+            'kerb_point_override_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.kerb_point_id, NEW.axis_id, NEW.geom, at * ST_Length2D(axis), NEW.width;
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_kerb_point() IS
+    'Trigger of kerb_point_editing: writes kerb_point_override, the axis being the nearest and the width twice the '
+    'distance to it. A point beyond the end of its axis, on it or over 100 m from it: 22023.';

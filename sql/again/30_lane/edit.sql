@@ -1,0 +1,160 @@
+-- Edits of lanes and of how traffic goes on: lane_editing, interconnection_editing.
+
+CREATE OR REPLACE FUNCTION streetgen._edit_lane() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    edge record;
+    known bigint[];
+    abscissa float8;
+    astray float8;
+    turned boolean;
+    widened boolean;
+    redrawn boolean;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
+            'Lanes come from the lane_count of their axis: change it in axis_editing.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_id, NEW.edge_id, NEW.ordinality) IS DISTINCT FROM (OLD.lane_id, OLD.edge_id,
+        OLD.ordinality) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality',
+            'Only along_axis, both_ways, width, geom and by_hand can be changed.');
+    END IF;
+    subject := format('lane %s (%s of edge %s)', OLD.lane_id, OLD.ordinality, OLD.edge_id);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
+        TG_TABLE_SCHEMA, OLD.edge_id));
+    edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
+    EXECUTE format('SELECT coalesce(array_agg(lane_override_id ORDER BY lane_override_id DESC), ''{}'') FROM '
+        '%I.lane_override WHERE axis_id = $1 AND ordinality = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
+        INTO known USING edge.axis_id, OLD.ordinality, edge.start_abscissa, edge.end_abscissa;
+    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+        EXECUTE format('DELETE FROM %I.lane_override WHERE lane_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+    END IF;
+    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, 200, 'm',
+        'Leave it empty to have it computed.');
+    IF NEW.geom IS DISTINCT FROM OLD.geom THEN
+        PERFORM streetgen._check_edit_line(subject, NEW.geom, 0);
+        astray := (SELECT max(ST_Distance(v.geom, edge.geom)) FROM ST_DumpPoints(NEW.geom) v);
+        IF astray > 200 THEN
+            RAISE EXCEPTION '% cannot lie % m from its edge', subject, round(astray) USING ERRCODE = '22023',
+                DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and draw it beside its edge.';
+        END IF;
+        IF streetgen._turned(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
+            NEW.geom := ST_Reverse(NEW.geom);
+        END IF;
+    END IF;
+    -- What is not edited stays computed, or as it was decided before.
+    turned := (NEW.along_axis, NEW.both_ways) IS DISTINCT FROM (OLD.along_axis, OLD.both_ways);
+    IF turned THEN
+        -- A direction typed for a lane that both use is the only one from then on.
+        NEW.both_ways := NEW.both_ways AND (NEW.along_axis OR NOT OLD.both_ways);
+        NEW.along_axis := NEW.along_axis OR NEW.both_ways;
+    END IF;
+    widened := NEW.width IS DISTINCT FROM OLD.width;
+    redrawn := NEW.geom IS DISTINCT FROM OLD.geom;
+    IF known = '{}' THEN
+        abscissa := (edge.start_abscissa + edge.end_abscissa) / 2;
+        EXECUTE format('INSERT INTO %I.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width, '
+            'line, geom) VALUES ($1, $2, $3, $4, $5, $6, $7, $8)', TG_TABLE_SCHEMA)
+            USING edge.axis_id, abscissa, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned
+                THEN NEW.both_ways END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
+                ST_LineInterpolatePoint(edge.axis, least(abscissa / ST_Length2D(edge.axis), 1));
+    ELSE
+        EXECUTE format('UPDATE %I.lane_override SET along_axis = CASE WHEN $2 THEN $3 ELSE along_axis END, both_ways '
+            '= CASE WHEN $2 THEN $8 ELSE both_ways END,
+            width = CASE WHEN $4 THEN $5 ELSE width END, line = CASE WHEN $6 THEN $7 ELSE line END
+            WHERE lane_override_id = $1', TG_TABLE_SCHEMA) USING known[1], turned, NEW.along_axis, widened, NEW.width,
+                redrawn, NEW.geom, NEW.both_ways;
+    END IF;
+    NEW.by_hand := true;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_lane() IS
+    'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width beyond 0.1 to '
+    '200 m or a line that collapses or leaves the edge by more: 22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_interconnection() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    place record;
+    known bigint[];
+    decided boolean;
+    dragged geometry;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
+            'There is a row for every two lanes that meet: set its connecting.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.interconnection_id, NEW.node_id, NEW.lane_in, NEW.lane_out, NEW.turn, NEW.plausible)
+        IS DISTINCT FROM (OLD.interconnection_id, OLD.node_id, OLD.lane_in, OLD.lane_out, OLD.turn, OLD.plausible) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
+            'Only connecting, geom and by_hand can be changed.');
+    END IF;
+    subject := 'interconnection ' || OLD.interconnection_id;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
+        format('SELECT axis_id FROM %1$I.interconnection JOIN %1$I.lane ON lane_id IN (lane_in, lane_out) JOIN '
+        '%1$I.edge USING (edge_id) WHERE interconnection_id = %2$s',
+        TG_TABLE_SCHEMA, OLD.interconnection_id));
+    EXECUTE format($sql$
+SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out,
+    o.ordinality AS lane_out,
+    CASE WHEN i.both_ways THEN c.along_in END AS along_in, CASE WHEN o.both_ways THEN c.along_out END AS along_out
+FROM %1$I.interconnection c JOIN %1$I.node n USING (node_id) JOIN %1$I.lane i ON i.lane_id = c.lane_in
+    JOIN %1$I.edge a ON a.edge_id = i.edge_id JOIN %1$I.lane o ON o.lane_id = c.lane_out
+    JOIN %1$I.edge b ON b.edge_id = o.edge_id
+WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id)
+    AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA)
+        INTO place USING OLD.interconnection_id;
+    IF place.node IS NULL THEN
+        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its lanes do not meet there any more.',
+            HINT = 'Refresh the layer.';
+    END IF;
+    EXECUTE format($sql$SELECT coalesce(array_agg(interconnection_override_id
+        ORDER BY interconnection_override_id DESC), '{}') FROM %I.interconnection_override
+        WHERE (axis_in, lane_in, axis_out, lane_out) = ($1, $2, $3, $4) AND (along_in = $7) IS NOT FALSE
+            AND (along_out = $8) IS NOT FALSE AND ST_DWithin(geom, $5, $6)$sql$, TG_TABLE_SCHEMA)
+        INTO known USING place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.node,
+            3 * streetgen._tolerance(TG_TABLE_SCHEMA), place.along_in, place.along_out;
+    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+        EXECUTE format('DELETE FROM %I.interconnection_override WHERE interconnection_override_id = ANY ($1)',
+            TG_TABLE_SCHEMA) USING known;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+    END IF;
+    IF NEW.geom IS DISTINCT FROM OLD.geom THEN
+        PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+        IF ST_NPoints(NEW.geom) <> 3 OR ST_Distance(ST_StartPoint(NEW.geom), ST_StartPoint(OLD.geom)) > 1e-6
+            OR ST_Distance(ST_EndPoint(NEW.geom), ST_EndPoint(OLD.geom)) > 1e-6 THEN
+            RAISE EXCEPTION 'of % only the middle point can be dragged', subject USING ERRCODE = '22023',
+                DETAIL = 'Its ends lie on its lanes, and it has three points.',
+                HINT = 'Undo, and drag the middle point.';
+        ELSIF ST_Distance(ST_PointN(NEW.geom, 2), place.node) > 200 THEN
+            RAISE EXCEPTION 'the middle point of % cannot lie % m from its node', subject,
+                round(ST_Distance(ST_PointN(NEW.geom, 2), place.node)) USING ERRCODE = '22023',
+                DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and drag it less far.';
+        END IF;
+    END IF;
+    decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;
+    dragged := CASE WHEN NEW.geom IS DISTINCT FROM OLD.geom THEN ST_PointN(NEW.geom, 2) END;
+    IF known = '{}' THEN
+        EXECUTE format('INSERT INTO %I.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, '
+            'along_in, along_out, connecting, control) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
+            USING place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.along_in,
+                place.along_out, decided, dragged;
+    ELSE
+        EXECUTE format('UPDATE %I.interconnection_override SET connecting = coalesce($2, connecting), control = '
+            'coalesce($3, control) WHERE interconnection_override_id = $1', TG_TABLE_SCHEMA) USING known[1], decided,
+            dragged;
+    END IF;
+    NEW.by_hand := true;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_interconnection() IS
+    'Trigger of interconnection_editing: writes interconnection_override. A line whose ends moved, that has not three '
+    'points, or whose middle one lies over 200 m from its node: 22023; INSERT: 0A000.';

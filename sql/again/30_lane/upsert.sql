@@ -1,0 +1,32 @@
+-- The one statement, lanes and what is painted on them.
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',',
+    streetgen._upsert_rows(places, 'lane', named => true,
+        columns => 'edge_id, ordinality, lane_position, side, along_axis, both_ways, kind, width, axis_offset, turn, '
+            'geom, surface, method', rows => $part$
+        SELECT number, edge_id, axis_id, ordinality, lane_position, side, along_axis, both_ways, kind, width,
+               axis_offset, turn, geom, surface, method
+        FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
+        there => $part$
+        SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l
+            WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked AND NOT e.fresh$part$),
+    streetgen._upsert_rows(places, 'lane_separator',
+        columns => 'edge_id, lane_position, kind, dashed, axis_offset, geom, surface', rows => $part$
+        SELECT number, edge_id, lane_position, kind, dashed, axis_offset, geom, surface
+        FROM streetgen._computed_lane_separator((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
+        there => $part$
+        SELECT s.lane_separator_id FROM new_edge e, LATERAL (
+            SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s
+                WHERE e.asked AND NOT e.fresh$part$),
+    streetgen._upsert_rows(places, 'marking',
+        columns => 'edge_id, lane_position, along_axis, node_id, kind, geom, surface', rows => $part$
+        SELECT number, edge_id, kind, lane_position, along_axis, node_id, geom, surface
+        FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids),
+            (SELECT ids FROM edge_ids))$part$,
+        there => $part$
+        SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m
+            WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked AND NOT e.fresh$part$)) $$;
+COMMENT ON FUNCTION streetgen._upsert_lane(jsonb) IS
+    'Part of the one statement: lanes, separators and markings at new_edge.';

@@ -1,0 +1,214 @@
+-- A whole model at once. Where nothing was derived yet its rows come first, then keys, indexes and statistics.
+
+CREATE OR REPLACE FUNCTION streetgen._is_bare(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- For fewer axes taking off costs more than it saves.
+    worth_it constant integer := 1000;
+    relation name;
+    held boolean;
+BEGIN
+    EXECUTE format('SELECT count(*) < $1 FROM (SELECT FROM %I.axis LIMIT $1) a', model) INTO held USING worth_it;
+    FOREACH relation IN ARRAY streetgen._computed_tables(model) LOOP
+        EXIT WHEN held;
+        EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
+    END LOOP;
+    -- Triggers of others may see rows as they come; ids that others step by are asked for one by one.
+    RETURN NOT held AND NOT EXISTS (SELECT FROM pg_sequence JOIN pg_class c ON c.oid = seqrelid
+        WHERE relnamespace = quote_ident(model)::regnamespace AND seqincrement <> 1)
+        AND NOT EXISTS (SELECT FROM pg_class c LEFT JOIN pg_trigger t ON tgrelid = c.oid AND NOT tgisinternal
+        AND tgname NOT IN ('by_hand', 'by_hand_truncate')
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model))
+            AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
+END $$;
+COMMENT ON FUNCTION streetgen._is_bare(name) IS
+    'Is a model of a thousand axes and more without a derived row, its tables the caller''s and without triggers of '
+    'others, and its ids in steps of one?';
+
+CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- Of the default sample of 30,000 rows a table, most of ANALYZE is sorting boxes.
+    SET default_statistics_target = 25
+    AS $$
+BEGIN
+    EXECUTE format('ANALYZE %s', relation);
+END $$;
+COMMENT ON FUNCTION streetgen._analyse(regclass) IS
+    'First statistics of a table just filled, from 7,500 rows whatever default_statistics_target is; autovacuum '
+    'renews them as rows change.';
+
+CREATE OR REPLACE FUNCTION streetgen._validate(relation regclass, name name, cure text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    validate constant text := format('ALTER TABLE %s VALIDATE CONSTRAINT %I', relation, name);
+BEGIN
+    EXECUTE validate;
+EXCEPTION WHEN foreign_key_violation THEN
+    IF cure IS NULL THEN
+        RAISE;
+    END IF;
+    EXECUTE cure;
+    EXECUTE validate;
+END $$;
+COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS
+    'Validates a constraint of a table; where a row violates it, after a statement that lets such rows go.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false)
+    RETURNS TABLE(turn integer, relation name, statement text)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    off text[];
+    turns integer[];
+    relations name[];
+    statements text[];
+BEGIN
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation),
+        ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._computed_tables(model)) d(relation));
+    WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model))),
+    -- Foreign keys between them.
+    reference AS (
+        SELECT k.*, d.relname, d.name AS relation, format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname,
+            pg_get_constraintdef(k.oid)) AS back,
+               format('COMMENT ON CONSTRAINT %I ON %s IS %L', conname, d.name, obj_description(k.oid, 'pg_constraint'))
+                   AS said
+        FROM pg_constraint k JOIN derived d ON d.oid = k.conrelid
+        WHERE contype = 'f' AND convalidated AND confrelid IN (SELECT d.oid FROM derived d)
+            AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgconstraint = k.oid AND tgenabled <> 'O')),
+    -- Indexes that no replication and nobody else builds on, and nothing but a comment says more of: of a constraint,
+    -- or of none. Clusters find rows by keys, and by these.
+    free_index AS (
+        SELECT d.relname, d.name AS relation, i.indexrelid, i.indisunique, k.oid AS key, k.conname
+        FROM pg_index i JOIN derived d ON d.oid = i.indrelid JOIN pg_class c ON c.oid = i.indexrelid
+            LEFT JOIN pg_constraint k ON k.conindid = i.indexrelid AND k.conrelid = i.indrelid
+                AND k.contype IN ('p', 'u', 'x')
+        WHERE NOT i.indisexclusion AND NOT i.indisclustered AND NOT i.indisreplident AND i.indisvalid
+            -- A published table says by its primary key which row goes, unless told otherwise.
+            AND NOT (i.indisprimary AND d.relreplident = 'd' AND EXISTS (SELECT FROM pg_publication_tables
+                WHERE schemaname = model AND tablename = d.relname)) AND c.reltablespace = 0
+            AND CASE WHEN k.oid IS NULL THEN NOT i.indisunique ELSE c.reloptions IS NULL END
+            AND NOT (by_cluster AND c.relam = (SELECT oid FROM pg_am WHERE amname = 'btree')
+                AND (k.oid IS NOT NULL OR c.relname = ANY
+                ('{edge_axis,interconnection_node,report_axis,report_other}')))
+            AND NOT EXISTS (SELECT FROM pg_depend
+                WHERE (refclassid, refobjid) IN (('pg_class'::regclass, i.indexrelid),
+                ('pg_constraint'::regclass, k.oid))
+                AND (classid, objid) <> ('pg_class'::regclass, i.indexrelid) AND (classid <> 'pg_constraint'::regclass
+                    OR objid NOT IN (SELECT r.oid FROM reference r)))
+            AND NOT EXISTS (SELECT FROM pg_depend WHERE (classid, objid) IN (('pg_class'::regclass, i.indexrelid),
+                ('pg_constraint'::regclass, k.oid)) AND deptype NOT IN ('a', 'n', 'i'))
+            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = i.indexrelid AND attstattarget >= 0)),
+    part AS (
+        SELECT 1 AS turn, i.relname, i.indexrelid AS oid, format('DROP INDEX %s', i.indexrelid::regclass) AS off,
+            regexp_replace(pg_get_indexdef(i.indexrelid), '^CREATE INDEX', 'CREATE INDEX IF NOT EXISTS') AS back,
+               format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass, obj_description(i.indexrelid, 'pg_class'))
+                   AS said
+        FROM free_index i WHERE i.key IS NULL
+        UNION ALL
+        SELECT 1, i.relname, i.indexrelid, format('ALTER TABLE %s DROP CONSTRAINT %I', i.relation, i.conname),
+            format('ALTER TABLE %s ADD CONSTRAINT %I %s', i.relation, i.conname, pg_get_constraintdef(i.key)),
+               concat_ws('; ', format('COMMENT ON INDEX %s IS %L', i.indexrelid::regclass,
+                   obj_description(i.indexrelid, 'pg_class')), format('COMMENT ON CONSTRAINT %I ON %s IS %L',
+                   i.conname, i.relation, obj_description(i.key, 'pg_constraint')))
+        FROM free_index i WHERE i.key IS NOT NULL
+        UNION ALL
+        SELECT 2, r.relname, r.oid, format('ALTER TABLE %s DROP CONSTRAINT %I', r.relation, conname),
+            CASE WHEN by_cluster THEN format('SELECT streetgen._validate(%L, %L, %L)', r.relation, conname,
+                   -- A cluster replaces rows of others now and then, and what belonged to them is still there.
+                   CASE confdeltype WHEN 'c'
+                       THEN format('DELETE FROM %s c WHERE NOT EXISTS (SELECT FROM %s p WHERE (%s) = (%s))',
+                       r.relation, confrelid::regclass,
+                       (SELECT string_agg(format('p.%I', attname), ', ' ORDER BY n)
+                           FROM unnest(confkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = confrelid
+                           AND attnum = key),
+                       (SELECT string_agg(format('c.%I', attname), ', ' ORDER BY n)
+                           FROM unnest(conkey) WITH ORDINALITY u(key, n) JOIN pg_attribute ON attrelid = conrelid
+                           AND attnum = key)) END) ELSE r.back END,
+               CASE WHEN NOT by_cluster THEN r.said END
+        FROM reference r),
+    make AS (
+        -- Clusters keep the keys that others refer to: tables are then made whole one beside another.
+        SELECT 0 AS turn, NULL::name AS relname, string_agg(concat_ws('; ', r.back || ' NOT VALID', r.said), '; '
+            ORDER BY r.oid) AS back FROM reference r WHERE by_cluster
+        UNION ALL SELECT 1, d.relname,
+            concat_ws('; ', (SELECT string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.turn, p.oid)
+            FROM part p WHERE (p.turn = 1 OR by_cluster) AND p.relname = d.relname),
+            format('SELECT streetgen._analyse(%L)', d.name)) FROM derived d
+        UNION ALL SELECT 2, NULL, string_agg(concat_ws('; ', p.back, p.said), '; ' ORDER BY p.oid) FROM part p
+            WHERE p.turn = 2 AND NOT by_cluster)
+    SELECT (SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FROM part p), array_agg(m.turn), array_agg(m.relname),
+        array_agg(m.back)
+        INTO off, turns, relations, statements FROM make m WHERE m.back IS NOT NULL;
+    FOR i IN 1 .. coalesce(cardinality(off), 0) LOOP
+        EXECUTE off[i];
+    END LOOP;
+    RETURN QUERY SELECT * FROM unnest(turns, relations, statements);
+EXCEPTION WHEN lock_not_available OR object_in_use THEN
+    RAISE WARNING 'tables of model "%" are in use: their keys and indexes stay on, and its first run takes longer',
+        model USING DETAIL = SQLERRM;
+END $$;
+COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS
+    'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks '
+    'against all others; not where something of others builds on them. Gives the statements that put them back, with '
+    'their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. '
+    'by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn '
+    '0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted '
+    'goes. No row, nothing changed and a warning where somebody uses a table.';
+
+CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    derived regclass[] := ARRAY(SELECT format('%I.%I', model, d.relation)::regclass
+        FROM unnest(streetgen._computed_tables(model)) d(relation));
+BEGIN
+    -- TRUNCATE refuses a table that one of others refers to.
+    IF current_setting('wal_level') = 'minimal' AND NOT EXISTS (SELECT FROM pg_constraint WHERE contype = 'f'
+        AND confrelid = ANY (derived)) THEN
+        EXECUTE 'TRUNCATE ' || array_to_string(derived, ', ');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._begin_files(name) IS
+    'Begins the files of the derived tables of a bare model anew, after its keys were taken off: where wal_level is '
+    'minimal, what a transaction writes into files that it began is synced at its end and not logged.';
+
+CREATE OR REPLACE FUNCTION streetgen._pass_ids(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE (SELECT 'SELECT ' || string_agg(format('setval(%L, (SELECT max(%I) FROM %s))',
+        pg_get_serial_sequence(attrelid::regclass::text, attname), attname, attrelid::regclass), ', ')
+        FROM unnest(streetgen._computed_tables(model)) d(relation)
+            JOIN pg_attribute ON attrelid = format('%I.%I', model, d.relation)::regclass AND attidentity <> '');
+END $$;
+COMMENT ON FUNCTION streetgen._pass_ids(name) IS
+    'Moves the sequences of the derived tables to the last id: the rows of a bare model take as many from where each '
+    'stands, which asks it once and not a row.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    back text[] := '{}';
+BEGIN
+    IF streetgen._is_bare(model) THEN
+        back := ARRAY(SELECT t.statement FROM streetgen._take_off(model) t ORDER BY t.turn);
+        IF back <> '{}' THEN
+            PERFORM streetgen._begin_files(model);
+        END IF;
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back <> '{}');
+    FOR i IN 1 .. cardinality(back) LOOP
+        EXECUTE back[i];
+    END LOOP;
+    IF back <> '{}' THEN
+        PERFORM streetgen._pass_ids(model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._upsert_whole(name) IS
+    'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and keys '
+    'are made after the rows, and statistics with them; they are the same as before.';

@@ -1,0 +1,211 @@
+-- How far an edit or a run reaches: the axes that it writes, those it computes with, and the cells of both.
+
+CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8)
+    RETURNS SETOF integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        -- Of four times as many places as cells hardly a cell is free.
+        SELECT generate_series(1, 1024)
+            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
+        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
+            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x,
+                generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
+            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <=
+                4096;
+    END;
+COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS
+    'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
+
+CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, description text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
+        WHERE nspname = model));
+    EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+    EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
+    EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
+END $$;
+COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
+    'Gives a function in the schema of a model to its owner, with a comment: nobody else may call it, and it goes '
+    'with the extension.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[],
+    OUT cells integer[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+    AS $body$
+DECLARE
+    reach float8;
+    size float8;
+    tolerance float8;
+    -- No roadway is wider.
+    widest float8;
+    -- The asked axes that are there, and how wide they are.
+    present bigint[];
+    widths float8[];
+BEGIN
+    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
+    SELECT max(value::float8) FILTER (WHERE name IN ('reach', 'max_arc_distance')), max(value::float8)
+        FILTER (WHERE name = 'cell_size'),
+           max(value::float8) FILTER (WHERE name = 'tolerance'),
+           greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
+               (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a),
+               (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
+        INTO reach, size, tolerance, widest FROM %1$I.setting
+            WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
+    SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)) INTO present, widths FROM %1$I.axis_used u
+        WHERE u.axis_id = ANY (asked);
+    -- What the asked axes can change: along the network, and by their roadway.
+    written := ARRAY(
+        WITH line AS MATERIALIZED (
+            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
+            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)
+            -- Too short for an edge, it joined others.
+            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (asked) AND issue = 'collapsed_axis'),
+        near AS MATERIALIZED (
+            SELECT e.*, distance <= 3 * tolerance AS met
+            FROM line l, LATERAL (
+                SELECT edge_id, axis_id, from_node, to_node, e.geom, greatest(e.width, width_end) AS width,
+                    ST_Distance(e.geom, l.geom) AS distance
+                FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
+                    3 * tolerance)) OFFSET 0) e
+            WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
+        -- Where limits cross, the far end of an edge moves too, however far.
+        far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
+        -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
+        reaching AS MATERIALIZED (
+            SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
+                SELECT FROM %1$I.section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start'
+                    THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach))
+        SELECT axis_id FROM near
+        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
+        UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
+        UNION SELECT e.axis_id FROM reaching l
+            JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+            AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
+        -- What joined its ends may part them.
+        UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
+            WHERE issue = 'collapsed_axis'
+        UNION SELECT unnest(asked));
+    stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written)
+        AND axis_id NOT IN (SELECT unnest(asked))
+        AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id),
+            true));
+    IF stale <> '{}' THEN
+        RETURN;
+    END IF;
+    WITH own AS MATERIALIZED (
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width, box3d(geom) AS extent
+            FROM %1$I.edge WHERE axis_id = ANY (written)),
+    line AS MATERIALIZED (
+        SELECT axis_id, geom, floor(ST_XMin(extent) / size) AS x, floor(ST_YMin(extent) / size) AS y, extent,
+            reach + width / 2 AS margin, ST_Expand(geom, reach + (width + widest) / 2) AS box
+        FROM (SELECT axis_id, max(width) AS width FROM (SELECT axis_id, width FROM own
+            UNION ALL SELECT * FROM unnest(present, widths)) w(axis_id, width) GROUP BY axis_id OFFSET 0) w
+            JOIN (SELECT axis_id, geom, box3d(geom) AS extent FROM %1$I.axis WHERE axis_id = ANY (written) OFFSET 0) a
+                USING (axis_id)),
+    -- What that depends on. Axes are looked up once for all lines that begin in one cell.
+    around AS MATERIALIZED (
+        SELECT x, y, a.axis_id, a.geom FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b
+            JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(written))),
+    edge_around AS MATERIALIZED (
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width FROM %1$I.edge
+            WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
+    beside AS MATERIALIZED (
+        SELECT DISTINCT axis_id FROM around b LEFT JOIN (SELECT axis_id, max(width) AS width FROM edge_around
+            GROUP BY axis_id) e USING (axis_id)
+        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box
+            AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
+    -- With what meets it farther on: that bounds its edges.
+    bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own
+        UNION ALL SELECT from_node, to_node, geom FROM edge_around WHERE axis_id IN (SELECT axis_id FROM beside)),
+    met AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM bounded),
+    met_axis AS MATERIALIZED (
+        SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM met)::bigint[])
+            UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM met)::bigint[])
+        -- An axis too short for an edge has no node, but may place that of others.
+        UNION SELECT axis_a FROM %1$I.report r WHERE issue = 'collapsed_axis'
+            AND ST_Expand(geom, measure) && (SELECT ST_Expand(ST_Extent(geom)::geometry, 3 * tolerance) FROM bounded)
+            AND EXISTS (SELECT FROM %1$I.axis a JOIN %1$I.node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
+                WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
+        EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
+    -- A run writes every axis near the asked ones whole, ends included. Most lie in the same few cells: the middles of
+    -- their outermost.
+    box AS MATERIALIZED (
+        SELECT DISTINCT (floor((ST_XMin(extent) - margin) / size) + 0.5) * size AS west,
+            (floor((ST_YMin(extent) - margin) / size) + 0.5) * size AS south,
+            (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east,
+                (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
+        FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(asked)) THEN reach + widest ELSE 10 END AS margin
+            FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l OFFSET 0) m)
+    SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
+        UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
+           (SELECT array_agg(DISTINCT cell ORDER BY cell)
+               FROM box, streetgen._cell(west, south, east, north, size) cell)
+        INTO gathered, cells;
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_reach(bigint[])',
+        'Of asked axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
+        'these are computed with, and the cells of all that it reads or writes, ascending');
+END $$;
+COMMENT ON FUNCTION streetgen._make_reach(name) IS
+    'Makes the function of a model that tells how far a run for some axes reaches.';
+
+CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT asked bigint[], OUT written bigint[],
+    OUT gathered bigint[], OUT cells integer[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    stale bigint[] := axes;
+BEGIN
+    asked := '{}';
+    written := '{}';
+    gathered := '{}';
+    cells := '{}';
+    -- An axis that changed while nobody followed changes what is around it too.
+    WHILE stale <> '{}' LOOP
+        asked := asked || stale;
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells USING asked;
+    END LOOP;
+    cells := coalesce(cells, '{}');
+END $$;
+COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS
+    'What a run for some axes asks, writes and gathers, and its cells: stale axes near the asked ones are asked too.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- No run mixes settings: any edge tells.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._setting_changed() RETURNS boolean
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    RETURN coalesce((SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.setting_used),
+        false);
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_setting_changed()',
+        'Were settings changed since the streets were computed?');
+END $$;
+COMMENT ON FUNCTION streetgen._make_setting_changed(name) IS
+    'Makes the function of a model that tells whether its settings changed.';
+
+CREATE OR REPLACE FUNCTION streetgen._setting_changed(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    changed boolean;
+BEGIN
+    EXECUTE format('SELECT %I._setting_changed()', model) INTO changed;
+    RETURN changed;
+END $$;
+COMMENT ON FUNCTION streetgen._setting_changed(name) IS
+    'Were settings of the model changed since its streets were computed?';

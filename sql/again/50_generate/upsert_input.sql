@@ -1,0 +1,75 @@
+-- The one statement, what it reads: axes with what is decided by hand, and what was there before the change.
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._filled($part$
+setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
+-- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
+-- axis by axis.
+used AS MATERIALIZED (
+    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward,
+        kind_backward,
+           lane_width_forward, lane_width_backward, turn_forward, turn_backward, speed, importance, radius, estimated,
+               CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
+    FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
+-- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
+former_edge AS MATERIALIZED (
+    SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
+           s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
+           t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
+               c.contested_area > 0 AS contested
+    FROM {model}.edge e,
+        LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
+        LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
+        LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
+    WHERE NOT {whole} AND e.axis_id = ANY ($1)),
+computed AS MATERIALIZED (
+    SELECT streetgen._streets({srid},
+        settings => (
+            -- A path by a function of the user is drawn below.
+            SELECT v || jsonb_build_object('trajectory', CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs'
+                ELSE 'bezier' END) FROM setting),
+        axes => (
+            SELECT array_agg(ROW (
+                axis_id, ST_Force2D(geom)::bytea, level, width, width_end, radius, importance, speed,
+                lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
+                    lane_width_backward, turn_forward, turn_backward,
+                {whole} OR axis_id IN (SELECT unnest($3)), input_hash IS NULL
+                )::streetgen.street_axis ORDER BY axis_id)
+            FROM used),
+        transitions => (
+            SELECT array_agg(ROW (axis_id, which, coalesce(kind, v ->> 'transition_kind'),
+                coalesce(length, (v ->> 'transition_length')::float8))::streetgen.street_transition)
+            FROM (SELECT DISTINCT ON (axis_id, which) * FROM {model}.transition_override
+                WHERE {whole} OR axis_id = ANY ($2)
+                  ORDER BY axis_id, which, transition_override_id DESC) o, setting),
+        limits => (
+            SELECT array_agg(ROW (axis_id, abscissa, which)::streetgen.street_limit ORDER BY section_limit_override_id)
+            FROM {model}.section_limit_override WHERE {whole} OR axis_id = ANY ($2)),
+        corners => (
+            SELECT array_agg(ROW (axis_a, axis_b, ST_X(geom), ST_Y(geom), radius)::streetgen.street_corner
+                ORDER BY corner_override_id)
+            FROM {model}.corner_override WHERE {whole} OR axis_a = ANY ($2)),
+        lanes => (
+            SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, both_ways, width,
+                line::bytea)::streetgen.street_lane ORDER BY lane_override_id)
+            FROM {model}.lane_override WHERE {whole} OR axis_id = ANY ($2)),
+        restrictions => (
+            SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn,
+                except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
+            FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
+        former_edges => (
+            SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
+                wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
+            FROM former_edge),
+        former_nodes => (
+            SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea,
+                i.contested_area > 0)::streetgen.former_node)
+            FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
+                LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
+                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
+        onwards => {whole} OR $4, subjects => string_to_array('{subjects}', ',')) AS streets)$part$,
+            places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
+            FROM jsonb_array_elements_text(places -> 'subjects') s))) $$;
+COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
+    'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

@@ -1,0 +1,354 @@
+-- Clusters computed one by one in many sessions: what each locks, progress, and the keys at the end.
+
+CREATE OR REPLACE FUNCTION streetgen._footprint(model name, asked bigint[], written bigint[], OUT near bigint[],
+    OUT cells integer[], OUT blocks integer[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    AS $$
+DECLARE
+    reach float8;
+    size float8;
+    -- No two roadways are wider.
+    widest constant float8 := 200;
+BEGIN
+    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8)
+        FILTER (WHERE name = 'cell_size') FROM %I.setting$sql$, model) INTO reach, size;
+    -- A block is five cells wide. Its key is below those of cells.
+    EXECUTE format($sql$
+WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
+    UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
+hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM line),
+beside AS MATERIALIZED (SELECT e.axis_id, e.from_node, e.to_node FROM hull h
+    JOIN %1$I.edge e ON ST_DWithin(e.geom, h.geom, $3)),
+node AS MATERIALIZED (SELECT from_node AS node_id FROM beside UNION SELECT to_node FROM beside),
+id AS MATERIALIZED (
+    SELECT array_agg(axis_id) AS near FROM (
+        SELECT a.axis_id FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3)
+            UNION SELECT axis_id FROM beside UNION SELECT unnest($2)
+        -- Of an edge the far end may move, however far it is.
+        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node))
+            UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
+near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near)
+    UNION ALL SELECT e.geom FROM id JOIN %1$I.edge e ON axis_id = ANY (near)),
+box AS MATERIALIZED (
+    SELECT DISTINCT floor((ST_XMin(geom) - margin) / $4)::bigint AS west,
+        floor((ST_YMin(geom) - margin) / $4)::bigint AS south, floor((ST_XMax(geom) + margin) / $4)::bigint AS east,
+        floor((ST_YMax(geom) + margin) / $4)::bigint AS north
+    FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near) g)
+SELECT (SELECT near FROM id),
+       (SELECT array_agg(DISTINCT cell ORDER BY cell)
+           FROM box, streetgen._cell(west * $4, south * $4, east * $4, north * $4, $4) cell),
+       (SELECT array_agg(DISTINCT key ORDER BY key)
+           FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x,
+           generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
+            LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
+$sql$, model) INTO near, cells, blocks USING asked, written, reach + widest, size;
+    -- Of an axis that is gone without a trace nothing is to be locked.
+    near := near || asked || written;
+    cells := coalesce(cells, '{}');
+    blocks := coalesce(blocks, '{}');
+END $$;
+COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS
+    'The places of a model that a run for many axes (asked) may read or write: cells, by which it keeps edits away, '
+    'and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there '
+    'whole, asked and written among them.';
+
+CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT asked bigint[], OUT written bigint[],
+    OUT gathered bigint[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys.
+    SET enable_nestloop = off
+    AS $$
+DECLARE
+    reach float8;
+    -- Axes that share a node are nearer.
+    near float8;
+    -- No roadway is wider.
+    widest constant float8 := 200;
+BEGIN
+    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
+        FILTER (WHERE name = 'tolerance') FROM %I.setting
+        WHERE name IN ('reach', 'max_arc_distance', 'tolerance')$sql$, model) INTO reach, near;
+    -- What lies around is less than what lies inside: it looks for that.
+    EXECUTE format($sql$
+WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis
+    WHERE axis_id = ANY ($1)),
+around AS MATERIALIZED (
+    SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
+        WHERE ST_DWithin(a.geom, h.geom, $2) OFFSET 0) a
+    WHERE a.axis_id <> ALL ($1) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
+SELECT $1 || ARRAY(SELECT axis_id FROM around a WHERE (
+    SELECT true FROM (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o
+        WHERE o.axis_id = ANY ($1) LIMIT 1))
+$sql$, model) INTO written USING axes, near;
+    EXECUTE format($sql$
+WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used
+    WHERE axis_id = ANY ($1)),
+around AS MATERIALIZED (
+    SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull,
+        (SELECT max(half) FROM inside) AS most FROM %1$I.axis WHERE axis_id = ANY ($1)) h,
+        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used u
+            WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
+    WHERE ST_DWithin(geom, hull, $2 + half + most)),
+beside AS MATERIALIZED (
+    SELECT DISTINCT ON (p.axis_id) p.axis_id, p.geom FROM (
+        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line
+            FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
+            WHERE a.geom && ST_Expand(u.geom, $2 + u.half + most) OFFSET 0) o) p
+    JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
+-- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What meets
+-- those inside lies beside them.
+met AS MATERIALIZED (
+    SELECT DISTINCT ON (m.axis_id) m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
+        WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m
+    WHERE m.axis_id <> ALL ($1) AND m.axis_id NOT IN (SELECT axis_id FROM beside))
+SELECT array_agg(axis_id) FROM (
+    SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
+    UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a
+        WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
+$sql$, model) INTO gathered USING written, reach, near, widest;
+    asked := axes;
+END $$;
+COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS
+    'What a run for axes without streets writes and gathers where nothing around them changes by it, since all that '
+    'is computed there was computed with them: as _reach_of, but by the places of axes alone. Of others it writes '
+    'those that they meet.';
+
+CREATE OR REPLACE FUNCTION streetgen._clusters_beside(model name, cluster integer) RETURNS integer[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    beside integer[];
+BEGIN
+    -- Axes that share a node are nearer.
+    EXECUTE format($sql$
+SELECT ARRAY(SELECT o.cluster_id FROM %1$I.cluster k JOIN %1$I.cluster o ON o.ended IS NULL
+    AND o.cluster_id <> k.cluster_id AND ST_DWithin(o.hull, k.hull, reach) WHERE k.cluster_id = $1)
+FROM (SELECT sum(CASE name WHEN 'tolerance' THEN 3 ELSE 1 END * value::float8) AS reach FROM %1$I.setting
+    WHERE name IN ('reach', 'tolerance')) s $sql$, model) INTO beside USING cluster;
+    RETURN beside;
+END $$;
+COMMENT ON FUNCTION streetgen._clusters_beside(name, integer) IS
+    'The clusters that have not ended and may share nodes with a cluster.';
+
+CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, cluster integer, axes bigint[], wait boolean,
+    OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Keys of clusters are below those of blocks.
+    cluster_key constant integer := -1073741826;
+    places record;
+    reach record;
+BEGIN
+    first := streetgen._keys_are_missing(model);
+    LOOP
+        -- Where more turns out to be needed, the locks taken here are given back first, as _claim does.
+        BEGIN
+            IF first THEN
+                -- No edit comes in before the keys are made.
+                free := streetgen._lock_places(model, ARRAY[cluster_key - cluster], ARRAY[streetgen._door(), -1]
+                    || ARRAY(SELECT cluster_key - beside
+                        FROM unnest(streetgen._clusters_beside(model, cluster)) beside), wait);
+            ELSE
+                places := coalesce(places, streetgen._footprint(model, axes, '{}'));
+                -- Cells are hashed, so that clusters share them with each other.
+                free := streetgen._lock_places(model, places.blocks, ARRAY[streetgen._door(), -1] || places.cells,
+                    wait);
+            END IF;
+            IF NOT free THEN
+                RAISE SQLSTATE 'SG001';
+            END IF;
+            IF first THEN
+                reach := streetgen._surroundings(model, axes);
+            ELSE
+                reach := streetgen._reach_of(model, axes);
+                IF EXISTS (SELECT unnest(reach.asked)
+                    EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written)
+                    EXCEPT SELECT unnest(places.near)) THEN
+                    places := streetgen._footprint(model, reach.asked, reach.written);
+                    axes := reach.asked;
+                    RAISE SQLSTATE 'SG001';
+                END IF;
+            END IF;
+        EXCEPTION
+            WHEN SQLSTATE 'SG001' THEN
+                EXIT WHEN NOT free;
+                CONTINUE;
+            WHEN lock_not_available THEN
+                PERFORM streetgen._refuse_place(model);
+        END;
+        EXIT;
+    END LOOP;
+    IF free THEN
+        changed := reach.asked;
+        written := reach.written;
+        gathered := reach.gathered;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._claim_cluster(name, integer, bigint[], boolean) IS
+    'Locks the places of a cluster for this transaction, or, where it is the first run of the model, the cluster and '
+    'those beside it; gives what a run for it writes and gathers, and whether it is that first run. Without wait: not '
+    'free where another session holds any of them, and nothing is locked.';
+
+CREATE OR REPLACE FUNCTION streetgen.progress(model name)
+    RETURNS TABLE(clusters integer, ended integer, sessions integer, axes bigint, axes_ended bigint, began timestamptz,
+        axes_per_second float8, time_left interval)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_reader(model);
+    RETURN QUERY EXECUTE format($sql$
+SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
+FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
+    coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
+             coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended,
+                 min(k.began) AS began,
+             sum(cardinality(k.axes))
+                 FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
+                 0)::float8 AS rate_of_one FROM %I.cluster k) c,
+     -- Keys of blocks are negative, that of the door is the least; who waits does not compute.
+     (SELECT count(*)::integer AS sessions FROM (SELECT FROM pg_locks GROUP BY pid HAVING bool_and(granted)
+          AND bool_or(locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database
+              WHERE datname = current_database())
+              AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid
+                  AND objid::bigint BETWEEN 2147483649 AND 4294967294)) l) s,
+     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
+END $$;
+COMMENT ON FUNCTION streetgen.progress(name) IS
+    'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do '
+    'not wait, axes and those of ended clusters, when the first began, axes per second of so many sessions (of one '
+    'where none is at work) and the time left at that rate; NULL before the first has ended. An unknown model: 3F000.';
+
+CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer DEFAULT NULL)
+    RETURNS TABLE(cluster integer, axes integer, seconds float8, ended integer, clusters integer,
+        axes_per_second float8, time_left interval)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    chosen record;
+    claimed record;
+    free boolean := false;
+    tried integer[] := '{}';
+    wait boolean := false;
+    started timestamptz;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
+    LOOP
+        BEGIN
+            -- What has most beside it first: those that are left at the end are apart, and no session waits for
+            -- another.
+            EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id '
+                '<> ALL ($1)
+                ORDER BY cluster_id = $2 DESC, cardinality(streetgen._clusters_beside($3, cluster_id)) DESC, cluster_id
+                LIMIT 1 FOR UPDATE SKIP LOCKED', model)
+                INTO chosen USING tried, coalesce(first, 0), model;
+            IF chosen.cluster_id IS NULL AND tried = '{}' THEN
+                -- All that is left is under way: should a session fail, its cluster is free again.
+                EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL ORDER BY '
+                    'cluster_id LIMIT 1 FOR UPDATE', model) INTO chosen;
+            END IF;
+            IF chosen.cluster_id IS NOT NULL THEN
+                IF chosen.setting_hash <> streetgen._setting_hash(model) THEN
+                    RAISE EXCEPTION 'settings of model "%" changed since its clusters were planned', model
+                        USING ERRCODE = '55000', HINT = format('SELECT streetgen.plan_clusters(%L) begins anew.',
+                        model);
+                END IF;
+                started := clock_timestamp();
+                claimed := streetgen._claim_cluster(model, chosen.cluster_id, chosen.axes, wait);
+                free := claimed.free;
+                IF NOT free THEN
+                    RAISE SQLSTATE 'SG001';
+                END IF;
+            END IF;
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            tried := tried || chosen.cluster_id;
+            CONTINUE;
+        END;
+        EXIT WHEN free;
+        IF tried <> '{}' THEN
+            -- Others work beside each cluster that is left.
+            wait := true;
+            tried := '{}';
+        ELSE
+            EXECUTE format('SELECT cluster_id FROM %I.cluster WHERE ended IS NULL LIMIT 1', model) INTO chosen;
+            IF chosen.cluster_id IS NULL THEN
+                RETURN;
+            END IF;
+        END IF;
+    END LOOP;
+    IF claimed.first THEN
+        PERFORM FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed, first => true);
+    ELSE
+        PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+    END IF;
+    EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE '
+        'cluster_id = $2', model) USING started, chosen.cluster_id;
+    RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes),
+        extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left
+        FROM streetgen.progress(model) p;
+END $$;
+COMMENT ON FUNCTION streetgen.generate_cluster(name, integer) IS
+    'Computes the next cluster of a run planned by streetgen.plan_clusters that is free, the one numbered first if it '
+    'is, else of those that are left the one with most beside it, and gives how far the run is then; no row where '
+    'none is left. Each call is to be a transaction of its own; as many sessions as one likes repeat it until there '
+    'is no row. Rows shared with clusters computed before are finished, so that after the last one the model is as '
+    'streetgen.generate makes it, with other ids; a first run ends with streetgen.finish_clusters. A session that '
+    'ends takes nothing along: what it had not committed is computed by the next. Sessions keep apart by places; '
+    'where only places beside others are left it waits for them, and for edits. Needs read committed (0A000) and the '
+    'rights of the owner (42501). Settings that changed since the plan: 55000; lock_timeout that ends: 55P03.';
+
+CREATE OR REPLACE FUNCTION streetgen.finish_clusters(model name) RETURNS text
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    made text;
+BEGIN
+    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
+    IF streetgen._keys_are_missing(model) THEN
+        made := streetgen._make_key(model);
+        -- The last one leaves nothing behind.
+        IF made IS NULL AND pg_try_advisory_xact_lock(hashtext('streetgen.' || model), 0) THEN
+            PERFORM streetgen._make_keys(model);
+        END IF;
+    END IF;
+    RETURN made;
+END $$;
+COMMENT ON FUNCTION streetgen.finish_clusters(name) IS
+    'After the last cluster of a first run: makes the next of the foreign keys, indexes and statistics that it left '
+    'for its end, and says what it made; NULL when none is left. Each call is to be a transaction of its own; as many '
+    'sessions as one likes repeat it. Whatever else enters the model before, an edit or streetgen.generate, makes '
+    'them all first. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE PROCEDURE streetgen.generate_clusters(model name)
+    LANGUAGE plpgsql
+    AS $$
+DECLARE
+    told record;
+BEGIN
+    LOOP
+        SELECT * INTO told FROM streetgen.generate_cluster(model);
+        EXIT WHEN told.cluster IS NULL;
+        COMMIT;
+        RAISE INFO 'cluster %: % axes in % s; % of % done, % axes/s, % left', told.cluster, told.axes,
+            pg_catalog.round(told.seconds::numeric, 1), told.ended, told.clusters,
+            pg_catalog.round(told.axes_per_second), pg_catalog.date_trunc('second', told.time_left);
+        -- Waiting, a session whose server was killed sees it, and ends.
+        PERFORM pg_catalog.pg_sleep(0.001);
+    END LOOP;
+    IF streetgen._keys_are_missing(model) THEN
+        RAISE INFO 'no cluster is left to begin: making indexes, foreign keys and statistics';
+    END IF;
+    WHILE streetgen.finish_clusters(model) IS NOT NULL LOOP
+        COMMIT;
+    END LOOP;
+    COMMIT;
+    -- Where sessions end together the last one clears up.
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+END $$;
+COMMENT ON PROCEDURE streetgen.generate_clusters(name) IS
+    'Computes clusters of a run planned by streetgen.plan_clusters, each in a transaction of its own, until none is '
+    'left, and tells of each; then what a first run left for its end, by streetgen.finish_clusters. As many sessions '
+    'as one likes call it. Not within a transaction (2D000); errors as for streetgen.generate_cluster.';

@@ -1,0 +1,428 @@
+-- Decisions by hand find their axes again after a split, merge, reversal or redraw.
+
+CREATE OR REPLACE FUNCTION streetgen._heading(line geometry, place geometry) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_Azimuth(ST_LineInterpolatePoint(line, greatest(at - step, 0)),
+        ST_LineInterpolatePoint(line, least(at + step, 1)))
+    FROM (SELECT ST_LineLocatePoint(line, place) AS at, 0.1 / greatest(ST_Length2D(line), 0.1) AS step) s
+    $$;
+COMMENT ON FUNCTION streetgen._heading(geometry, geometry) IS
+    'Azimuth (radians) of a line where it is nearest to a place, over 0.1 m to either side.';
+
+CREATE OR REPLACE FUNCTION streetgen._turned(before geometry, after geometry, place geometry) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT coalesce(cos(streetgen._heading(before, place) - streetgen._heading(after, place)) < 0, false) $$;
+COMMENT ON FUNCTION streetgen._turned(geometry, geometry, geometry) IS
+    'Whether a line runs against another at a place; false where one is NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
+        WHEN (ordinality + lanes) % 2 = 1 THEN ordinality + 1 ELSE ordinality - 1 END $$;
+COMMENT ON FUNCTION streetgen._mirrored_ordinality(integer, bigint) IS
+    'Ordinality, on an axis turned round, of the lane that had this one among so many lanes (0: unknown, as it was).';
+
+CREATE OR REPLACE FUNCTION streetgen._end_of(line geometry, which text) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT CASE which WHEN 'start' THEN ST_StartPoint(line) ELSE ST_EndPoint(line) END $$;
+COMMENT ON FUNCTION streetgen._end_of(geometry, text) IS 'The start or the end of a line.';
+
+CREATE OR REPLACE FUNCTION streetgen._moved_vertex(before geometry, after geometry, place geometry, reach float8)
+    RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN ST_DWithin(ST_StartPoint(before), place, reach) THEN ST_StartPoint(after)
+                WHEN ST_DWithin(ST_EndPoint(before), place, reach) THEN ST_EndPoint(after)
+                WHEN ST_NPoints(before) = ST_NPoints(after)
+                THEN (SELECT ST_PointN(after, v.path[1]) FROM ST_DumpPoints(before) v
+                    WHERE ST_DWithin(v.geom, place, reach) ORDER BY ST_Distance(v.geom, place) LIMIT 1) END
+    $$;
+COMMENT ON FUNCTION streetgen._moved_vertex(geometry, geometry, geometry, float8) IS
+    'Where the vertex of a line that was within reach of a place is now; NULL where nothing says so.';
+
+CREATE OR REPLACE FUNCTION streetgen._cut_back(before geometry, after geometry, slack float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT ST_Length2D(after) < ST_Length2D(before) AND NOT EXISTS (SELECT FROM ST_DumpPoints(after) v
+        WHERE NOT ST_DWithin(v.geom, before, slack)) $$;
+COMMENT ON FUNCTION streetgen._cut_back(geometry, geometry, float8) IS
+    'Whether a line is a piece of what it was, as the first half of a split is.';
+
+CREATE OR REPLACE FUNCTION streetgen._beside(line geometry, place geometry) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_LineInterpolatePoint(line, CASE WHEN at < 0.5 THEN least(at + step, 1) ELSE greatest(at - step, 0) END)
+    FROM (SELECT ST_LineLocatePoint(line, place) AS at, 5 / greatest(ST_Length2D(line), 5) AS step) s
+    $$;
+COMMENT ON FUNCTION streetgen._beside(geometry, geometry) IS
+    'The place on a line 5 m along it from another, towards its farther end.';
+
+CREATE OR REPLACE FUNCTION streetgen._met(relation text, line geometry) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
+        ELSE line END $$;
+COMMENT ON FUNCTION streetgen._met(text, geometry) IS
+    'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
+
+CREATE OR REPLACE FUNCTION streetgen._inside(line geometry, place geometry) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
+COMMENT ON FUNCTION streetgen._inside(geometry, geometry) IS
+    'Whether a place lies beside a line and not beyond its ends.';
+
+CREATE OR REPLACE FUNCTION streetgen._comes_by(relation text, before geometry, after geometry, place geometry,
+    reach float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_DWithin(streetgen._met(relation, before), place, reach) IS NOT TRUE
+        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override')
+            AND streetgen._inside(after, place) AND NOT streetgen._inside(before, place)
+    $$;
+COMMENT ON FUNCTION streetgen._comes_by(text, geometry, geometry, geometry, float8) IS
+    'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
+
+-- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is
+-- none.
+CREATE OR REPLACE FUNCTION streetgen._remap_places(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format($sql$
+WITH changed AS MATERIALIZED (SELECT axis_id, ST_Force2D(before) AS before, ST_Force2D(after) AS after
+    FROM unnest($1, $2, $3) c(axis_id, before, after)),
+tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance'),
+place AS MATERIALIZED (
+    SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, p.relation IN ('interconnection_override',
+        'turn_restriction', 'corner_override') AS at_node,
+           (SELECT ST_Force2D(a.geom) FROM %1$I.axis a WHERE a.axis_id = p.axis_id) AS line
+    FROM %1$I.override_place p LEFT JOIN changed c USING (axis_id)
+    WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation
+        WHEN 'kerb_point_override' THEN 110 ELSE 30 END)),
+-- The node was moved: all axes that are named meet at the new place of a vertex that was there.
+moved AS MATERIALIZED (
+    SELECT DISTINCT ON (relation, override_id) relation, override_id, v.geom AS new_place,
+           (SELECT d.geom FROM ST_DumpPoints(p.before) d ORDER BY ST_Distance(d.geom, p.geom), d.path LIMIT 1)
+               AS old_place
+    FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom,
+        p.reach) v(geom)
+    WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
+        AND NOT EXISTS (SELECT FROM %1$I.override_place o
+            WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
+                        AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id
+                            AND ST_DWithin(a.geom, v.geom, o.reach)))
+    ORDER BY relation, override_id, role),
+-- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line
+-- over (3); its own, redrawn and
+-- neither cut back nor, for an end, made longer (4).
+heir AS (
+    SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
+           CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL
+               AND streetgen._comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
+                WHEN p.before IS NOT NULL AND p.line IS NULL
+                    AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value) THEN 3 END AS turn
+    FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach)
+        LEFT JOIN changed c ON c.axis_id = a.axis_id
+    WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
+    UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
+    WHERE NOT p.at_node AND ST_DWithin(streetgen._met(p.relation, p.before), p.geom, p.reach)
+        AND NOT streetgen._cut_back(p.before, p.after, t.value)
+        AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._cut_back(p.after, p.before, t.value)
+            ELSE streetgen._inside(p.after, p.geom) END),
+found AS MATERIALIZED (
+    SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn,
+        streetgen._turned(before, heir_line, geom) AS turned FROM (
+        SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
+        WHERE turn = 1 OR turn IS NOT NULL
+            AND NOT (at_node AND EXISTS (SELECT FROM place o
+            WHERE (o.relation, o.override_id, o.axis_id) = (h.relation, h.override_id, h.heir) AND o.role <> h.role))
+        ORDER BY relation, override_id, role, turn, ST_Distance(heir_line, geom), heir) h
+    WHERE (named OR turn > 1) AND NOT EXISTS (SELECT FROM moved m
+        WHERE (m.relation, m.override_id) = (h.relation, h.override_id)))
+$sql$, model) $$;
+COMMENT ON FUNCTION streetgen._remap_places(name) IS
+    'The beginning of the statements of _remap_statement: the CTEs moved (overrides whose node is elsewhere) and '
+    'found (which axis each override near changed axes is on).';
+
+CREATE OR REPLACE FUNCTION streetgen._remap_statement(model name, relation name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT streetgen._remap_places(model) || format(CASE relation
+        WHEN 'transition_override' THEN $sql$,
+new AS (
+    SELECT o.transition_override_id AS id, f.axis_id, w.which, ST_SetSRID(streetgen._end_of(f.line, w.which),
+        ST_SRID(f.line)) AS geom,
+           CASE WHEN w.which = o.which THEN o.kind ELSE CASE o.kind WHEN 'left' THEN 'right' WHEN 'right' THEN 'left'
+               ELSE o.kind END END AS kind
+    FROM found f JOIN %1$I.transition_override o ON o.transition_override_id = f.override_id
+    CROSS JOIN LATERAL (SELECT ST_Distance(streetgen._end_of(f.line, 'start'),
+        f.geom) - ST_Distance(streetgen._end_of(f.line, 'end'), f.geom) AS nearer_end) d
+    CROSS JOIN LATERAL (SELECT CASE WHEN f.redrawn OR nearer_end = 0 AND NOT f.turned THEN o.which WHEN nearer_end = 0
+        THEN CASE o.which WHEN 'start' THEN 'end' ELSE 'start' END
+                                    WHEN nearer_end < 0 THEN 'start' ELSE 'end' END AS which) w
+    WHERE f.relation = 'transition_override')
+UPDATE %1$I.transition_override o SET axis_id = n.axis_id, which = n.which, kind = n.kind, geom = n.geom FROM new n
+WHERE o.transition_override_id = n.id AND (o.axis_id, o.which, o.geom) IS DISTINCT FROM (n.axis_id, n.which,
+    n.geom)$sql$
+        WHEN 'lane_override' THEN $sql$,
+new AS (
+    SELECT o.lane_override_id AS id, f.axis_id, at.abscissa, at.geom,
+        o.along_axis <> (f.turned AND o.both_ways IS NOT TRUE) AS along_axis, CASE WHEN f.turned
+        THEN ST_Reverse(o.line) ELSE o.line END AS line,
+           CASE WHEN f.turned THEN streetgen._mirrored_ordinality(o.ordinality,
+               streetgen._lanes_at(%1$L, o.axis_id, o.abscissa)) ELSE o.ordinality END AS ordinality
+    FROM found f JOIN %1$I.lane_override o ON o.lane_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'lane_override')
+UPDATE %1$I.lane_override o SET axis_id = n.axis_id, abscissa = n.abscissa, ordinality = n.ordinality,
+    along_axis = n.along_axis, line = n.line, geom = n.geom FROM new n
+WHERE o.lane_override_id = n.id AND (o.axis_id, o.abscissa, o.ordinality, o.along_axis, o.line,
+    o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.ordinality, n.along_axis, n.line, n.geom)$sql$
+        WHEN 'section_limit_override' THEN $sql$,
+new AS (
+    SELECT o.section_limit_override_id AS id, f.axis_id, at.abscissa, at.geom, CASE WHEN NOT f.turned THEN o.which
+        WHEN o.which = 'start' THEN 'end' ELSE 'start' END AS which
+    FROM found f JOIN %1$I.section_limit_override o ON o.section_limit_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'section_limit_override')
+UPDATE %1$I.section_limit_override o SET axis_id = n.axis_id, abscissa = n.abscissa, which = n.which, geom = n.geom
+    FROM new n
+WHERE o.section_limit_override_id = n.id AND (o.axis_id, o.abscissa, o.which, o.geom) IS DISTINCT FROM (n.axis_id,
+    n.abscissa, n.which, n.geom)$sql$
+        WHEN 'kerb_point_override' THEN $sql$,
+new AS (
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, 2 * ST_Distance(f.line, f.geom) AS width
+    FROM found f JOIN %1$I.kerb_point_override o ON o.kerb_point_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true, o.abscissa) at
+    WHERE f.relation = 'kerb_point_override')
+UPDATE %1$I.kerb_point_override o SET axis_id = n.axis_id, abscissa = n.abscissa, width = n.width FROM new n
+WHERE o.kerb_point_override_id = n.id AND (o.axis_id, o.abscissa, o.width) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.width)$sql$
+        WHEN 'interconnection_override' THEN $sql$,
+new AS (
+    SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom,
+        coalesce(ST_Translate(o.control, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)),
+        o.control) AS control,
+           coalesce(i.axis_id, o.axis_in) AS axis_in, CASE WHEN i.turned
+               THEN streetgen._mirrored_ordinality(o.lane_in, streetgen._lanes_by(%1$L, o.axis_in, o.geom))
+               ELSE o.lane_in END AS lane_in,
+           coalesce(u.axis_id, o.axis_out) AS axis_out, CASE WHEN u.turned
+               THEN streetgen._mirrored_ordinality(o.lane_out, streetgen._lanes_by(%1$L, o.axis_out, o.geom))
+               ELSE o.lane_out END AS lane_out,
+           o.along_in <> coalesce(i.turned, false) AS along_in, o.along_out <> coalesce(u.turned, false) AS along_out
+    FROM %1$I.interconnection_override o
+    LEFT JOIN moved m ON (m.relation, m.override_id) = ('interconnection_override', o.interconnection_override_id)
+    LEFT JOIN found i ON (i.relation, i.override_id, i.role) = ('interconnection_override',
+        o.interconnection_override_id, 'axis_in')
+    LEFT JOIN found u ON (u.relation, u.override_id, u.role) = ('interconnection_override',
+        o.interconnection_override_id, 'axis_out')
+    WHERE m.override_id IS NOT NULL OR i.override_id IS NOT NULL OR u.override_id IS NOT NULL)
+UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, axis_in = n.axis_in,
+    lane_in = n.lane_in, axis_out = n.axis_out, lane_out = n.lane_out,
+    along_in = n.along_in, along_out = n.along_out FROM new n
+WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out, o.along_in,
+    o.along_out)
+    IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out, n.along_in, n.along_out)$sql$
+        ELSE $sql$,
+new AS (
+    SELECT o.%2$I_id AS id,
+        coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)),
+        o.geom) AS geom, coalesce(a.axis_id, o.%3$I) AS axis_a, coalesce(b.axis_id, o.%4$I) AS axis_b
+    FROM %1$I.%2$I o
+    LEFT JOIN moved m ON (m.relation, m.override_id) = (%2$L, o.%2$I_id)
+    LEFT JOIN found a ON (a.relation, a.override_id, a.role) = (%2$L, o.%2$I_id, %3$L)
+    LEFT JOIN found b ON (b.relation, b.override_id, b.role) = (%2$L, o.%2$I_id, %4$L)
+    WHERE m.override_id IS NOT NULL OR a.override_id IS NOT NULL OR b.override_id IS NOT NULL)
+UPDATE %1$I.%2$I o SET geom = n.geom, %3$I = n.axis_a, %4$I = n.axis_b FROM new n
+WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.axis_a, n.axis_b)$sql$ END, model,
+    relation, CASE relation WHEN 'corner_override' THEN 'axis_a' ELSE 'from_axis' END, CASE relation
+    WHEN 'corner_override' THEN 'axis_b' ELSE 'to_axis' END)
+    $$;
+COMMENT ON FUNCTION streetgen._remap_statement(name, name) IS
+    'The statement that puts the overrides of one relation near changed axes on the axis that they lie on now. What '
+    'fits nowhere stays as it is, until an axis comes by.';
+
+CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8,
+    OUT abscissa float8, OUT geom geometry)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN abs(at - former) < 1e-6 THEN former ELSE at END, CASE WHEN onto THEN ST_ClosestPoint(line, place)
+        ELSE place END
+    FROM (SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line) AS at) p
+    $$;
+COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS
+    'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre; and the '
+    'place, put onto the line where asked.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    lanes bigint;
+BEGIN
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
+    EXECUTE format('SELECT count(*) FROM %1$I.lane JOIN %1$I.edge USING (edge_id) WHERE axis_id = $1 AND $2 >= '
+        'start_abscissa AND $2 < end_abscissa', model) INTO lanes USING axis, abscissa;
+    RETURN lanes;
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_at(name, bigint, float8) IS
+    'Number of lanes of an axis at an abscissa, as generated last; 0 where there are none.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    lanes bigint;
+BEGIN
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
+    EXECUTE format('SELECT count(*) FROM %1$I.lane WHERE edge_id = (SELECT edge_id FROM %1$I.edge WHERE axis_id = $1 '
+        'ORDER BY geom <-> $2, edge_id LIMIT 1)', model) INTO lanes USING axis, place;
+    RETURN lanes;
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS
+    'Number of lanes of an axis at its edge nearest to a place, as generated last.';
+
+CREATE OR REPLACE FUNCTION streetgen._remapped(model name) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL RESTRICTED SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN nullif(current_setting('streetgen.remapped', true), '')::jsonb ->> model;
+END $$;
+COMMENT ON FUNCTION streetgen._remapped(name) IS
+    'Axes of a model whose overrides have moved with axes that are not followed yet; NULL where none move.';
+
+CREATE OR REPLACE FUNCTION streetgen._note_remapped(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    others constant jsonb := coalesce(nullif(current_setting('streetgen.remapped', true), '')::jsonb,
+        '{}') - model::text;
+BEGIN
+    PERFORM set_config('streetgen.remapped',
+        (others || jsonb_strip_nulls(jsonb_build_object(model, axes::text)))::text, true);
+END $$;
+COMMENT ON FUNCTION streetgen._note_remapped(name, bigint[]) IS
+    'Sets what _remapped of a model tells until its axes are followed; NULL: they are.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_remap(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    overrides constant name[] :=
+        '{transition_override,lane_override,section_limit_override,kerb_point_override,corner_override,'
+        'interconnection_override,turn_restriction}';
+    followed record;
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.override_place WITH (security_invoker = true) AS
+SELECT 'transition_override' AS relation, transition_override_id AS override_id, 'axis_id' AS role, axis_id AS axis_id,
+    geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') AS reach FROM %1$I.transition_override
+UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM %1$I.setting
+    WHERE name = 'tolerance') FROM %1$I.lane_override
+UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
+UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,
+    width / 2 + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.kerb_point_override
+UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
+UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
+UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_in', axis_in, geom,
+    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
+UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_out', axis_out, geom,
+    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+$sql$, model);
+    EXECUTE format($sql$
+COMMENT ON VIEW %1$I.override_place IS
+    'Where each decision by hand lies, and the axes that it names, a row for each of them';
+COMMENT ON COLUMN %1$I.override_place.relation IS 'table of the override';
+COMMENT ON COLUMN %1$I.override_place.override_id IS 'its key there';
+COMMENT ON COLUMN %1$I.override_place.role IS 'column that names the axis';
+COMMENT ON COLUMN %1$I.override_place.axis_id IS 'the axis';
+COMMENT ON COLUMN %1$I.override_place.geom IS 'place on the axis or of the node; of a kerb point, beside the axis';
+COMMENT ON COLUMN %1$I.override_place.reach IS 'an axis within this distance lies at the place, metres'
+$sql$, model);
+    -- Static SQL, whose plans a session keeps: most models have few overrides, most edits none near.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._remap(bigint[], geometry[], geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off
+        SET plan_cache_mode = force_generic_plan
+    AS $body$
+DECLARE
+    extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line);
+    concerned bigint[];
+    held text[];
+BEGIN
+    LOOP
+        BEGIN
+            -- Their rows first, and by one claim all their places, so that none waits for more while it holds some.
+            held := '{}';
+            %2$s
+            IF streetgen._live(%3$L) THEN
+                concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
+                                   UNION SELECT a.axis_id FROM %1$I.override_place o
+                                       JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach)
+                                       WHERE o.geom && ST_Expand(extent, 110));
+                IF concerned <> '{}' THEN
+                    PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
+                END IF;
+            END IF;
+            EXIT WHEN NOT EXISTS (SELECT FROM %1$I.override_place WHERE geom && ST_Expand(extent, 110)
+                AND concat(relation, override_id) <> ALL (held));
+            -- One that came while this waited may be held by who waits for this one's: all is given back.
+            RAISE SQLSTATE 'SG001';
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            NULL;
+        END;
+    END LOOP;
+    IF concerned <> '{}' THEN
+        -- What the statements below change is followed with the axes, and not on its own.
+        PERFORM streetgen._note_remapped(%3$L, coalesce(streetgen._remapped(%3$L), '{}'));
+    END IF;
+    %4$s
+END $body$ $sql$, model,
+        -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
+        (SELECT string_agg(format('held := held || ARRAY(SELECT concat(%2$L, id) FROM (SELECT %2$I_id AS id FROM '
+            '%1$I.%2$I WHERE geom && ST_Expand(extent, 110) ORDER BY id FOR UPDATE) r);', model, relation),
+            E'\n            ' ORDER BY n)
+         FROM unnest(overrides) WITH ORDINALITY r(relation, n)), model,
+        (SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110)) THEN%3$s;' ||
+            E'\n    END IF;', model, relation,
+            streetgen._remap_statement(model, relation)), E'\n    ' ORDER BY n)
+         FROM unnest(overrides) WITH ORDINALITY r(relation, n)));
+    PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])',
+        'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and '
+        'after, NULL where there was or is none');
+    FOR followed IN SELECT * FROM (VALUES
+        ('insert', 'REFERENCING NEW TABLE AS after',
+            'SELECT axis_id, NULL::geometry AS before, geom AS after FROM after'),
+        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
+            'SELECT axis_id, b.geom AS before, a.geom AS after FROM before b FULL JOIN after a USING (axis_id) WHERE '
+                'b.geom IS DISTINCT FROM a.geom'),
+        ('delete', 'REFERENCING OLD TABLE AS before',
+            'SELECT axis_id, geom AS before, NULL::geometry AS after FROM before')) f(event, tables, changed)
+    LOOP
+        EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF EXISTS (SELECT FROM %1$I.override_place) THEN
+        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c HAVING count(*) > 0;
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER %2$I AFTER %4$s ON %1$I.axis %5$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I();
+COMMENT ON TRIGGER %2$I ON %1$I.axis IS 'Overrides find their axes again'
+$sql$, model, 'remap_' || followed.event, followed.changed, upper(followed.event), followed.tables);
+        PERFORM streetgen._own_function(model, format('%I()', 'remap_' || followed.event),
+            'After an edit of axes: overrides stay on the piece of road where they lie');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_remap(name) IS
+    'Makes the view override_place of a model and the triggers on its axes that keep overrides where they lie.';

@@ -1,0 +1,351 @@
+-- Live: statement triggers by which the streets follow their axes.
+
+CREATE OR REPLACE FUNCTION streetgen._live(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN coalesce(current_setting('streetgen.live', true), '') <> 'off'
+        AND (SELECT tgenabled <> 'D' FROM pg_trigger WHERE tgrelid = format('%I.axis', model)::regclass
+            AND tgname = 'z_follow_update');
+END $$;
+COMMENT ON FUNCTION streetgen._live(name) IS
+    'Do the streets of a model follow its axes: is streetgen.live on, and setting streetgen.live of the transaction '
+    'not off (importers)?';
+
+CREATE OR REPLACE FUNCTION streetgen._pause() RETURNS void
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT set_config('streetgen.live', 'off', true) $$;
+COMMENT ON FUNCTION streetgen._pause() IS 'For importers: what this transaction changes is for generate to follow.';
+
+CREATE OR REPLACE FUNCTION streetgen._follow(model name, changed bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    claimed record;
+    leading_on bigint[];
+BEGIN
+    IF changed IS NULL OR changed = '{}' THEN
+        RETURN;
+    ELSIF streetgen._setting_changed(model) THEN
+        RAISE NOTICE 'settings of model "%" changed: its streets follow again after SELECT * FROM '
+            'streetgen.generate(%, wait => true)', model, quote_literal(model);
+        RETURN;
+    END IF;
+    LOOP
+        -- Where the change goes on beyond the axes written all is given back, rows and locks: who waits for more places
+        -- holds none.
+        BEGIN
+            claimed := streetgen._claim(model, changed, wait => true);
+            PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed,
+                onwards => false);
+            EXIT;
+        EXCEPTION WHEN SQLSTATE 'SG001' THEN
+            GET STACKED DIAGNOSTICS leading_on = PG_EXCEPTION_HINT;
+            IF leading_on <@ changed THEN
+                RAISE;
+            END IF;
+            changed := changed || leading_on;
+        END;
+    END LOOP;
+    PERFORM pg_notify('qgis', model);
+END $$;
+COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS
+    'Brings the streets of a model up to date with axes that changed; tells QGIS.';
+
+CREATE OR REPLACE FUNCTION streetgen._drop_results(model name, gone bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    claimed record;
+BEGIN
+    IF gone IS NULL OR gone = '{}' THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+    claimed := streetgen._claim(model, gone, wait => true);
+    EXECUTE format($sql$
+WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, from_node, to_node),
+     report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1) OR axis_b = ANY ($1)),
+     stale AS (UPDATE %1$I.edge SET input_hash = 0 WHERE axis_id = ANY ($2) AND axis_id <> ALL ($1))
+DELETE FROM %1$I.node WHERE node_id IN (SELECT from_node FROM gone UNION SELECT to_node FROM gone)
+    AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.from_node = node_id AND e.axis_id <> ALL ($1))
+        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.to_node = node_id AND e.axis_id <> ALL ($1))
+$sql$, model) USING gone, claimed.written;
+END $$;
+COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS
+    'Removes the results of axes that are gone and marks what is around them as stale.';
+
+CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    -- Of more axes finding the places takes longer than all places are worth.
+    most_claimed constant integer := 64;
+BEGIN
+    IF axes = '{}' THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+    -- A run under way there does not see what is written here.
+    IF cardinality(axes) > most_claimed THEN
+        PERFORM streetgen._claim_all(model);
+    ELSE
+        PERFORM FROM streetgen._claim(model, axes, wait => true);
+    END IF;
+    EXECUTE format('UPDATE %I.edge SET input_hash = 0 WHERE axis_id = ANY ($1)', model) USING axes;
+END $$;
+COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS
+    'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections '
+    'that nobody follows. Locks their places until the transaction ends; of more than 64 axes, all places of the '
+    'model.';
+
+CREATE OR REPLACE FUNCTION streetgen._enter_edit(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF current_setting('lock_timeout') = '0' THEN
+        EXECUTE format($sql$SELECT set_config('lock_timeout', value || 's', true) FROM %I.setting
+            WHERE name = 'lock_timeout'$sql$, model);
+    END IF;
+    -- TRUNCATE takes its table before it enters: who entered must not wait for it.
+    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
+    PERFORM streetgen._enter(model, wait => true, alone => false);
+END $$;
+COMMENT ON FUNCTION streetgen._enter_edit(name) IS
+    'Before an edit: setting lock_timeout where the session has none, and the model locked beside other editors.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_triggers(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    relation name;
+    event text;
+BEGIN
+    -- In the model's schema and with its owner's rights: an editor writes axes and overrides, nothing else.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    -- A schema of another name, or a copy, that nobody adopted yet.
+    IF TG_TABLE_SCHEMA <> %2$L THEN
+        PERFORM streetgen._check_model(TG_TABLE_SCHEMA);
+    END IF;
+    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
+        PERFORM streetgen._enter_edit(%2$L);
+    END IF;
+    RETURN NULL;
+END $body$ $sql$, model, model);
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._follow_axis() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET plan_cache_mode = force_generic_plan
+    AS $body$
+DECLARE
+    changed bigint[];
+    elsewhere bigint[];
+    -- Axes of a source whose width is new, or what it is judged by.
+    judged bigint[];
+    live boolean := streetgen._live(%2$L);
+    -- Axes whose overrides moved with these.
+    remapped constant bigint[] := streetgen._remapped(%2$L);
+BEGIN
+    IF remapped IS NOT NULL THEN
+        PERFORM streetgen._note_remapped(%2$L, NULL);
+    END IF;
+    IF TG_OP = 'TRUNCATE' THEN
+        IF live THEN
+            TRUNCATE %3$s;
+            PERFORM pg_notify('qgis', %2$L);
+        END IF;
+        RETURN NULL;
+    ELSIF TG_OP = 'INSERT' THEN
+        changed := ARRAY(SELECT axis_id FROM new_axis);
+        judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL);
+    ELSIF TG_OP = 'DELETE' THEN
+        changed := ARRAY(SELECT axis_id FROM old_axis);
+    ELSE
+        changed := ARRAY(SELECT axis_id FROM (SELECT o.axis_id FROM old_axis o LEFT JOIN new_axis n USING (axis_id)
+            WHERE o IS DISTINCT FROM n
+                                              UNION SELECT n.axis_id FROM new_axis n
+                                                  LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
+        judged := ARRAY(SELECT axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id) WHERE n.source IS NOT NULL
+            AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand) IS DISTINCT FROM (o.width, o.width_end,
+                o.lane_count, o.kind, o.width_by_hand));
+    END IF;
+    IF changed = '{}' THEN
+        RETURN NULL;
+    ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(%2$L)) THEN
+        PERFORM streetgen._drop_results(%2$L, changed);
+    ELSIF live THEN
+        -- Ten kilometres around streets that are there the scale is known to hold.
+        elsewhere := ARRAY(SELECT axis_id FROM %1$I.axis a WHERE axis_id = ANY (changed)
+            AND (ST_Length(geom) < 1 OR NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.geom && ST_Expand(a.geom, 10000)
+                AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1)));
+        IF elsewhere <> '{}' THEN
+            PERFORM streetgen._check_scale(lines), streetgen._warn_misplaced(lines)
+                FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L,
+                    elsewhere) lines;
+        END IF;
+        PERFORM streetgen._check_length(%2$L,
+            format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L,
+            changed));
+        PERFORM streetgen._tell_unbelieved(%2$L, judged), streetgen._follow(%2$L, changed || remapped);
+    END IF;
+    RETURN NULL;
+END $body$ $sql$, model, model, (SELECT string_agg(format('%I.%I', model, r), ', ' ORDER BY n)
+        FROM unnest(streetgen._computed_tables(model)) WITH ORDINALITY t(r, n)));
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+DECLARE
+    live constant boolean := streetgen._live(%2$L);
+    remapped constant bigint[] := streetgen._remapped(%2$L);
+    changed jsonb[];
+    named bigint[];
+BEGIN
+    IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override') THEN
+        RETURN NULL;
+    ELSIF TG_OP = 'TRUNCATE' THEN
+        -- What goes is known only before: as if deleted.
+        EXECUTE format('DELETE FROM %%I.%%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
+        RETURN NULL;
+    ELSIF TG_OP = 'INSERT' THEN
+        changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
+    ELSIF TG_OP = 'DELETE' THEN
+        changed := ARRAY(SELECT to_jsonb(o) FROM old_override o);
+    ELSE
+        changed := ARRAY(SELECT to_jsonb(o) FROM (SELECT * FROM old_override EXCEPT SELECT * FROM new_override) o
+            UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
+    END IF;
+    named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
+        CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) role
+        JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint);
+    IF live AND remapped IS NOT NULL THEN
+        PERFORM streetgen._note_remapped(%2$L, remapped || named);
+    ELSIF live THEN
+        PERFORM streetgen._follow(%2$L, named);
+    ELSE
+        PERFORM streetgen._mark_stale(%2$L, named);
+    END IF;
+    RETURN NULL;
+END $body$ $sql$, model, model);
+    PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
+            streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
+            streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
+    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
+        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+        EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR '
+            'EACH STATEMENT EXECUTE FUNCTION %1$I._enter_edit()', model, relation);
+        EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation,
+            'Locks the model beside other editors');
+        FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
+            EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR '
+                'EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I()', model, relation, event,
+                concat_ws(' ', CASE WHEN event <> 'insert' THEN 'OLD TABLE AS old_' || CASE relation WHEN 'axis'
+                    THEN 'axis' ELSE 'override' END END,
+                               CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis'
+                                   THEN 'axis' ELSE 'override' END END),
+                CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
+            EXECUTE format('COMMENT ON TRIGGER z_follow_%3$s ON %1$I.%2$I IS %4$L', model, relation, event,
+                'The streets follow');
+        END LOOP;
+        EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate %3$s TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT '
+            'EXECUTE FUNCTION %1$I.%4$I()', model, relation,
+            CASE relation WHEN 'axis' THEN 'AFTER' ELSE 'BEFORE' END, CASE relation WHEN 'axis' THEN '_follow_axis'
+                ELSE '_follow_override' END);
+        EXECUTE format('COMMENT ON TRIGGER z_follow_truncate ON %I.%I IS %L', model, relation, 'The streets follow');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_triggers(name) IS
+    'Makes the triggers by which the streets of a model follow its axes and overrides.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model),
+        streetgen._make_triggers(model), streetgen._make_refusals(model),
+        streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._stale_axes(model name) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    stale bigint;
+BEGIN
+    EXECUTE format($sql$
+WITH generated AS (SELECT axis_id, bool_or(e.input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed
+    FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
+SELECT count(*) FROM %1$I.axis a LEFT JOIN generated g USING (axis_id)
+WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id
+    AND r.issue = 'collapsed_axis')
+$sql$, model) INTO stale;
+    RETURN stale;
+END $$;
+COMMENT ON FUNCTION streetgen._stale_axes(name) IS
+    'How many axes of a model changed, or came, since their streets were computed.';
+
+CREATE OR REPLACE FUNCTION streetgen.live(model name, live boolean) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    trigger record;
+    stale bigint;
+BEGIN
+    PERFORM streetgen._check_owner(model), streetgen._check_given('live', live::text);
+    FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger
+        JOIN pg_class c ON c.oid = tgrelid
+        -- What deletes the results of an axis with it, or marks axes as stale, stays on.
+        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%'
+            AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
+            AND (relname NOT IN ('turn_restriction', 'interconnection_override') OR live) AND (tgenabled <> 'D') <> live
+    LOOP
+        EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE'
+            ELSE 'DISABLE' END, trigger.name);
+    END LOOP;
+    stale := streetgen._stale_axes(model);
+    IF stale > 0 AND live THEN
+        RAISE NOTICE '% axes of model "%" are stale: SELECT * FROM streetgen.generate(%, wait => true)', stale, model,
+            quote_literal(model);
+    END IF;
+    RETURN stale;
+EXCEPTION WHEN lock_not_available THEN
+    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
+END $$;
+COMMENT ON FUNCTION streetgen.live(name, boolean) IS
+    'Switches on or off that the streets of a model follow each edit, for bulk loads, once edits under way have '
+    'ended; returns how many axes are stale, for generate to bring up to date. Off, deleting an axis still removes '
+    'its results. A lock_timeout that ends: 55P03, naming who holds the model. Needs the rights of its owner (42501).';
+
+CREATE OR REPLACE FUNCTION streetgen.activity(model name)
+    RETURNS TABLE(pid integer, who name, application text, since timestamptz, holds text, waits_for integer[],
+        query text)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._check_model(model);
+    RETURN QUERY
+    SELECT l.pid, a.usename, a.application_name, a.xact_start,
+           CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'
+                WHEN bool_or(l.granted AND l.objid = 4294967295 AND l.mode = 'ExclusiveLock') THEN 'more than 64 places'
+                WHEN bool_or(l.granted AND l.objid = 2147483648 AND l.mode = 'ExclusiveLock')
+                    THEN 'all places that were free'
+                WHEN bool_or(l.granted AND l.mode = 'ShareRowExclusiveLock') THEN 'the settings'
+                ELSE format('%s places', count(*) FILTER (WHERE l.granted AND l.objid::bigint BETWEEN 1 AND 1024)) END,
+           pg_blocking_pids(l.pid), a.query
+    FROM pg_locks l LEFT JOIN pg_stat_activity a ON a.pid = l.pid
+    WHERE l.database = (SELECT oid FROM pg_database WHERE datname = current_database()) AND CASE l.locktype
+        WHEN 'advisory' THEN l.objsubid = 2
+            AND l.classid = (hashtext('streetgen.' || activity.model)::bigint & 4294967295)::oid
+        WHEN 'relation' THEN l.relation = (SELECT c.oid FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace
+            WHERE (nspname, relname) = (model, 'setting')) AND l.mode IN ('ShareLock', 'ShareRowExclusiveLock') END
+    GROUP BY l.pid, a.usename, a.application_name, a.xact_start, a.query ORDER BY a.xact_start, l.pid;
+END $$;
+COMMENT ON FUNCTION streetgen.activity(name) IS
+    'Who computes or edits a model or changes its settings now: a row per session with what it holds and the sessions '
+    'it waits for. Of a call that takes seconds, application says how far it is: the step that computes and the share '
+    'of it that is done, or that rows are read or written. What others run is shown as PostgreSQL shows it '
+    '(pg_read_all_stats).';

@@ -1,0 +1,227 @@
+-- A model in step with a user's own table: statement triggers on it import the rows concerned.
+
+CREATE OR REPLACE FUNCTION streetgen._follower(source text) RETURNS name
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ('_follow_' || md5(source))::name $$;
+COMMENT ON FUNCTION streetgen._follower(text) IS
+    'Name of the trigger function in the schema of a model that follows a source.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_followed_table(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE TABLE IF NOT EXISTS %1$I.followed (source text PRIMARY KEY, mapping jsonb NOT NULL);
+COMMENT ON TABLE %1$I.followed IS
+    'Tables that the model is in step with: streetgen.follow and unfollow write it, adopt_model reads it';
+COMMENT ON COLUMN %1$I.followed.source IS 'the table, as in axis.source';
+COMMENT ON COLUMN %1$I.followed.mapping IS 'column of axis -> column of the table, or {"value": constant}'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_followed_table(name) IS 'Makes the table of a model that keeps what it follows.';
+
+CREATE OR REPLACE FUNCTION streetgen._refs_of(source_ref text, geom geometry) RETURNS SETOF text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$ SELECT source_ref
+        UNION ALL SELECT source_ref || '/' || nth FROM generate_series(1, ST_NumGeometries(geom)) nth
+        WHERE ST_NumGeometries(geom) > 1 $$;
+COMMENT ON FUNCTION streetgen._refs_of(text, geometry) IS
+    'The source_refs of the axes of a source row: its own, and of a line of several parts one each.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, among text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- A few rows among many.
+    SET jit = off SET enable_seqscan = off
+    AS $$
+DECLARE
+    told record;
+    bad record;
+BEGIN
+    PERFORM streetgen._copy_classes(model);
+    FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
+        RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
+    END LOOP;
+    SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NULL LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
+            HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
+    END IF;
+    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref '
+        '= p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
+    IF bad.source_ref IS NOT NULL THEN
+        PERFORM streetgen._refuse_twin(bad.source_ref);
+    END IF;
+    PERFORM streetgen._drop_vanished(model, source, among);
+    FOR told IN SELECT * FROM streetgen._write_axes(model, source) t WHERE t.source_refs IS NOT NULL LOOP
+        RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
+    END LOOP;
+    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
+END $$;
+COMMENT ON FUNCTION streetgen._import_change(name, text, text[]) IS
+    'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the '
+    'source_refs of what they were.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_follower(model name, source regclass, mapping jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    follower constant name := streetgen._follower(source::text);
+    -- What rows are made of, as text: not every type can be compared.
+    was text;
+    is_now text;
+    event text;
+BEGIN
+    SELECT string_agg(format('o.%I::text', name), ', '), string_agg(format('n.%I::text', name), ', ') INTO was, is_now
+        FROM (SELECT value #>> '{}' AS name FROM jsonb_each(mapping) WHERE jsonb_typeof(value) = 'string'
+            UNION SELECT coalesce(mapping ->> 'geom', 'geom')) c;
+    EXECUTE format('DROP FUNCTION IF EXISTS %I.%I() CASCADE', model, follower);
+    EXECUTE format('CREATE FUNCTION %I.%I() RETURNS trigger LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET '
+        'search_path FROM CURRENT AS %L', model, follower, format($body$
+#variable_conflict use_column
+DECLARE
+    former text[] := '{}';
+BEGIN
+    IF TG_OP = 'TRUNCATE' THEN
+        DELETE FROM %1$I.axis WHERE source = %2$L;
+        RETURN NULL;
+    ELSIF TG_OP = 'INSERT' THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n;
+    ELSIF TG_OP = 'DELETE' THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM old_row o WHERE false;
+        former := ARRAY(SELECT %4$s FROM old_row o);
+    ELSIF EXISTS (SELECT FROM new_row n
+        WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text))
+        OR EXISTS (SELECT FROM old_row o
+            WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text)) THEN
+        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n
+            WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text);
+        former := ARRAY(SELECT %4$s FROM old_row o
+            WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text));
+    ELSE
+        RETURN NULL;
+    END IF;
+    PERFORM streetgen._import_change(%1$L, %2$L, former);
+    RETURN NULL;
+END $body$, model, source, streetgen._mapped(source, mapping),
+        format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')),
+            was, is_now));
+    PERFORM streetgen._own_function(model, format('%I()', follower),
+        'After an edit of ' || source || ': the axes follow');
+    FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete', 'truncate'] LOOP
+        EXECUTE format('CREATE TRIGGER %I AFTER %s ON %s %s FOR EACH STATEMENT EXECUTE FUNCTION %I.%I()',
+            format('follow_%s_%s', event, model), event, source,
+            CASE event WHEN 'insert' THEN 'REFERENCING NEW TABLE AS new_row' WHEN 'update'
+                THEN 'REFERENCING OLD TABLE AS old_row NEW TABLE AS new_row' WHEN 'delete'
+                THEN 'REFERENCING OLD TABLE AS old_row' END, model, follower);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_follower(name, regclass, jsonb) IS
+    'Makes the trigger function in the schema of a model that follows a source, and its triggers.';
+
+CREATE OR REPLACE FUNCTION streetgen.follow(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+DECLARE
+    relation record;
+    nameless boolean;
+BEGIN
+    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
+    SELECT c.relkind, n.nspname IN (SELECT name FROM streetgen.model) AS derived, relispartition
+        OR EXISTS (SELECT FROM pg_inherits WHERE inhrelid = c.oid OR inhparent = c.oid) AS shared
+        INTO relation FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace WHERE c.oid = source;
+    IF relation.relkind IS DISTINCT FROM 'r' OR relation.shared THEN
+        RAISE EXCEPTION '% cannot be followed: it is no table of its own', source USING ERRCODE = '42809',
+            HINT = 'Follow the ordinary table that holds the rows; import_axes reads views and partitions too.';
+    ELSIF relation.derived THEN
+        RAISE EXCEPTION '% cannot be followed: it is a table of a model', source USING ERRCODE = '42809',
+            HINT = 'Follow a table outside of the schemas of models.';
+    END IF;
+    PERFORM streetgen._mapped(source, mapping);
+    IF jsonb_typeof(mapping -> 'source_ref') IS DISTINCT FROM 'string' THEN
+        RAISE EXCEPTION 'the mapping names no column for source_ref' USING ERRCODE = '22023',
+            HINT = 'Map it to the column that tells the rows apart, for example {"source_ref": "id"}.';
+    END IF;
+    -- Before the import: from here on nobody else writes the source.
+    PERFORM streetgen._make_follower(model, source, mapping);
+    EXECUTE format('SELECT EXISTS (SELECT FROM %s WHERE %I IS NULL)', source, mapping ->> 'source_ref') INTO nameless;
+    IF nameless THEN
+        RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
+            HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
+    END IF;
+    EXECUTE format('INSERT INTO %I.followed AS f VALUES ($1, $2) ON CONFLICT (source) DO UPDATE SET mapping = '
+        'excluded.mapping', model) USING source::text, mapping;
+    RETURN QUERY SELECT * FROM streetgen.import_axes(model, source, mapping);
+END $$;
+COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS
+    'Imports a line table as import_axes does, then keeps the model in step with it by triggers: each statement that '
+    'inserts, updates, deletes or truncates imports the rows concerned, and the streets follow. mapping as in '
+    'import_axes; source_ref must name a column that tells the rows apart. Called again it takes the new mapping. '
+    'Generate is due after it, once. pg_dump keeps it, adopt_model brings it back; what changed in between comes with '
+    'the next call. Whoever writes the table, or owns it, runs a function of the model with the rights of its owner: '
+    'follow tables of people whom you trust. Needs the rights of the owner of the model and TRIGGER and SELECT on the '
+    'table (42501); a view, partition or table of a model: 42809; bad rows: 22023, here and in later statements on '
+    'the table, which are refused then.';
+
+CREATE OR REPLACE FUNCTION streetgen._follow_again(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    owner constant name := (SELECT rolname FROM pg_namespace JOIN pg_roles r ON r.oid = nspowner WHERE nspname = model);
+    role_before constant text := current_setting('role');
+    kept record;
+BEGIN
+    -- What stands in the table its owner wrote, and may have hung triggers on.
+    PERFORM set_config('role', (SELECT rolname FROM pg_class c JOIN pg_roles r ON r.oid = relowner
+        WHERE c.oid = format('%I.followed', model)::regclass), true);
+    FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY '
+        'source', model) LOOP
+        BEGIN
+            IF kept.relation IS NULL THEN
+                RAISE EXCEPTION 'there is no such table' USING ERRCODE = '42P01';
+            ELSIF NOT (has_table_privilege(owner, kept.relation, 'TRIGGER')
+                AND has_table_privilege(owner, kept.relation, 'SELECT')) THEN
+                RAISE EXCEPTION 'role "%" has not the rights TRIGGER and SELECT on it', owner USING ERRCODE = '42501';
+            END IF;
+            PERFORM streetgen._make_follower(model, kept.relation, kept.mapping);
+        EXCEPTION WHEN insufficient_privilege OR undefined_table OR undefined_column OR invalid_parameter_value
+            OR wrong_object_type THEN
+            RAISE WARNING 'model "%" does not follow % any more: %', model, kept.source, SQLERRM
+                USING HINT = 'streetgen.follow follows it again; a table that is gone is forgotten.';
+            EXECUTE format('DELETE FROM %I.followed WHERE source = $1 AND $2 IS NULL', model) USING kept.source,
+                kept.relation;
+        END;
+    END LOOP;
+    PERFORM set_config('role', role_before, true);
+END $$;
+COMMENT ON FUNCTION streetgen._follow_again(name) IS
+    'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a '
+    'warning for each that cannot be followed now.';
+
+CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+DECLARE
+    follower record;
+    forgotten bigint;
+BEGIN
+    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text);
+    SELECT p.oid::regprocedure AS signature, p.proname AS name INTO follower FROM pg_trigger t
+        JOIN pg_proc p ON p.oid = t.tgfoid
+        WHERE t.tgrelid = source AND p.pronamespace = quote_ident(model)::regnamespace AND p.proname LIKE '\_follow\_%'
+            LIMIT 1;
+    EXECUTE format('DELETE FROM %I.followed f WHERE f.source = $1 OR streetgen._follower(f.source) = $2', model)
+        USING source::text, follower.name;
+    GET DIAGNOSTICS forgotten = ROW_COUNT;
+    IF follower.signature IS NULL AND forgotten = 0 THEN
+        RAISE EXCEPTION 'model "%" does not follow %', model, source USING ERRCODE = '42704',
+            HINT = format('SELECT * FROM streetgen.follow(%L, %L, …) makes it do so.', model, source);
+    END IF;
+    IF follower.signature IS NOT NULL THEN
+        EXECUTE format('DROP FUNCTION %s CASCADE', follower.signature);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen.unfollow(name, regclass) IS
+    'Takes follow back: the triggers go, the axes stay. Needs the rights of the owner of the model (42501), not of '
+    'the table; a table that is not followed: 42704.';

@@ -1,0 +1,230 @@
+CREATE OR REPLACE FUNCTION streetgen._osm_metres(value text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
+        WHEN value ~ '^\s*\d+(\.\d+)?\s*m?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
+        WHEN value ~ '^\s*\d+(\.\d+)?\s*(ft|'')\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 0.3048
+        WHEN value ~ '^\s*\d+''\s*\d+(\.\d+)?"\s*$'
+            THEN substring(value FROM '^\s*(\d+)')::float8 * 0.3048 + substring(value
+            FROM '''\s*(\d+(?:\.\d+)?)')::float8 * 0.0254
+    END;
+COMMENT ON FUNCTION streetgen._osm_metres(text) IS
+    'An OSM length in metres: 7, 7.5 m, 23 ft, 12''6"; NULL where it is no length.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_speed(value text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
+        WHEN value ~ '^\s*\d+(\.\d+)?\s*(km/h|kph)?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
+        WHEN value ~ '^\s*\d+(\.\d+)?\s*mph\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 1.609344
+        WHEN value ~ ':urban$' THEN 50 WHEN value ~ ':rural$' THEN 80 WHEN value ~ ':motorway$' THEN 120
+            WHEN value ~ '(:living_street|^walk)$' THEN 10
+    END;
+COMMENT ON FUNCTION streetgen._osm_speed(text) IS
+    'An OSM maxspeed in km/h: 50, 30 mph, FR:urban; NULL where it is no speed.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_count(value text) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN value ~ '^\s*\d{1,2}(\.0+)?\s*$' THEN substring(value FROM '\d+')::integer END;
+COMMENT ON FUNCTION streetgen._osm_count(text) IS 'An OSM number of lanes; NULL where it is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_length(list text) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN cardinality(string_to_array(list, '|'));
+COMMENT ON FUNCTION streetgen._osm_length(text) IS 'How many lanes a :lanes tag of OSM speaks of.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT text FROM (SELECT CASE kind WHEN 'turn' THEN replace(lower(list), ' ', '')
+        ELSE regexp_replace(list, '\s*m?\s*(\||$)', '\1', 'g') END AS text) t
+        WHERE streetgen.is_lane_list(text, kind) $$;
+COMMENT ON FUNCTION streetgen._osm_list(text, text) IS
+    'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn or width.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_kerb(of_side text, of_both text, of_way text, against text, direction text,
+    side text, driving_side text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
+        WHEN coalesce(of_side, of_both) = 'lane' THEN CASE against WHEN '-1' THEN 'opposite' ELSE 'lane' END
+        WHEN coalesce(of_side, of_both) = 'opposite_lane' THEN 'opposite'
+        WHEN of_way = 'lane' AND (direction = 'both' OR (direction = 'direct') = (side = driving_side)) THEN 'lane'
+        WHEN of_way = 'opposite_lane' AND direction <> 'both' AND (direction = 'direct') <> (side = driving_side)
+            THEN 'opposite' END;
+COMMENT ON FUNCTION streetgen._osm_kerb(text, text, text, text, text, text, text) IS
+    'What the tags of one kind (cycleway, busway) say of the left or right kerb of a way: lane, opposite (against the '
+    'direction of the street) or NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_beside(kerb text, way text, direction text, near text, far text)
+    RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(CASE
+        WHEN direction = 'both' THEN kerb = 'near' AND near = 'lane'
+        WHEN direction = way THEN CASE kerb WHEN 'near' THEN near ELSE far END = 'lane'
+        ELSE kerb = 'near' AND near = 'opposite' END, false);
+COMMENT ON FUNCTION streetgen._osm_beside(text, text, text, text, text) IS
+    'Does a lane of a way (direct or reverse) of a street run at its near or far kerb, near and far seen by who '
+    'drives that way.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_table(suffix text, prefix text, schemas name[]) RETURNS regclass
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT c.oid FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace
+    WHERE c.relname = prefix || suffix AND n.nspname = ANY (schemas) OR n.nspname || '.' || c.relname = prefix || suffix
+    ORDER BY array_position(schemas, n.nspname) LIMIT 1 $$;
+COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS
+    'The table PREFIX followed by the suffix, in the first of the schemas that has it or in the schema that the '
+    'prefix names; NULL where there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
+    schemas name[] DEFAULT current_schemas(true))
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    source regclass := streetgen._osm_table('_line', prefix, schemas);
+    named constant text[] := ARRAY['lanes_both_ways', 'lanes_reversible', 'turn_lanes', 'turn_lanes_forward',
+        'turn_lanes_backward',
+        'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward',
+            'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward',
+        'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right',
+            'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
+        'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both',
+            'parking_lane_left', 'parking_lane_right', 'parking_lane_both'];
+    -- Tables written by an older flex file lack some.
+    tags constant text := (
+        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
+            FROM unnest(named) tag
+        LEFT JOIN pg_attribute ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
+    driving_side text;
+    query text;
+BEGIN
+    PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
+    IF source IS NULL THEN
+        RAISE EXCEPTION 'there is no table %', quote_ident(prefix || '_line') USING ERRCODE = '42P01',
+            HINT = 'osm2pgsql -O flex -S data/osm2pgsql_flex.lua makes it; a schema that is not in search_path '
+                'stands before the prefix: ''gis.osm''.';
+    END IF;
+    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
+    query := format($sql$
+-- A city's ways have few wordings of tags, and each is read once.
+WITH line AS MATERIALIZED (
+    SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel,
+        maxspeed, %5$s)::text COLLATE "C" AS wording
+    FROM (SELECT geom, way_id, name, class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer,
+        bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
+meaning AS MATERIALIZED (
+SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end,
+    coalesce(lanes_total, lanes_sum) AS lane_count, direction,
+       CASE WHEN kmh <= 400 THEN kmh END AS speed, NULL::integer AS importance,
+       coalesce(CASE WHEN layer ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, layer::integer)) END,
+                CASE WHEN coalesce(bridge, 'no') <> 'no' THEN 1 WHEN coalesce(tunnel, 'no') <> 'no' THEN -1
+                    ELSE 0 END) AS level,
+       class, NULL::float8 AS radius, stated_forward AS lanes_forward, stated_backward AS lanes_backward,
+           nullif(centre, 0) AS lanes_both,
+       streetgen.lane_kinds(coalesce(stated_forward, usual_forward), buses_forward, bus_forward
+           OR streetgen._osm_beside('near', 'direct', direction, bus_near, bus_far), '%3$s',
+           streetgen._osm_beside('near', 'direct', direction, cycle_near, cycle_far),
+               streetgen._osm_beside('far', 'direct', direction, cycle_near, cycle_far),
+           streetgen._osm_beside('near', 'direct', direction, parking_near, parking_far),
+               streetgen._osm_beside('far', 'direct', direction, parking_near, parking_far)) AS kind_forward,
+       streetgen.lane_kinds(coalesce(stated_backward, usual_backward), buses_backward, bus_backward
+           OR streetgen._osm_beside('near', 'reverse', direction, bus_far, bus_near), '%3$s',
+           streetgen._osm_beside('near', 'reverse', direction, cycle_far, cycle_near),
+               streetgen._osm_beside('far', 'reverse', direction, cycle_far, cycle_near),
+           streetgen._osm_beside('near', 'reverse', direction, parking_far, parking_near),
+               streetgen._osm_beside('far', 'reverse', direction, parking_far, parking_near)) AS kind_backward,
+       lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
+                          CASE WHEN lanes IS NOT NULL AND lanes_total IS NULL
+                              OR coalesce(lanes_forward, lanes_backward) IS NOT NULL
+                              AND coalesce(lanes_total, lanes_sum) IS NULL
+                               OR coalesce(lanes_both_ways, lanes_reversible) IS NOT NULL AND centre IS NULL
+                                   THEN 'lane_count' END,
+                          CASE WHEN maxspeed NOT IN ('none', 'signals', 'variable') AND (kmh <= 400) IS NOT TRUE
+                              THEN 'speed' END,
+                          CASE WHEN oneway NOT IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0',
+                              'reversible', 'alternating') THEN 'direction' END,
+                          CASE WHEN layer !~ '^[-+]?\d{1,2}$' THEN 'level' END,
+                          CASE WHEN direction = 'both' AND turn_lanes IS NOT NULL OR said_turn_forward IS NOT NULL
+                              AND turn_forward IS NULL OR said_turn_backward IS NOT NULL AND turn_backward IS NULL
+                              THEN 'turn' END,
+                          CASE WHEN said_width_forward IS NOT NULL AND lane_width_forward IS NULL
+                              OR said_width_backward IS NOT NULL AND lane_width_backward IS NULL
+                              THEN 'lane_width' END], NULL) AS unread
+FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
+     streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
+     LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
+         THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
+                          WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link')
+                              THEN 'direct' ELSE 'both' END AS direction) d,
+     -- Lanes that both directions use, in the middle.
+     LATERAL (SELECT CASE WHEN direction = 'both' AND n BETWEEN 0 AND 6 THEN n END AS centre
+              FROM (SELECT CASE WHEN lanes_both_ways IS NULL THEN 0 ELSE streetgen._osm_count(lanes_both_ways) END
+                         + CASE WHEN lanes_reversible IS NULL THEN 0 ELSE streetgen._osm_count(lanes_reversible)
+                             END AS n) m) c,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_total FROM streetgen._osm_count(lanes) n) b,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_forward
+         FROM streetgen._osm_count(lanes_forward) n) f,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS counted_backward
+         FROM streetgen._osm_count(lanes_backward) n) w,
+     LATERAL (SELECT CASE WHEN n BETWEEN 1 AND 30 THEN n END AS lanes_sum
+         FROM (SELECT streetgen._osm_count(lanes_forward) + streetgen._osm_count(lanes_backward) + coalesce(centre,
+         0) AS n) m) s,
+     -- A tag without a direction speaks of that of a one-way street.
+     LATERAL (SELECT coalesce(turn_lanes_forward, CASE direction WHEN 'direct'
+         THEN turn_lanes END) AS said_turn_forward, coalesce(turn_lanes_backward, CASE direction WHEN 'reverse'
+         THEN turn_lanes END) AS said_turn_backward,
+                     coalesce(width_lanes_forward, CASE direction WHEN 'direct'
+                         THEN width_lanes END) AS said_width_forward, coalesce(width_lanes_backward, CASE direction
+                         WHEN 'reverse' THEN width_lanes END) AS said_width_backward,
+                     coalesce(bus_lanes_forward, psv_lanes_forward, CASE direction WHEN 'direct'
+                         THEN coalesce(bus_lanes, psv_lanes) END) AS buses_forward,
+                     coalesce(bus_lanes_backward, psv_lanes_backward, CASE direction WHEN 'reverse'
+                         THEN coalesce(bus_lanes, psv_lanes) END) AS buses_backward,
+                     coalesce(lanes_bus_forward, CASE direction WHEN 'direct' THEN coalesce(lanes_bus, lanes_psv) END,
+                         '0') ~ '^[1-9]' AS bus_forward,
+                     coalesce(lanes_bus_backward, CASE direction WHEN 'reverse'
+                         THEN coalesce(lanes_bus, lanes_psv) END, '0') ~ '^[1-9]' AS bus_backward) said,
+     LATERAL (SELECT streetgen._osm_list(said_turn_forward, 'turn') AS turn_forward,
+         streetgen._osm_list(said_turn_backward, 'turn') AS turn_backward,
+                     streetgen._osm_list(said_width_forward, 'width') AS lane_width_forward,
+                         streetgen._osm_list(said_width_backward, 'width') AS lane_width_backward) list,
+     LATERAL (SELECT coalesce(counted_forward, CASE direction WHEN 'direct' THEN lanes_total WHEN 'both'
+         THEN nullif(greatest(lanes_total - coalesce(centre, 0) - counted_backward, 0), 0) END,
+                              streetgen._osm_length(turn_forward)) AS stated_forward,
+                     coalesce(counted_backward, CASE direction WHEN 'reverse' THEN lanes_total WHEN 'both'
+                         THEN nullif(greatest(lanes_total - coalesce(centre, 0) - counted_forward, 0), 0) END,
+                              streetgen._osm_length(turn_backward)) AS stated_backward) n,
+     LATERAL (SELECT streetgen._osm_kerb(cycleway_%3$s, cycleway_both, cycleway, cycleway_%3$s_oneway, direction,
+         '%3$s', '%3$s') AS cycle_near, streetgen._osm_kerb(cycleway_%4$s, cycleway_both, cycleway,
+         cycleway_%4$s_oneway, direction, '%4$s', '%3$s') AS cycle_far,
+                     streetgen._osm_kerb(busway_%3$s, busway_both, busway, NULL, direction, '%3$s',
+                         '%3$s') AS bus_near, streetgen._osm_kerb(busway_%4$s, busway_both, busway, NULL, direction,
+                         '%4$s', '%3$s') AS bus_far,
+                     CASE WHEN coalesce(parking_%3$s, parking_both) = 'lane'
+                         OR coalesce(parking_lane_%3$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular',
+                         'marked') THEN 'lane' END AS parking_near,
+                     CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane'
+                         OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular',
+                         'marked') THEN 'lane' END AS parking_far) kerb,
+     -- One lane in all, unless buses have one of their own, is of both directions.
+     LATERAL (SELECT CASE WHEN direction <> 'both' OR bus_forward OR bus_backward
+         OR coalesce(bus_near, bus_far) IS NOT NULL THEN 1 ELSE 0 END AS fewest,
+                     lanes_total - coalesce(centre, 0) AS of_one) o,
+     LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_one <= 1 THEN fewest
+         ELSE coalesce((of_one + 1) / 2, 1) END WHEN 'direct' THEN 1 ELSE 0 END AS usual_forward,
+                     CASE direction WHEN 'both' THEN CASE WHEN of_one <= 1 THEN fewest ELSE coalesce(of_one / 2, 1)
+                         END WHEN 'reverse' THEN 1 ELSE 0 END AS usual_backward) u)
+SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*, NULL::text AS left_out FROM line
+    JOIN meaning USING (wording)$sql$,
+        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END,
+            array_to_string(named, ', '));
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
+    RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
+        streetgen._osm_table('_restriction', prefix, schemas));
+END $$;
+COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
+    'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
+    'search_path or named with its schema (gis.osm): lanes (lanes:both_ways and lanes:reversible: in the middle, for '
+    'both directions), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; '
+    'turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn '
+    'restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported '
+    'by way.';
