@@ -21,10 +21,10 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 server_user() { if [ "$(id -u)" = 0 ]; then echo streetgen; else id -un; fi; }
 as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@"; fi; }
 
+# PostgreSQL is the one that the distribution has.
 install_packages() {
-  install_missing g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
-    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev libgtest-dev \
-    osm2pgsql gdal-bin librsvg2-bin
+  install_missing g++ cmake make postgresql postgresql-server-dev-all postgresql-postgis postgresql-postgis-scripts \
+    postgis libgeos-dev libboost-dev libgtest-dev osm2pgsql gdal-bin librsvg2-bin
 }
 
 install_qgis() { install_missing python3-qgis qgis-providers; }
