@@ -21,10 +21,10 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 server_user() { if [ "$(id -u)" = 0 ]; then echo streetgen; else id -un; fi; }
 as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@"; fi; }
 
+# PostgreSQL is the one that the distribution has.
 install_packages() {
-  install_missing g++ cmake make postgresql-15 postgresql-server-dev-15 postgresql-15-postgis-3 \
-    postgresql-15-postgis-3-scripts postgis libgeos-dev libboost-dev \
-    osm2pgsql gdal-bin librsvg2-bin fonts-dejavu-core
+  install_missing g++ cmake make postgresql postgresql-server-dev-all postgresql-postgis postgresql-postgis-scripts \
+    postgis libgeos-dev libboost-dev osm2pgsql gdal-bin librsvg2-bin fonts-dejavu-core
 }
 
 install_qgis() { install_missing python3-qgis qgis-providers; }
@@ -32,7 +32,6 @@ install_qgis() { install_missing python3-qgis qgis-providers; }
 install_for_tests() {
   install_packages
   install_missing libgtest-dev
-  install_qgis
 }
 
 install_missing() {
@@ -90,12 +89,21 @@ build_extension() {
 
 build_tests() { build_targets streetgen_core_test; }
 
-# The core, its tests and the fuzz program under ASan and UBSan.
-build_sanitized() {
+# build_beside FOLDER TARGET OPTION…: a build of its own, with options of cmake.
+build_beside() {
   mkdir -p "$build"
-  cmake -S "$root" -B "$build/sanitized" -DSTREETGEN_SANITIZE=ON >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
-  cmake --build "$build/sanitized" -j"$(nproc)" >"$build/sanitized.log" 2>&1 || { tail -20 "$build/sanitized.log" >&2; fail "the sanitized build failed"; }
+  cmake -S "$root" -B "$build/$1" "${@:3}" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+  cmake --build "$build/$1" -j"$(nproc)" --target "$2" >"$build/$1.log" 2>&1 || { tail -20 "$build/$1.log" >&2; fail "the build in $build/$1 failed"; }
 }
+
+# The core, its tests and the fuzz program under ASan and UBSan, with every assertion.
+build_sanitized() { build_beside sanitized all -DCMAKE_BUILD_TYPE=Debug -DSTREETGEN_SANITIZE=ON; }
+
+# The tests of the core as a developer steps through them: nothing is optimised, every assertion holds.
+build_debug() { build_beside debug streetgen_core_test -DCMAKE_BUILD_TYPE=Debug; }
+
+# The module, linked with all types in view: two definitions of one name are an error.
+build_linked() { build_beside linked streetgen -DCMAKE_BUILD_TYPE=None '-DCMAKE_CXX_FLAGS=-flto -Werror=odr'; }
 
 pg_bin() { pg_config --bindir; }
 

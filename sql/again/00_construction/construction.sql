@@ -112,8 +112,8 @@ COMMENT ON FUNCTION streetgen.lanes(geometry, float8, integer, integer, text, te
     'along and against it and, between them, of lanes that both directions use (lanes_both), or lists of kinds and '
     'widths as in axis.kind_forward and axis.lane_width_forward; no lane at all: one along it. lane_width and '
     'axis_offset (metres to the left of the axis) hold at its start; geom in its point order; the surfaces '
-    '(MULTIPOLYGON) tile the roadway. Bad geometry, numbers or words, widths for another number of lanes: 22023; any '
-    'NULL but width_end: no row. StreetGen paper, 2.5 and 2.7.2.';
+    '(MULTIPOLYGON) tile the roadway. Bad geometry, numbers or words, widths for another number of lanes: 22023; '
+    'NULL for anything but width_end: no row. StreetGen paper, 2.5 and 2.7.2.';
 
 CREATE OR REPLACE FUNCTION streetgen._clean(bytea, boolean[], float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_clean';

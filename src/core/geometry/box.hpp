@@ -18,6 +18,7 @@ struct Box {
     max_x = std::max(max_x, p.x);
     max_y = std::max(max_y, p.y);
   }
+  bool empty() const { return min_x > max_x || min_y > max_y; }
   bool meets(const Box& o) const {
     return min_y <= o.max_y && o.min_y <= max_y && min_x <= o.max_x && o.min_x <= max_x;
   }

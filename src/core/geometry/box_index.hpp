@@ -1,4 +1,5 @@
-// Which boxes lie near a box: an R-tree, packed where all boxes are known at once.
+// Which boxes lie near a box: an R-tree, packed where all boxes are known at once. A box that holds
+// nothing lies near none and stays out of the tree.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +7,11 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
+// From Boost 1.76 on the tree does not bring the strategies of its boxes.
+#if __has_include(<boost/geometry/strategies/index/cartesian.hpp>)
+#include <boost/geometry/strategies/index/cartesian.hpp>
+#include <boost/geometry/strategies/relate/cartesian.hpp>
+#endif
 #include <utility>
 #include <vector>
 
@@ -23,7 +29,9 @@ class BoxIndex {
   BoxIndex() = default;
   explicit BoxIndex(const std::vector<Box>& boxes) : tree_(entries(boxes)) {}
 
-  void add(const Box& box, int index) { tree_.insert({grown(box, 0), index}); }
+  void add(const Box& box, int index) {
+    if (!box.empty()) tree_.insert({grown(box, 0), index});
+  }
 
   // Indices of the boxes that meet `box` grown by `margin`, ascending.
   std::vector<int> near(const Box& box, double margin) const {
@@ -58,8 +66,7 @@ class BoxIndex {
     std::vector<Entry> all;
     all.reserve(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
-      all.push_back({Extent{{boxes[i].min_x, boxes[i].min_y}, {boxes[i].max_x, boxes[i].max_y}},
-                     static_cast<int>(i)});
+      if (!boxes[i].empty()) all.push_back({grown(boxes[i], 0), static_cast<int>(i)});
     return all;
   }
   boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;

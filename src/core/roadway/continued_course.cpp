@@ -69,7 +69,7 @@ Taper taper_of(const Layout& layout, const Junction& junction, const EdgeEnd& ne
 }
 
 // Where the width steps at the node, the kerb runs across there.
-Line kerb_between(const Leg& last, const Leg& next, const Line& node, int side) {
+Line kerb_between(const CoursePiece& last, const CoursePiece& next, const Line& node, int side) {
   if (node.size() > 1) return kerb_line(node, 0, length(node), last.half, next.half, side).line;
   const double size = length(last.line);
   Line kerb = kerb_line(last.line, size, size, last.half, last.half, side).line;
@@ -78,16 +78,17 @@ Line kerb_between(const Leg& last, const Leg& next, const Line& node, int side) 
 }
 
 void change_width(Course& course, const Arm& arm, const Taper& taper, int side) {
-  Leg& last = course.back();
+  CoursePiece& last = course.back();
   const double before = length(last.line), after = length(arm.line), at = last.end;
   Line node = substring(last.line, before - taper.before, before);
   const Line behind = substring(arm.line, 0, taper.after);
   node.insert(node.end(), behind.begin(), behind.end());
   last.line = substring(last.line, 0, before - taper.before);
   last.end = at - taper.before;
-  const Leg next{substring(arm.line, taper.after, after), arm.half_start, at + taper.after,
-                 at + after};
-  const Leg kerb{kerb_between(last, next, distinct(planar(node)), side), 0, last.end, next.start};
+  const CoursePiece next{substring(arm.line, taper.after, after), arm.half_start, at + taper.after,
+                         at + after};
+  const CoursePiece kerb{kerb_between(last, next, distinct(planar(node)), side), 0, last.end,
+                         next.start};
   course.push_back(kerb);
   course.push_back(next);
 }
@@ -112,7 +113,7 @@ Course onwards(const Layout& layout, const EdgeEnd& end, int side, std::vector<i
     if (next == nullptr) break;
     const Arm& arm = layout.arm(*next);
     if (same_half(layout.arm(last).half_start, arm.half_start)) {
-      Leg& street = course.back();
+      CoursePiece& street = course.back();
       street.line.insert(street.line.end(), arm.line.begin() + 1, arm.line.end());
       street.end += length(arm.line);
     } else {

@@ -94,7 +94,7 @@ Box box_of(const OffsetPiece& piece) {
 constexpr std::size_t worth_an_index = 64;
 constexpr std::size_t worth_thinning = 16;
 
-// An axis, or a leg of a course, and, where it is long, its segments by place.
+// An axis, or a piece of a course, and, where it is long, its segments by place.
 class Axis {
  public:
   Axis(const Line& line, double half) : line_(line), half_(half) {
@@ -103,9 +103,9 @@ class Axis {
     for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(line[i], line[i + 1]);
     segments_.emplace(boxes);
   }
-  Axis(const Leg& leg, bool last) : Axis(leg.line, leg.half) {
-    start_ = leg.start;
-    if (half_ == 0) share_ = (leg.end - leg.start) / length(leg.line);
+  Axis(const CoursePiece& piece, bool last) : Axis(piece.line, piece.half) {
+    start_ = piece.start;
+    if (half_ == 0) share_ = (piece.end - piece.start) / length(piece.line);
     last_ = last;
   }
 
@@ -171,7 +171,7 @@ struct Meeting {
   Foot a, b;
 };
 
-// The offset border. That of the first leg has the quarter of its round end behind the node:
+// The offset border. That of the first piece has the quarter of its round end behind the node:
 // where a wide axis meets a narrow one nearly straight on, the circle touches the wide one's end.
 class Border {
  public:
@@ -236,7 +236,7 @@ Street street_of(const Line& axis, double width) {
 Street street_of(const Course& course) {
   Street street;
   street.reserve(course.size());
-  for (const Leg& leg : course) street.emplace_back(leg, &leg == &course.back());
+  for (const CoursePiece& piece : course) street.emplace_back(piece, &piece == &course.back());
   return street;
 }
 

@@ -10,13 +10,13 @@
 namespace streetgen {
 
 // A line with half of its width; where the width changes, the kerb of one side, with none.
-struct Leg {
+struct CoursePiece {
   Line line;
   double half = 0;            // metres
   double start = 0, end = 0;  // abscissas on the course
 };
 
-using Course = std::vector<Leg>;  // starts at the node
+using Course = std::vector<CoursePiece>;  // starts at the node
 
 // As of two axes: the left border of a, the right one of b.
 std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius);

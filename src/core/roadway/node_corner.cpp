@@ -163,8 +163,9 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
 namespace {
 
 double widest_half(const Course& course) {
-  return std::max_element(course.begin(), course.end(),
-                          [](const Leg& l, const Leg& m) { return l.half < m.half; })
+  return std::max_element(
+             course.begin(), course.end(),
+             [](const CoursePiece& l, const CoursePiece& m) { return l.half < m.half; })
       ->half;
 }
 

@@ -203,7 +203,8 @@ MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>
     for (Ring& ring : polygon) rings.push_back(&ring);
   for (const Line& border : borders)
     for (const Point& end : border)
-      std::any_of(rings.begin(), rings.end(), [&](Ring* ring) { return pass_through(*ring, end); });
+      for (Ring* ring : rings)
+        if (pass_through(*ring, end)) break;
   return same(moved, surface) || !geos.valid(moved) ? surface : moved;
 }
 

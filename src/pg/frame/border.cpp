@@ -1,5 +1,7 @@
 #include "frame/border.hpp"
 
+#include "varlena.hpp"
+
 extern "C" {
 __attribute__((visibility("default"))) extern const Pg_magic_struct* Pg_magic_func(void);
 PG_MODULE_MAGIC;

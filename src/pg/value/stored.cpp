@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
-extern "C" {
-#include <postgres.h>
-}
+#include "varlena.hpp"
 
 namespace streetgen::pg {
 
