@@ -2,8 +2,8 @@
 //
 // Every lane that comes in is paired with every lane that goes out by another edge (setting
 // u_turn: also by the same edge); parking lanes take no part.  A lane for both directions comes in
-// and goes out at both its ends.  docs/concepts/geometry.md says how plausible pairs are told from the
-// others.
+// and goes out at both its ends.  docs/concepts/geometry.md says how plausible pairs are told from
+// the others.
 #pragma once
 
 #include <cstddef>

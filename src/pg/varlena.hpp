@@ -1,4 +1,5 @@
-// PostgreSQL's values of variable length: from version 16 on their macros have a header of their own.
+// PostgreSQL's values of variable length: from version 16 on their macros have a header of their
+// own.
 #pragma once
 
 extern "C" {

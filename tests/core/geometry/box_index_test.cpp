@@ -1,4 +1,4 @@
-#include "../../src/core/box_index.hpp"
+#include "geometry/box_index.hpp"
 
 #include <gtest/gtest.h>
 
