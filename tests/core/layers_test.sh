@@ -35,9 +35,11 @@ rule 'the core names no database' '! grep -rnE "postgres\.h|fmgr\.h|ereport|pall
 rule 'the border names no geometry library and no SPI' '! grep -rnE "geos_c\.h|<CGAL/|<Eigen/|<boost/|SPI_" "$root/src/pg" >&2'
 rule 'public headers use std alone' '! grep -rnE "#include [<\"](geos|CGAL|Eigen|boost|postgres)" "$root/include" >&2'
 rule 'the module exports its SQL functions alone' '! nm -D --defined-only "$module" | awk "{print \$3}" | grep -vE "^(Pg_magic_func|pg_finfo_streetgen_.*|streetgen_.*)$" >&2'
+
 # Names of types that more than one header defines: two definitions of one name are one type to the linker.
 types_defined_twice() {
-  sed -nE 's/^(struct|class|union|enum|enum class) ([A-Za-z_0-9]+)( final)?( *:[^:].*)? *\{.*/\2/p' "$root"/src/core/*.hpp "$root"/src/pg/*.hpp "$root"/include/streetgen/*.hpp | sort | uniq -d
+  sed -nE 's/^(struct|class|union|enum|enum class) ([A-Za-z_0-9]+)( final)?( *:[^:].*)? *\{.*/\2/p' "$root"/src/core/*/*.hpp "$root"/src/pg/*.hpp "$root"/src/pg/*/*.hpp \
+    "$root"/include/streetgen/*.hpp | sort | uniq -d
 }
 rule 'no two headers define a type of the same name' '! types_defined_twice | grep . >&2'
 for header in "$root"/include/streetgen/*.hpp; do

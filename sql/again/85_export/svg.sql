@@ -50,6 +50,47 @@ COMMENT ON FUNCTION streetgen._svg_beside_legend(text, integer, numeric, float8,
     'A map (SVG of width by height, in pixels of so many metres) with the legend of its styles and a scale on white '
     'beside it.';
 
+CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'surface', $part$
+    SELECT 1 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'section contested' ELSE 'section' END,
+        false, surface, edge_id FROM %1$I.section$part$),
+    (2, 'surface', $part$
+    SELECT 2 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'intersection contested'
+        WHEN method = 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id
+        FROM %1$I.intersection$part$),
+    -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
+    (3, 'lane', $part$
+    SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p
+        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
+    (4, 'lane', $part$
+    SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m
+        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
+    -- Below the line in the middle of the street, which runs along it.
+    (5, 'network', $part$
+    SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3$part$),
+    (6, 'surface', $part$
+    SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size
+        WHERE method = 'hypothesis' AND pixel < 3$part$),
+    (7, 'surface', $part$
+    SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc hard' END, true, ST_CurveToLine(arc, 16),
+        corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3$part$),
+    (8, 'interconnection', $part$
+    SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path'
+        ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size
+        WHERE pixel < 0.5$part$),
+    -- Lanes between crossed limits join paths.
+    (9, 'lane', $part$
+    SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits'
+        AND pixel < 0.5$part$),
+    (10, 'network', $part$
+    SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$) $$;
+COMMENT ON FUNCTION streetgen._drawn_part() IS
+    'What streetgen.svg draws, query by query, over a model %1$I and the query size of the drawing: layer (drawn in '
+    'ascending order), style, is it a line, geometry and key. subject: the query stands only in models that compute '
+    'it.';
+
 CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NULL, width integer DEFAULT 1200,
     legend boolean DEFAULT false) RETURNS text
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -74,28 +115,8 @@ size AS (SELECT ST_XMin(box) AS x, ST_YMax(box) AS y, greatest(ST_XMax(box) - ST
     greatest(ST_YMax(box) - ST_YMin(box), 1) AS h,
                 greatest(ST_XMax(box) - ST_XMin(box), 1) / $2 AS pixel, ST_SetSRID(box, %2$s) AS box FROM frame),
 shape(layer, style, line, geom, id) AS (
-    SELECT 1 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'section contested' ELSE 'section' END,
-        false, surface, edge_id FROM %1$I.section
-    UNION ALL SELECT 2 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'intersection contested'
-        WHEN method = 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id
-        FROM %1$I.intersection
-    -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
-    UNION ALL SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    UNION ALL SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5
-    -- Below the line in the middle of the street, which runs along it.
-    UNION ALL SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3
-    UNION ALL SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size
-        WHERE method = 'hypothesis' AND pixel < 3
-    UNION ALL SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc hard' END, true, ST_CurveToLine(arc, 16),
-        corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3
-    UNION ALL SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path'
-        ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size WHERE pixel < 0.5
-    -- Lanes between crossed limits join paths.
-    UNION ALL SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits'
-        AND pixel < 0.5
-    UNION ALL SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report),
+    $sql$ || (SELECT string_agg(query, ' UNION ALL ' ORDER BY place) FROM streetgen._drawn_part()
+        WHERE subject = ANY (streetgen._subjects(model))) || $sql$),
 drawn AS (
     SELECT layer, id, style, format('<path class="%%s" d="%%s"/>', style || CASE WHEN line THEN ' line' ELSE '' END,
         ST_AsSVG(ST_Translate(geom, -x, -y), 0, 2)) AS path

@@ -1,6 +1,6 @@
 #include "frame/border.hpp"
 
-#include "varlena.hpp"
+#include "frame/varlena.hpp"
 
 extern "C" {
 __attribute__((visibility("default"))) extern const Pg_magic_struct* Pg_magic_func(void);

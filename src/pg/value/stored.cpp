@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "varlena.hpp"
+#include "frame/varlena.hpp"
 
 namespace streetgen::pg {
 

@@ -1,0 +1,331 @@
+-- The rules of check_model, one by one, and the queries that they share.
+
+CREATE OR REPLACE FUNCTION streetgen._check_part() RETURNS TABLE(place integer, subject text, kind text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 60 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'network', 'with', $part$
+-- Without the radius, so that a predictor of the user's is not asked.
+used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, lane_count, lanes_forward, lanes_backward,
+    input_hash, setting_hash FROM %1$I.axis_used)$part$),
+    (2, 'surface', 'with', $part$
+invalid AS MATERIALIZED (
+    SELECT 'section' AS relation, edge_id AS id, surface FROM %1$I.section
+        WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)
+    UNION ALL SELECT 'intersection', node_id, surface FROM %1$I.intersection
+        WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface))$part$),
+    (3, 'surface', 'with', $part$
+-- By lists, so that each is left out before its surface meets another.
+valid_section AS NOT MATERIALIZED (SELECT * FROM %1$I.section
+    WHERE edge_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'section')))$part$),
+    (4, 'surface', 'with', $part$
+valid_intersection AS NOT MATERIALIZED (SELECT * FROM %1$I.intersection
+    WHERE node_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'intersection')))$part$),
+    (5, 'surface', 'with', $part$
+-- Neighbours share their border vertex for vertex, so that a relation without a grid would stumble over rounding.
+-- It costs as much again, so that only what shares ground without one is looked at.
+-- Levels are compared by difference, since a hash join of a whole level would pass over the spatial index.
+overlap AS MATERIALIZED (
+    SELECT relation, id, ST_CollectionExtract(ST_Intersection(a, b, 1e-5), 3) AS shared FROM (
+        SELECT 'section' AS relation, a.edge_id AS id, a.surface AS a, b.surface AS b
+        FROM valid_section a JOIN valid_section b ON a.surface && b.surface AND a.level - b.level = 0
+            AND a.edge_id < b.edge_id
+        UNION ALL SELECT 'section', a.edge_id, a.surface, b.surface
+        FROM valid_section a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0
+        UNION ALL SELECT 'intersection', a.node_id, a.surface, b.surface
+        FROM valid_intersection a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0
+            AND a.node_id < b.node_id) pair
+    WHERE streetgen._share_ground(a::bytea, b::bytea) AND ST_Area(ST_Intersection(a, b)) > 1e-6)$part$),
+    (6, 'network', 'with', $part$
+not_made AS MATERIALIZED (
+    SELECT geom, greatest(width, width_end) / 2 AS half FROM used u WHERE NOT EXISTS (SELECT FROM %1$I.edge e
+        WHERE e.axis_id = u.axis_id))$part$),
+    (7, 'surface', 'with', $part$
+-- What of an edge lies on neither its section nor its nodes' intersections, nor, where ground was contested, on other
+-- roadway.
+-- Borders may run along the edge, so that a piece is bare only where its middle is off all of them; contested ground is
+-- shared out on a grid of 10 micrometres.
+bare AS MATERIALIZED (
+    SELECT edge_id, piece.geom, ST_Length(piece.geom) AS length
+    FROM (SELECT e.edge_id, from_node, to_node, s.contested_area + coalesce(a.contested_area,
+        0) + coalesce(b.contested_area, 0) > 0 AS contested,
+                 ST_Difference(ST_Difference(ST_Difference(ST_Force2D(e.geom), s.surface),
+                     coalesce(a.surface, s.surface)), coalesce(b.surface, s.surface)) AS rest
+          FROM %1$I.edge e JOIN valid_section s USING (edge_id)
+          LEFT JOIN %1$I.intersection a ON a.node_id = from_node LEFT JOIN %1$I.intersection b ON b.node_id = to_node
+          WHERE NOT ARRAY[from_node, to_node] && ARRAY(SELECT id FROM invalid WHERE relation = 'intersection')
+            AND NOT streetgen._lies_on(
+                e.geom::bytea, s.surface::bytea, coalesce(a.surface, s.surface)::bytea,
+                    coalesce(b.surface, s.surface)::bytea)
+          OFFSET 0) e, ST_Dump(rest) piece,
+         LATERAL (SELECT ST_LineInterpolatePoint(piece.geom, 0.5) AS middle, CASE WHEN contested THEN 1e-5 ELSE 1e-6
+             END AS off) p
+    WHERE ST_Length(piece.geom) > 1e-6
+      AND NOT EXISTS (SELECT FROM %1$I.section r WHERE ST_DWithin(surface, middle, off)
+          AND (contested OR r.edge_id = e.edge_id))
+      AND NOT EXISTS (SELECT FROM %1$I.intersection r WHERE ST_DWithin(surface, middle, off)
+          AND (contested OR node_id IN (from_node, to_node)))
+      -- Ground may wait for a street that is not made yet.
+      AND NOT (contested AND EXISTS (SELECT FROM not_made WHERE ST_DWithin(not_made.geom, middle, half))))$part$),
+    (8, 'interconnection', 'with', $part$
+lane_node AS MATERIALIZED (
+    SELECT l.lane_id, l.geom, v.along, v.leaves, v.enters FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
+    JOIN LATERAL (VALUES (true, e.from_node, e.to_node), (false, e.to_node, e.from_node)) v(along, leaves,
+        enters) ON l.both_ways OR l.along_axis = v.along
+    WHERE l.kind <> 'parking')$part$),
+    (9, 'network', 'with', $part$
+tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance')$part$),
+    (10, 'network', 'with', $part$
+ending AS MATERIALIZED (SELECT node_id, axis_id, geom FROM %1$I.node n
+    JOIN LATERAL (SELECT from_node, axis_id FROM %1$I.edge
+    UNION ALL SELECT to_node, axis_id FROM %1$I.edge) e(node_id, axis_id) USING (node_id)
+    WHERE axis_id IN (SELECT from_axis FROM %1$I.turn_restriction
+        UNION SELECT to_axis FROM %1$I.turn_restriction))$part$),
+    (11, 'interconnection', 'with', $part$
+decided AS MATERIALIZED (
+    SELECT DISTINCT ON (c.interconnection_id) d.*, c.interconnection_id, c.connecting AS was_connecting, c.plausible,
+        c.control AS was_control, c.method AS was_method
+    FROM %1$I.interconnection_override d JOIN %1$I.edge a ON a.axis_id = d.axis_in
+        JOIN %1$I.lane i ON (i.edge_id, i.ordinality) = (a.edge_id, d.lane_in)
+    JOIN %1$I.edge b ON b.axis_id = d.axis_out JOIN %1$I.lane o ON (o.edge_id, o.ordinality) = (b.edge_id, d.lane_out)
+    JOIN %1$I.interconnection c ON (c.lane_in, c.lane_out) = (i.lane_id, o.lane_id) JOIN %1$I.node n USING (node_id)
+        CROSS JOIN tolerance t
+    WHERE (d.along_in = c.along_in) IS NOT FALSE AND (d.along_out = c.along_out) IS NOT FALSE
+        AND ST_DWithin(d.geom, n.geom, 3 * t.value)
+    ORDER BY c.interconnection_id, d.interconnection_override_id DESC)$part$),
+    (12, 'lane', 'with', $part$
+-- What of a lane lies outside its section, where nothing was contested.
+astray AS MATERIALIZED (
+    SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN valid_section s USING (edge_id)
+    WHERE s.contested_area = 0 AND s.method <> 'crossed_limits'
+        AND NOT streetgen._lies_on(l.geom::bytea, s.surface::bytea))$part$),
+    (13, 'network', 'with', $part$
+listed AS MATERIALIZED (
+    SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u
+        JOIN %1$I.axis a USING (axis_id),
+    LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward,
+        a.direction = 'reverse'),
+                    (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward,
+                        a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
+    WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL)$part$),
+    (14, 'interconnection', 'with', $part$
+-- Nodes of more pairs of lanes than are made.
+busy_node AS MATERIALIZED (
+    SELECT node_id, sum(comes) * sum(goes) - CASE WHEN u_turn THEN 0 ELSE sum(comes * goes) END AS pairs
+    FROM (SELECT node_id, edge_id, count(*) FILTER (WHERE comes) AS comes, count(*) FILTER (WHERE NOT comes) AS goes
+          FROM lane_node l JOIN %1$I.lane USING (lane_id),
+              LATERAL (VALUES (l.enters, true), (l.leaves, false)) v(node_id, comes)
+          GROUP BY node_id, edge_id) e,
+         (SELECT max(value) FILTER (WHERE name = 'interconnections_maximal') AS most, max(value)
+             FILTER (WHERE name = 'u_turn') = 'true' AS u_turn FROM %1$I.setting) s
+    GROUP BY node_id, u_turn, most HAVING sum(comes) * sum(goes) - CASE WHEN u_turn THEN 0 ELSE sum(comes * goes)
+        END > most::float8)$part$),
+    (15, 'network', 'with', $part$
+degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
+    FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM %1$I.edge
+    UNION ALL SELECT to_node, axis_id FROM %1$I.edge) d GROUP BY node_id)$part$),
+    (16, 'surface', 'rule', $part$
+SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM invalid$part$),
+    (17, 'network', 'rule', $part$
+SELECT NULL, NULL, NULL, NULL, NULL, NULL WHERE streetgen._tell_check(1, 'overlaps')$part$),
+    (18, 'surface', 'rule', $part$
+SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap
+    WHERE ST_Area(shared) > 0.001$part$),
+    (19, 'surface', 'rule', $part$
+SELECT 'error', 'node of degree three and more without an intersection', 'node', n.node_id, d.degree, n.geom
+    FROM %1$I.node n JOIN degree d USING (node_id) LEFT JOIN %1$I.intersection i USING (node_id) WHERE d.degree >= 3
+        AND (i.node_id IS NULL OR ST_IsEmpty(i.surface) AND i.contested_area = 0)$part$),
+    (20, 'network', 'rule', $part$
+SELECT 'error', 'node without an edge', 'node', n.node_id, 0, n.geom FROM %1$I.node n
+    WHERE NOT EXISTS (SELECT FROM degree d WHERE d.node_id = n.node_id)$part$),
+    (21, 'surface', 'rule', $part$
+SELECT 'error', 'edge without its two limits', 'edge', e.edge_id, count(l.edge_id), e.geom FROM %1$I.edge e
+    LEFT JOIN %1$I.section_limit l USING (edge_id) GROUP BY e.edge_id HAVING count(l.edge_id) <> 2$part$),
+    (22, 'surface', 'rule', $part$
+SELECT 'error', 'edge without a section', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e
+    WHERE NOT EXISTS (SELECT FROM %1$I.section s WHERE s.edge_id = e.edge_id)$part$),
+    (23, 'network', 'rule', $part$
+SELECT NULL, NULL, NULL, NULL, NULL, NULL WHERE streetgen._tell_check(2, 'edges on the roadway')$part$),
+    (24, 'surface', 'rule', $part$
+SELECT 'error', 'edge outside the roadway, m', 'edge', edge_id, length, geom FROM bare$part$),
+    (25, 'surface', 'rule', $part$
+SELECT 'error', 'limits out of order', 'edge', a.edge_id, a.abscissa - b.abscissa, a.geom
+    FROM %1$I.section_limit a JOIN %1$I.section_limit b USING (edge_id) WHERE a.which = 'start' AND b.which = 'end'
+        AND a.abscissa > b.abscissa + 1e-6$part$),
+    (26, 'interconnection', 'rule', $part$
+SELECT NULL, NULL, NULL, NULL, NULL, NULL WHERE streetgen._tell_check(3, 'interconnections')$part$),
+    (27, 'interconnection', 'rule', $part$
+SELECT 'error', 'interconnection off its lanes, m', 'interconnection', interconnection_id, off, geom FROM (
+    SELECT c.interconnection_id, c.geom,
+        greatest(ST_Distance(ST_StartPoint(c.geom), CASE WHEN c.along_in THEN ST_EndPoint(i.geom)
+        ELSE ST_StartPoint(i.geom) END),
+                                                  ST_Distance(ST_EndPoint(c.geom), CASE WHEN c.along_out
+                                                      THEN ST_StartPoint(o.geom) ELSE ST_EndPoint(o.geom) END)) AS off
+    FROM %1$I.interconnection c JOIN %1$I.lane i ON i.lane_id = c.lane_in JOIN %1$I.lane o ON o.lane_id = c.lane_out) p
+        WHERE off > 0.001$part$),
+    (28, 'interconnection', 'rule', $part$
+SELECT 'notice', 'lane without a plausible way on', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l
+    JOIN degree d ON d.node_id = l.enters
+    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c
+        WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
+        AND d.node_id NOT IN (SELECT node_id FROM busy_node)$part$),
+    (29, 'interconnection', 'rule', $part$
+SELECT 'notice', 'lane that no plausible way reaches', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l
+    JOIN degree d ON d.node_id = l.leaves
+    WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM %1$I.interconnection c
+        WHERE (c.lane_out, c.along_out) = (l.lane_id, l.along) AND c.plausible)
+        AND d.node_id NOT IN (SELECT node_id FROM busy_node)$part$),
+    (30, 'interconnection', 'rule', $part$
+SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'node', node_id, pairs, n.geom
+    FROM busy_node JOIN %1$I.node n USING (node_id)$part$),
+    (31, 'network', 'rule', $part$
+SELECT 'warning', 'turn restriction without a place', 'turn_restriction', r.turn_restriction_id, 0, r.geom
+    FROM %1$I.turn_restriction r
+    WHERE NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id) WHERE a.axis_id = r.from_axis
+        AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))$part$),
+    (32, 'network', 'rule', $part$
+SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction', a.turn_restriction_id,
+    b.turn_restriction_id, a.geom FROM %1$I.turn_restriction a
+    JOIN %1$I.turn_restriction b ON (a.from_axis, a.to_axis, a.kind, b.kind) = (b.from_axis, b.to_axis, 'no', 'only')
+        AND (a.turn = b.turn) IS NOT FALSE CROSS JOIN tolerance t WHERE ST_DWithin(a.geom, b.geom, 3 * t.value)$part$),
+    (33, 'interconnection', 'rule', $part$
+SELECT 'warning', 'interconnection override without a place', 'interconnection_override',
+    d.interconnection_override_id, 0, d.geom FROM %1$I.interconnection_override d
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge a JOIN %1$I.lane i USING (edge_id)
+        JOIN %1$I.interconnection c ON c.lane_in = i.lane_id JOIN %1$I.lane o ON o.lane_id = c.lane_out
+        JOIN %1$I.edge b ON b.edge_id = o.edge_id JOIN %1$I.node n ON n.node_id = c.node_id CROSS JOIN tolerance t
+        WHERE (a.axis_id, i.ordinality, b.axis_id, o.ordinality) = (d.axis_in, d.lane_in, d.axis_out, d.lane_out)
+            AND (d.along_in = c.along_in) IS NOT FALSE
+            AND (d.along_out = c.along_out) IS NOT FALSE AND ST_DWithin(d.geom, n.geom, 3 * t.value))$part$),
+    (34, 'interconnection', 'rule', $part$
+SELECT 'warning', 'stale: an interconnection override changed since', 'interconnection_override',
+    interconnection_override_id, 0, geom FROM decided
+    WHERE was_method <> 'by_hand' OR was_connecting <> coalesce(connecting, plausible) OR control IS NOT NULL
+        AND control::bytea IS DISTINCT FROM was_control::bytea$part$),
+    (35, 'network', 'rule', $part$
+SELECT NULL, NULL, NULL, NULL, NULL, NULL WHERE streetgen._tell_check(4, 'what changed')$part$),
+    (36, 'network', 'rule', $part$
+SELECT 'warning', 'stale: rows changed by hand since', 'edge', edge_id, 0, geom FROM %1$I.edge
+    WHERE input_hash = streetgen._changed_by_hand()$part$),
+    (37, 'network', 'rule', $part$
+SELECT 'warning', 'stale: the axis changed since', 'axis', u.axis_id, 0, u.geom FROM used u
+    WHERE EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id AND e.input_hash <> u.input_hash
+    AND e.input_hash <> streetgen._changed_by_hand())$part$),
+    (38, 'network', 'rule', $part$
+SELECT 'warning', 'stale: the axis is gone', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e
+    WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = e.axis_id)$part$),
+    (39, 'network', 'rule', $part$
+SELECT 'warning', 'stale: settings changed since, edges', 'setting', NULL, count(*), NULL FROM %1$I.edge e
+    JOIN used u USING (axis_id) WHERE e.setting_hash <> u.setting_hash HAVING count(*) > 0$part$),
+    (40, 'network', 'rule', $part$
+SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom), u.geom FROM used u
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)
+    AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')$part$),
+    (41, 'network', 'rule', $part$
+SELECT 'notice', 'kind that is no class, taken as unknown', 'axis', a.axis_id, 0, a.geom FROM %1$I.axis a
+    WHERE NOT EXISTS (SELECT FROM %1$I.axis_class c WHERE c.class = a.kind) AND a.kind IS NOT NULL$part$),
+    (42, 'network', 'rule', $part$
+SELECT 'warning', CASE metres WHEN 0 THEN 'looks like degrees'
+    ELSE 'outside the area of use of the SRID, m' END, 'axis', label::bigint, metres, place
+    FROM streetgen._misplaced(format('SELECT axis_id AS label, geom FROM %%I.axis', %1$L))$part$),
+    (43, 'network', 'rule', $part$
+SELECT 'notice', attribute || ' not believed, m', 'axis', axis_id, width, geom
+    FROM streetgen._unbelieved(%1$L)$part$),
+    (44, 'surface', 'rule', $part$
+SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section
+    WHERE contested_area > 1 AND method <> 'crowded'$part$),
+    (45, 'surface', 'rule', $part$
+SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM %1$I.intersection
+    WHERE contested_area > 1 AND method <> 'crowded'$part$),
+    (46, 'surface', 'rule', $part$
+SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'section', edge_id,
+    contested_area, geom
+    FROM %1$I.section JOIN %1$I.edge USING (edge_id) WHERE method = 'crowded'$part$),
+    (47, 'surface', 'rule', $part$
+SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'intersection',
+    node_id, contested_area, geom
+    FROM %1$I.intersection JOIN %1$I.node USING (node_id) WHERE method = 'crowded'$part$),
+    (48, 'surface', 'rule', $part$
+SELECT 'warning', 'transition_override finds no change of width', 'transition_override',
+    o.transition_override_id, 0, u.geom
+    FROM %1$I.transition_override o LEFT JOIN used u USING (axis_id) WHERE NOT EXISTS (
+        SELECT FROM %1$I.edge e JOIN %1$I.intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node
+            ELSE e.to_node END JOIN degree d USING (node_id)
+        WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested', 'crowded')
+            AND NOT EXISTS (SELECT FROM %1$I.edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start'
+                THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))$part$),
+    (49, 'network', 'rule', $part$
+SELECT 'error', 'lanes of the directions do not sum up', 'edge', e.edge_id, e.lane_count, e.geom
+    FROM %1$I.edge e
+    WHERE e.lane_count <> e.lanes_forward + e.lanes_backward + e.lanes_both$part$),
+    (50, 'lane', 'rule', $part$
+SELECT NULL, NULL, NULL, NULL, NULL, NULL WHERE streetgen._tell_check(5, 'lanes')$part$),
+    (51, 'lane', 'rule', $part$
+SELECT 'error', 'edge without a lane', 'edge', e.edge_id, 0, e.geom FROM %1$I.edge e
+    WHERE NOT EXISTS (SELECT FROM %1$I.lane l WHERE l.edge_id = e.edge_id)$part$),
+    (52, 'lane', 'rule', $part$
+SELECT 'error', 'invalid surface', 'lane', lane_id, ST_Area(surface), surface FROM %1$I.lane
+    WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)$part$),
+    (53, 'lane', 'rule', $part$
+SELECT 'warning', 'lane outside its section, m', 'lane', lane_id, ST_Length(outside), outside FROM astray
+    WHERE ST_Length(outside) > 0.1$part$),
+    (54, 'lane', 'rule', $part$
+SELECT 'warning', 'lane override without its lane', 'lane_override', o.lane_override_id, o.abscissa, o.geom
+    FROM %1$I.lane_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN %1$I.lane l USING (edge_id) WHERE e.axis_id = o.axis_id
+        AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality)$part$),
+    (55, 'network', 'rule', $part$
+SELECT 'warning', 'section limit override without its limit', 'section_limit_override',
+    o.section_limit_override_id, o.abscissa, o.geom FROM %1$I.section_limit_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN degree d ON d.node_id = CASE o.which WHEN 'start' THEN e.from_node
+        ELSE e.to_node END WHERE e.axis_id = o.axis_id AND d.degree > 1
+        AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+            ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END)$part$),
+    (56, 'surface', 'rule', $part$
+SELECT 'warning', 'corner override without its corner', 'corner_override', o.corner_override_id, o.radius,
+    o.geom FROM %1$I.corner_override o
+    WHERE NOT EXISTS (SELECT FROM tolerance t, %1$I.node n JOIN %1$I.corner c USING (node_id)
+        JOIN %1$I.edge a ON a.edge_id = c.edge_a JOIN %1$I.edge b ON b.edge_id = c.edge_b
+        WHERE (a.axis_id, b.axis_id) = (o.axis_a, o.axis_b) AND c.method <> 'transition'
+            AND ST_DWithin(n.geom, o.geom, 3 * t.value))$part$),
+    (57, 'network', 'rule', $part$
+SELECT 'warning', 'kerb point override without its axis', 'kerb_point_override', o.kerb_point_override_id,
+    o.width, o.geom FROM %1$I.kerb_point_override o
+    WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id)$part$),
+    (58, 'lane', 'rule', $part$
+SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
+    FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
+    WHERE l.kind IN ('general', 'bus') AND l.width < s.least - 1e-6$part$),
+    (59, 'network', 'rule', $part$
+SELECT 'notice', 'lanes for both directions of a one-way street, not taken', 'axis', axis_id, lanes_both,
+    geom FROM %1$I.axis WHERE direction <> 'both' AND lanes_both > 0$part$),
+    (60, 'network', 'rule', $part$
+SELECT 'notice', 'lane_count is not that of the directions, which count', 'axis', a.axis_id, a.lane_count,
+    a.geom FROM %1$I.axis a JOIN used u USING (axis_id)
+    WHERE a.lane_count <> u.lane_count$part$),
+    (61, 'network', 'rule', $part$
+SELECT 'notice', 'lanes against a one-way street, not taken', 'axis', axis_id, stated, geom FROM listed
+    WHERE closed AND stated > 0 AND kinds IS NULL$part$),
+    (62, 'network', 'rule', $part$
+SELECT 'notice', 'number of lanes is not that of their kinds, which count', 'axis', axis_id, stated, geom
+    FROM listed WHERE stated <> of_kinds$part$),
+    (63, 'network', 'rule', $part$
+SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_id,
+    cardinality(string_to_array(list, '|')), geom
+    FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
+    WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')),
+        used))$part$),
+    (64, 'network', 'rule', $part$
+SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$) $$;
+COMMENT ON FUNCTION streetgen._check_part() IS
+    'The parts of the query of streetgen.check_model in their order, over a model %1$I. subject: the part stands only '
+    'in models that compute it. kind with: a query that rules share, after WITH; kind rule: the rows of one rule '
+    '(severity, rule, relation, id, measure, geom), or a step of the progress, without a row.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_statement(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT format('WITH ' || string_agg(query, ',' ORDER BY place) FILTER (WHERE kind = 'with')
+        || string_agg(query, E'\nUNION ALL' ORDER BY place) FILTER (WHERE kind = 'rule'), model)
+    FROM streetgen._check_part() WHERE subject = ANY (streetgen._subjects(model)) $$;
+COMMENT ON FUNCTION streetgen._check_statement(name) IS
+    'The query of streetgen.check_model for the subjects that a model computes.';

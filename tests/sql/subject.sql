@@ -1,0 +1,96 @@
+-- Subjects: a model computes those that it wants; a computed table is a row of one list, its folder and its page.
+-- Each SELECT is one truth: (name, holds).
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.draw(model name) RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width, lane_count) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 2), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860010)', 7, 2),
+    (3, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6, 2)$q$, model);
+END $$;
+CREATE FUNCTION pg_temp.relations(model name) RETURNS text LANGUAGE sql AS $$
+  SELECT string_agg(relname, ' ' ORDER BY relname) FROM pg_class WHERE relnamespace = model::regnamespace AND relkind IN ('r', 'v')
+    AND relname IN ('section', 'lane', 'lane_separator', 'marking', 'interconnection', 'conflict', 'lane_editing', 'interconnection_editing') $$;
+
+SELECT streetgen.create_model('whole', 2154) \g /dev/null
+SELECT streetgen.create_model('bare', 2154, subjects => '{}') \g /dev/null
+SELECT streetgen.create_model('laned', 2154, subjects => '{lane}') \g /dev/null
+SELECT pg_temp.draw(m) FROM unnest('{whole,bare,laned}'::name[]) m \g /dev/null
+SELECT 'a model computes all subjects unless told otherwise', bool_and(wanted) FROM streetgen.subject('whole');
+SELECT 'a subject brings what it needs', array_agg(subject ORDER BY subject) = '{lane,network,surface}' FROM streetgen.subject('laned') WHERE wanted;
+SELECT 'a model of no subject has the roadway', array_agg(subject ORDER BY subject) = '{network,surface}' FROM streetgen.subject('bare') WHERE wanted;
+SELECT 'tables and views of a subject are there only with it', pg_temp.relations('bare') = 'section' AND pg_temp.relations('laned') = 'lane lane_editing lane_separator marking section'
+  AND pg_temp.relations('whole') = 'conflict interconnection interconnection_editing lane lane_editing lane_separator marking section';
+SELECT 'streets follow edits in each of them', (SELECT count(*) FROM bare.section) = 3 AND (SELECT count(*) FROM laned.lane) = 6 AND (SELECT count(*) > 0 FROM whole.interconnection);
+SELECT 'surfaces are the same in all', NOT EXISTS (SELECT surface FROM whole.section EXCEPT SELECT surface FROM bare.section)
+  AND NOT EXISTS (SELECT surface FROM whole.intersection EXCEPT SELECT surface FROM bare.intersection);
+SELECT 'generate counts the tables that are there', array_agg(relation) = streetgen._computed_tables('laned')::text[] FROM streetgen.generate('laned');
+SELECT 'and has nothing to do', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('bare');
+SELECT 'each of them is sound: ' || m, (SELECT count(*) = 0 FROM streetgen.check_model(m) WHERE severity = 'error') FROM unnest('{whole,bare,laned}'::name[]) m;
+SELECT 'each of them is summed up: ' || m, (SELECT count(*) > 5 FROM streetgen.summary(m)) FROM unnest('{whole,bare,laned}'::name[]) m;
+SELECT 'each of them is drawn: ' || m, streetgen.svg(m) LIKE '%section%' FROM unnest('{whole,bare,laned}'::name[]) m;
+SELECT 'each of them is exported: ' || m, (SELECT count(*) FROM streetgen.export_layer(m)) = CASE m WHEN 'whole' THEN 9 WHEN 'laned' THEN 8 ELSE 5 END
+  FROM unnest('{whole,bare,laned}'::name[]) m;
+
+UPDATE bare.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+INSERT INTO bare.lane_override (axis_id, abscissa, ordinality, width) VALUES (3, 50, 1, 3.2);
+SELECT 'an axis turned round keeps its overrides where no lanes are', (SELECT count(*) = 1 FROM bare.lane_override) AND (SELECT count(*) FROM bare.section) = 3;
+SELECT 'a subject that is switched on is filled', (SELECT sum(inserted) FILTER (WHERE relation = 'lane') = 6 AND sum(inserted) FILTER (WHERE relation = 'section') = 0
+  FROM streetgen.switch_subject('bare', 'interconnection', true));
+SELECT 'with what was decided by hand', (SELECT count(*) = 1 FROM bare.lane WHERE method = 'by_hand' AND width = 3.2);
+SELECT 'it follows edits from then on', (SELECT count(*) > 0 FROM bare.interconnection) AND pg_temp.relations('bare') = pg_temp.relations('whole');
+SELECT 'switched on again nothing happens', count(*) = 0 FROM streetgen.switch_subject('bare', 'lane', true);
+SELECT 'a subject that another one needs stays', (test.refusal('SELECT FROM streetgen.switch_subject(''bare'', ''lane'', false)')).state = '2BP01';
+SELECT 'a subject of every model stays', (test.refusal('SELECT FROM streetgen.switch_subject(''bare'', ''surface'', false)')).state = '0A000';
+SELECT 'a word that is no subject is refused', (test.refusal('SELECT FROM streetgen.switch_subject(''bare'', ''tram'', true)')).state = '22023'
+  AND (test.refusal('SELECT streetgen.create_model(''trams'', 2154, subjects => ''{tram}'')')).state = '22023';
+CREATE VIEW public.others AS SELECT lane_in FROM bare.interconnection;
+SELECT 'what something of others builds on stays', (test.refusal('SELECT FROM streetgen.switch_subject(''bare'', ''interconnection'', false)')).state = '2BP01';
+DROP VIEW public.others;
+SELECT FROM streetgen.switch_subject('bare', 'interconnection', false) \g /dev/null
+SELECT FROM streetgen.switch_subject('bare', 'lane', false) \g /dev/null
+SELECT 'switched off, tables and views go', pg_temp.relations('bare') = 'section';
+SELECT 'decisions by hand stay', (SELECT count(*) = 1 FROM bare.lane_override);
+UPDATE bare.axis SET width = 8 WHERE axis_id = 2;
+SELECT 'and streets follow edits', (SELECT width = 8 FROM bare.edge WHERE axis_id = 2);
+TRUNCATE bare.axis;
+SELECT 'also where all axes go', NOT EXISTS (SELECT FROM bare.edge);
+CREATE ROLE subject_reader;
+SELECT streetgen.grant('bare', 'subject_reader', 'reader') \g /dev/null
+SELECT pg_temp.draw('bare') \g /dev/null
+SELECT FROM streetgen.switch_subject('bare', 'lane', true) \g /dev/null
+SELECT 'who reads the axes reads the tables that came', has_table_privilege('subject_reader', 'bare.lane', 'SELECT') AND has_table_privilege('subject_reader', 'bare.lane_editing', 'SELECT');
+DROP OWNED BY subject_reader;
+DROP ROLE subject_reader;
+
+-- A toy: a milestone in the middle of each edge. One row of each list, a function for its table and one for its part.
+ALTER FUNCTION streetgen._subject() RENAME TO _subject_shipped;
+CREATE FUNCTION streetgen._subject() RETURNS TABLE(place integer, subject text, needs text[], always boolean, cost text, description text) LANGUAGE sql IMMUTABLE AS $$
+  SELECT * FROM streetgen._subject_shipped() UNION ALL VALUES (9, 'milestone', '{network}'::text[], false, 'nothing', 'a stone in the middle of each edge') $$;
+ALTER FUNCTION streetgen._computed_table() RENAME TO _computed_table_shipped;
+CREATE FUNCTION streetgen._computed_table() RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name, gone_each integer) LANGUAGE sql IMMUTABLE AS $$
+  SELECT * FROM streetgen._computed_table_shipped() UNION ALL VALUES (20, 'milestone'::name, 'milestone', 'milestone_id', 'edge_id', 'milestone'::name, 1) $$;
+CREATE FUNCTION streetgen._make_milestone_tables(model name, srid integer) RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE format('CREATE TABLE %I.milestone (milestone_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    edge_id bigint NOT NULL REFERENCES %1$I.edge ON DELETE CASCADE, geom geometry(Point, %2$s) NOT NULL, UNIQUE (edge_id))', model, srid);
+END $$;
+CREATE FUNCTION streetgen._upsert_milestone(places jsonb) RETURNS text LANGUAGE sql AS $$
+  SELECT streetgen._upsert_rows(places, 'milestone', columns => 'edge_id, geom', rows => $part$
+    SELECT number, edge_id, ST_LineInterpolatePoint(ST_Force2D(geom), 0.5) AS geom FROM (
+      SELECT c.number, (SELECT ids FROM edge_ids)[c.number] AS edge_id, c.geom FROM written_edge c) e WHERE edge_id > 0$part$,
+    there => $part$SELECT m.milestone_id FROM new_edge e, LATERAL (SELECT * FROM {model}.milestone m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked AND NOT e.fresh$part$) $$;
+SELECT 'a subject of a user''s own is listed', wanted = false AND tables = '{milestone}' FROM streetgen.subject('laned') WHERE subject = 'milestone';
+SELECT 'switched on it is filled', (SELECT inserted = 3 FROM streetgen.switch_subject('laned', 'milestone', true) WHERE relation = 'milestone');
+SELECT 'with a row for each edge', count(*) = 3 FROM laned.milestone;
+UPDATE laned.axis SET geom = 'SRID=2154;LINESTRING(650100 6860000,650100 6860120)' WHERE axis_id = 3;
+SELECT 'it follows edits', (SELECT ST_Distance(m.geom, 'SRID=2154;POINT(650100 6860060)') < 0.01 FROM laned.milestone m JOIN laned.edge USING (edge_id) WHERE axis_id = 3);
+SELECT 'a second run leaves it as it is', inserted + updated + deleted = 0 AND unchanged = 3 FROM streetgen.generate('laned') WHERE relation = 'milestone';
+DELETE FROM laned.axis WHERE axis_id = 3;
+SELECT 'and goes with its edge', (SELECT count(*) = (SELECT count(*) FROM laned.edge) FROM laned.milestone);
+SELECT streetgen.live('laned', false) \g /dev/null
+TRUNCATE laned.axis;
+SELECT streetgen.live('laned', true) \g /dev/null
+SELECT FROM streetgen.generate('laned') \g /dev/null
+SELECT 'a model of no axes has none', NOT EXISTS (SELECT FROM laned.milestone);
+SELECT FROM streetgen.switch_subject('laned', 'milestone', false) \g /dev/null
+SELECT 'switched off nothing is left of it', to_regclass('laned.milestone') IS NULL AND NOT EXISTS (SELECT FROM streetgen.generate('laned') WHERE relation = 'milestone');
