@@ -34,15 +34,15 @@ BEGIN
     DROP EXTENSION streetgen;
     CREATE EXTENSION streetgen;
     -- One new model for all that are alike, since what is made and dropped stays locked to the end.
-    CREATE TEMPORARY TABLE wanted_column (srid integer, dimension integer, description text) ON COMMIT DROP;
-    FOR known IN SELECT DISTINCT srid, dimension FROM known_model LOOP
-        PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension);
-        INSERT INTO wanted_column SELECT known.srid, known.dimension, pg_temp.columns_of('streetgen_renewed');
+    CREATE TEMPORARY TABLE wanted_column (srid integer, dimension integer, subjects text[], description text) ON COMMIT DROP;
+    FOR known IN SELECT DISTINCT srid, dimension, streetgen._subjects(name) AS subjects FROM known_model LOOP
+        PERFORM streetgen.create_model('streetgen_renewed', known.srid, known.dimension, known.subjects);
+        INSERT INTO wanted_column SELECT known.srid, known.dimension, known.subjects, pg_temp.columns_of('streetgen_renewed');
         PERFORM streetgen.drop_model('streetgen_renewed');
     END LOOP;
     FOR known IN SELECT * FROM known_model LOOP
         PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._add_tables(known.name, known.srid);
-        SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension) = (known.srid, known.dimension) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
+        SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension, subjects) = (known.srid, known.dimension, streetgen._subjects(known.name)) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         IF missing IS NOT NULL THEN
             RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',
                 HINT = format('Keep it with pg_dump -n %1$I and DROP SCHEMA %1$I CASCADE, or set STREETGEN_DATABASE to a new name.', known.name);

@@ -35,6 +35,10 @@ class Database:
         self.ask(f'SELECT count(*) FROM streetgen.setting({literal(model)})')  # An unknown model is an error.
         return self.ask(f'SELECT srid FROM streetgen.model WHERE name = {literal(model)}')[0][0]
 
+    def relations(self, model):
+        """The names of the tables and views of a model."""
+        return {name for name, in self.ask(f'SELECT relname FROM pg_class WHERE relnamespace = {literal(identifier(model))}::regnamespace')}
+
     def source(self, model, srid, layer):
         """Where a layer comes from. The key is named, since a view tells none."""
         uri = QgsDataSourceUri(self.uri)

@@ -25,10 +25,14 @@ class Layer:
         return f'{self.relation} {self.geometry}' if self.geometry in ('centre', 'border_line') else self.relation
 
 
-ROADWAY = '''SELECT edge_id * 4 AS roadway_id, 'section' AS kind, edge_id AS id, level, method, surface FROM @.section
-    UNION ALL SELECT node_id * 4 + 1, 'intersection', node_id, level, method, surface FROM @.intersection
-    UNION ALL SELECT lane_separator_id * 4 + 2, 'lane_separator', lane_separator_id, level, NULL, surface FROM @.lane_separator JOIN @.edge USING (edge_id)
-    UNION ALL SELECT marking_id * 4 + 3, 'marking', marking_id, level, NULL, surface FROM @.marking JOIN @.edge USING (edge_id)'''
+# What the layer roadway shows of each relation.
+ROADWAY = {
+    'section': "SELECT edge_id * 4 AS roadway_id, 'section' AS kind, edge_id AS id, level, method, surface FROM @.section",
+    'intersection': "SELECT node_id * 4 + 1, 'intersection', node_id, level, method, surface FROM @.intersection",
+    'lane_separator': "SELECT lane_separator_id * 4 + 2, 'lane_separator', lane_separator_id, level, NULL, surface "
+                      'FROM @.lane_separator JOIN @.edge USING (edge_id)',
+    'marking': "SELECT marking_id * 4 + 3, 'marking', marking_id, level, NULL, surface FROM @.marking JOIN @.edge USING (edge_id)",
+}
 REPORT_ROWS = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'
 
 
@@ -113,7 +117,13 @@ LAYERS = (
     Layer('streets', 'section_limit', 'section_limit_id', 'border_line', lambda: single(line(LIMIT, 0.4)), scale=2500),
     Layer('streets', 'corner', 'corner_id', 'arc',
           lambda: rules(('as wanted', "method IN ('hypothesis', 'by_hand')", line(ARC, 0.5)), ('otherwise', "method NOT IN ('hypothesis', 'by_hand')", line(HAND, 0.5))), scale=2500),
-    Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=ROADWAY, kind='MultiPolygon', shown=True),
+    Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),
     Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),
     Layer('streets', 'section', 'edge_id', 'surface', surface_by_method(ASPHALT)),
 )
+
+
+def layers_of(relations):
+    """The layers of a model that has these relations: a subject that it does not compute has none."""
+    shown = ' UNION ALL '.join(rows for relation, rows in ROADWAY.items() if relation in relations)
+    return [dataclasses.replace(layer, query=shown) if layer.relation == 'roadway' else layer for layer in LAYERS if layer.relation in relations]

@@ -16,7 +16,7 @@ from qgis.PyQt.QtGui import QColor
 
 from database import Database, Refused, literal
 from form import set_form
-from layers import LAYERS
+from layers import layers_of
 from style import GROUND
 
 STYLE = 'streetgen'
@@ -47,25 +47,26 @@ def snap(project):
     project.setTopologicalEditing(True)
 
 
-def follow(model, vectors):
+def follow(model, layers, vectors):
     """What is computed is drawn anew after each commit of this QGIS, and on NOTIFY qgis, to which one layer listens for all."""
     axis = vectors['axis']
     axis.setRefreshOnNotifyEnabled(True)
     axis.setRefreshOnNofifyMessage(model)
-    for layer in LAYERS:
+    for layer in layers:
         if layer.geometry and layer.relation != 'axis':
             vectors[layer.relation].setDependencies([QgsMapLayerDependency(axis.id())])
 
 
 def make_project(database, model):
     srid, words = database.srid(model), database.words(model)
+    layers = layers_of(database.relations(model))
     project = QgsProject.instance()
     project.clear()
     project.setTitle(model)
     project.setBackgroundColor(QColor(GROUND))
-    vectors = {layer.relation: vector_layer(database, model, srid, layer) for layer in LAYERS}
+    vectors = {layer.relation: vector_layer(database, model, srid, layer) for layer in layers}
     tree = project.layerTreeRoot()
-    for layer in LAYERS:
+    for layer in layers:
         vector = vectors[layer.relation]
         set_form(vector, layer, words, vectors['axis_class'])
         project.addMapLayer(vector, False)
@@ -75,15 +76,15 @@ def make_project(database, model):
     if not axis.extent().isEmpty():
         project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(axis.extent(), axis.crs()))
     snap(project)
-    follow(model, vectors)
-    return project, vectors
+    follow(model, layers, vectors)
+    return project, layers, vectors
 
 
-def save_styles(database, model, vectors):
+def save_styles(database, model, layers, vectors):
     if database.ask("SELECT to_regclass('public.layer_styles') IS NOT NULL")[0][0]:
         # QGIS would ask whether to replace them.
         database.ask(f"DELETE FROM public.layer_styles WHERE f_table_catalog = current_database() AND f_table_schema = {literal(model)} AND stylename = '{STYLE}'")
-    for layer in LAYERS:
+    for layer in layers:
         if layer.renderer and not layer.query:
             failure = vectors[layer.relation].saveStyleToDatabase(STYLE, f'{model}.{layer.relation}', True, '')
             if failure:
@@ -107,8 +108,8 @@ def project_uri(database, model):
 
 def save(connection, model):
     database = Database(connection)
-    project, vectors = make_project(database, model)
-    save_styles(database, model, vectors)
+    project, layers, vectors = make_project(database, model)
+    save_styles(database, model, layers, vectors)
     if not project.write(project_uri(database, model)):
         raise Refused(f'the project cannot be saved: {project.error()}')
 
