@@ -15,7 +15,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_axis() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    written bigint;
+    written bigint := 0;
+    way_out text;
 BEGIN
     IF TG_OP = 'DELETE' THEN
         EXECUTE format('DELETE FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) USING OLD.axis_id;
@@ -37,22 +38,28 @@ BEGIN
             USING NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name,
                 NEW.level;
     ELSE
-        -- What this edit leaves alone another session may be changing.
-        EXECUTE format('UPDATE %I.axis a SET %s WHERE axis_id = ($2).axis_id', TG_TABLE_SCHEMA,
+        -- What this edit leaves alone another session may be changing. A loop: what is refused does not show the
+        -- statement whole.
+        FOR written IN EXECUTE format('UPDATE %I.axis a SET %s WHERE axis_id = ($2).axis_id RETURNING 1',
+            TG_TABLE_SCHEMA,
             (SELECT string_agg(format('%1$I = CASE WHEN ($1).%1$I IS DISTINCT FROM ($2).%1$I THEN ($1).%1$I ELSE '
                 'a.%1$I END', attname), ', ') FROM pg_attribute WHERE attrelid = TG_RELID AND attnum > 0))
-            USING NEW, OLD;
-        GET DIAGNOSTICS written = ROW_COUNT;
+            USING NEW, OLD LOOP
+        END LOOP;
         IF written = 0 THEN
             RAISE EXCEPTION 'axis % is gone', OLD.axis_id USING ERRCODE = '22023',
                 DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
         END IF;
     END IF;
     RETURN NEW;
+EXCEPTION WHEN lock_not_available THEN
+    GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
+    PERFORM streetgen._refuse_wait(TG_TABLE_SCHEMA, way_out);
+    RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_axis() IS
     'Trigger of axis_editing: writes the axis. What the table does not take is refused by it (23514, 23502); an axis '
-    'that another session deleted: 22023.';
+    'that another session deleted: 22023; one that another session holds longer than lock_timeout: 55P03, naming who.';
 
 CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -73,6 +73,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._refuse_tables(name, text) IS
     'Raises 55P03, naming who holds rows or tables of the model.';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_wait(model name, way_out text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    -- PostgreSQL's own refusal of a wait for a row has no hint; another one says already who holds the place.
+    IF coalesce(way_out, '') = '' THEN
+        PERFORM streetgen._refuse_tables(model, 'Repeat the edit when it has ended, or raise lock_timeout.');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_wait(name, text) IS
+    'Raises 55P03, naming who holds rows of the model, where the hint of a 55P03 that was caught is empty.';
+
 -- Keys of axes stand above those of cells; that of the door comes before all others.
 CREATE OR REPLACE FUNCTION streetgen._axis_key(axis_id bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE

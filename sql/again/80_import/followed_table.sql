@@ -81,6 +81,7 @@ BEGIN
 #variable_conflict use_column
 DECLARE
     former text[] := '{}';
+    way_out text;
 BEGIN
     IF TG_OP = 'TRUNCATE' THEN
         DELETE FROM %1$I.axis WHERE source = %2$L;
@@ -103,6 +104,10 @@ BEGIN
     END IF;
     PERFORM streetgen._import_change(%1$L, %2$L, former);
     RETURN NULL;
+EXCEPTION WHEN lock_not_available THEN
+    GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
+    PERFORM streetgen._refuse_wait(%1$L, way_out);
+    RAISE;
 END $body$, model, source, streetgen._mapped(source, mapping),
         format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')),
             was, is_now));
