@@ -81,3 +81,5 @@ UPDATE quarter.axis SET lanes_forward = 3, lanes_backward = 1 WHERE name = 'aven
 UPDATE quarter.axis SET lane_count = 5, kind_forward = 'general|general|bus|cycle', turn_forward = 'left|through|through;right', kind_backward = 'general|general' WHERE name = 'avenue west';
 UPDATE quarter.axis SET kind_forward = 'general|parking', kind_backward = 'general' WHERE name = 'cross street one, north';
 UPDATE quarter.axis SET kind_forward = 'general', kind_backward = 'cycle' WHERE name = 'back street east';
+-- Drawn by hand, so that 15 m of two lanes are believed.
+UPDATE quarter.axis SET width_by_hand = true WHERE name = 'widening street';
