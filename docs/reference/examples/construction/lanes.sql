@@ -6,6 +6,7 @@
 -- argument lane_width_backward: widths of the lanes against the axis, metres
 -- argument width_end: width at the end of the axis, metres; NULL: as at its start
 -- argument lane_order: numbers from the middle outwards begin on the left (left_first) or on the right (right_first)
+-- argument lanes_both: number of lanes between them that both directions use
 -- see offset_line, is_lane_list
 SELECT ordinality, lane_position, side, along_axis, kind, round(lane_width::numeric, 3) AS lane_width, round(axis_offset::numeric, 3) AS axis_offset
 FROM streetgen.lanes('LINESTRING(0 0, 60 0)', 9, kind_forward => 'general|cycle', lane_width_forward => '|1.5');

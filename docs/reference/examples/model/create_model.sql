@@ -1,4 +1,6 @@
 -- argument dimension: 2, or 3 where axes, nodes, edges and limits carry Z
--- see drop_model, adopt_model, setting
+-- argument subjects: what to compute besides network and surface, as [subject](#subject) lists; NULL: all of today
+-- see subject, drop_model, adopt_model, setting
 SELECT streetgen.create_model('village', srid => 32631);
+SELECT streetgen.create_model('hamlet', srid => 2154, subjects => '{lane}');
 SELECT name, srid, dimension FROM streetgen.model ORDER BY name;

@@ -1,0 +1,2 @@
+-- see switch_subject, create_model
+SELECT subject, wanted, needs, needed_by, tables FROM streetgen.subject('town');
