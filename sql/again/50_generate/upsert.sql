@@ -1,5 +1,5 @@
--- The one statement: streets computed, matched to the rows that are there, and upserted. Its parts stand in
--- 39_upsert_*.sql, one subject each.
+-- The one statement: streets computed, matched to the rows that are there, and upserted. Each subject has a part of
+-- its own: upsert*.sql in its folder.
 
 CREATE OR REPLACE FUNCTION streetgen._filled(template text, places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
