@@ -22,7 +22,7 @@ local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do
     columns[#columns + 1] = { column = tag:gsub(':', '_'), type = 'text' }
 end
-columns[#columns + 1] = { column = 'geom', type = 'linestring', projection = srid }
+columns[#columns + 1] = { column = 'geom', type = 'linestring', projection = srid, not_null = true }
 
 local line = osm2pgsql.define_way_table(prefix .. '_line', columns)
 
@@ -31,11 +31,11 @@ function osm2pgsql.process_way(object)
     if not class or object.tags.area == 'yes' then
         return
     end
-    local row = { class = class, geom = { create = 'line' } }
+    local row = { class = class, geom = object:as_linestring() }
     for _, tag in ipairs(tags) do
         row[(tag:gsub(':', '_'))] = object.tags[tag]
     end
-    line:add_row(row)
+    line:insert(row)
 end
 
 local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {

@@ -17,10 +17,10 @@ SELECT 'the place of a transition is that end of the axis', array_agg(ST_AsText(
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (1, 100, 1, 3);
 SELECT 'the place of a lane is that of its abscissa', ST_AsText(geom) = 'POINT(100 0)' FROM town.lane_override;
 INSERT INTO town.kerb_point_override (axis_id, geom) VALUES (1, 'SRID=32631;POINT(25 5)'), (77, 'SRID=32631;POINT(25 5)');
-SELECT 'the width of a kerb point is twice its distance from the axis', (abscissa, width) = (25, 10) FROM town.kerb_point_override WHERE axis_id = 1;
+SELECT 'the width of a kerb point is twice its distance from the axis', abs(abscissa - 25) < 1e-9 AND abs(width - 10) < 1e-9 FROM town.kerb_point_override WHERE axis_id = 1;
 SELECT 'none without the axis', num_nulls(abscissa, width) = 2 FROM town.kerb_point_override WHERE axis_id = 77;
 UPDATE town.kerb_point_override SET geom = 'SRID=32631;POINT(60 -7)' WHERE axis_id = 1;
-SELECT 'it follows the point', (abscissa, width) = (60, 14) FROM town.kerb_point_override WHERE axis_id = 1;
+SELECT 'it follows the point', abs(abscissa - 60) < 1e-9 AND abs(width - 14) < 1e-9 FROM town.kerb_point_override WHERE axis_id = 1;
 
 -- What no table takes.
 SELECT 'refused: ' || row, test.state('INSERT INTO town.' || row) = '23514' FROM unnest(ARRAY[

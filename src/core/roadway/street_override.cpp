@@ -50,8 +50,9 @@ LimitsByHand limits_by_hand(const Layout& layout, const std::vector<SectionLimit
     const double total = length(along.line);
     const double share =
         (put.abscissa - edge->start_abscissa) / (edge->end_abscissa - edge->start_abscissa);
-    const double abscissa = std::clamp(share * total, least(edge->from_node, along),
-                                       total - least(edge->to_node, along));
+    // On an edge too short for both, the room at its end goes first.
+    const double abscissa = std::min(std::max(share * total, least(edge->from_node, along)),
+                                     total - least(edge->to_node, along));
     limits[slot({e, put.at_start})] = put.at_start ? abscissa : total - abscissa;
   }
   return limits;

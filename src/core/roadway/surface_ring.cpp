@@ -282,8 +282,9 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const Arm& arm = arms[k];
     if (arm.limit <= 0) continue;
+    const double margin = std::min(inwards, arm.limit / 2);
     const auto clamped = [&](double abscissa) {
-      return std::clamp(abscissa, inwards, arm.limit - inwards);
+      return std::clamp(abscissa, margin, arm.limit - margin);
     };
     if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
         covers_whole(lines_at(arm, clamped(0)), lines_at(arm, clamped(arm.limit))))
