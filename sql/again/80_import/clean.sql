@@ -1,0 +1,130 @@
+-- Axes of a source before they are written: cleaned, in the reference of the model, told from doubles.
+
+CREATE OR REPLACE FUNCTION streetgen._clean_network(lines bytea[], beside bytea[], tolerance float8, epsilon float8,
+    r_min float8) RETURNS bytea[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_clean_network';
+COMMENT ON FUNCTION streetgen._clean_network(bytea[], bytea[], float8, float8, float8) IS
+    'Lines (EWKB of a LINESTRING each, of one reference and dimension) cleaned by the filters of streetgen.clean, '
+    'with every point kept that another of them, or a line beside, has within the tolerance (0 to 10 m): a node may '
+    'be there. NULL for what stays as it is. NULL in a list: 22004; bad geometry or number: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._clean_parts(model name, source text) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    cleaned bigint;
+BEGIN
+    EXECUTE format($sql$
+WITH setting AS MATERIALIZED (
+    SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon,
+        (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
+neighbour AS (
+    SELECT DISTINCT ON (a.axis_id) a.geom FROM pg_temp._import_part p CROSS JOIN LATERAL (
+        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT tolerance FROM setting)) OFFSET 0) a
+    WHERE NOT EXISTS (SELECT FROM pg_temp._import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
+part AS (SELECT array_agg(ctid) AS ids, array_agg(line::bytea) AS lines FROM pg_temp._import_part)
+UPDATE pg_temp._import_part p SET cleaned = c.geom::geometry
+FROM (SELECT unnest(ids) AS id,
+    unnest(streetgen._clean_network(lines, coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance,
+    epsilon, r_min)) AS geom FROM part, setting) c
+WHERE p.ctid = c.id AND c.geom IS NOT NULL
+$sql$, model) USING source;
+    GET DIAGNOSTICS cleaned = ROW_COUNT;
+    RETURN cleaned;
+END $$;
+COMMENT ON FUNCTION streetgen._clean_parts(name, text) IS
+    'Cleans the parts of the import by the filters of streetgen.clean, keeping every vertex that another part shares, '
+    'or an axis that stays; returns how many changed.';
+
+CREATE OR REPLACE FUNCTION streetgen._mend_heights()
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+WITH point AS MATERIALIZED (
+    SELECT i.ctid AS id, CASE cardinality(d.path) WHEN 2 THEN d.path[1] ELSE 1 END AS part,
+        d.path[cardinality(d.path)] AS nth, d.geom,
+           -- NaN is greater than every number, so that it fails here too.
+           CASE WHEN ST_Z(d.geom) > -500 AND ST_Z(d.geom) < 9000 THEN ST_Z(d.geom) WHEN ST_Z(d.geom) IS NULL
+               THEN 0 END AS z
+    FROM pg_temp._import i, ST_DumpPoints(i.geom) d),
+broken AS (SELECT * FROM point WHERE id IN (SELECT id FROM point WHERE z IS NULL)),
+counted AS (
+    SELECT *, count(z) OVER (PARTITION BY id ORDER BY part, nth) AS before, count(z) OVER (PARTITION BY id
+        ORDER BY part DESC, nth DESC) AS after FROM broken),
+filled AS (
+    SELECT *, max(z) OVER (PARTITION BY id, before) AS z_before, max(z) OVER (PARTITION BY id, after) AS z_after
+        FROM counted),
+line AS (
+    SELECT id, part, ST_MakeLine(ST_SetSRID(ST_MakePoint(ST_X(geom), ST_Y(geom),
+        coalesce((z_before + z_after) / 2, z_before, z_after, 0)), ST_SRID(geom)) ORDER BY nth) AS geom
+    FROM filled GROUP BY id, part),
+mended AS (
+    UPDATE pg_temp._import i SET geom = l.geom FROM (SELECT id, ST_Collect(geom ORDER BY part) AS geom FROM line
+        GROUP BY id) l WHERE i.ctid = l.id RETURNING i.source_ref)
+SELECT 'height without data, taken from the same line or 0', NULL::text, count(*), array_agg(source_ref
+    ORDER BY source_ref) FROM mended HAVING count(*) > 0
+$$;
+COMMENT ON FUNCTION streetgen._mend_heights() IS
+    'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours '
+    'along the line, or 0; reports the lines.';
+
+CREATE OR REPLACE FUNCTION streetgen._transformed(label text, geom geometry, srid integer) RETURNS geometry
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN ST_Transform(geom, srid);
+EXCEPTION WHEN internal_error THEN
+    RAISE EXCEPTION 'source row % cannot be transformed from SRID % to %', label, ST_SRID(geom), srid
+        USING ERRCODE = '22023',
+        DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID in the source.';
+END $$;
+COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS
+    'The geometry of a source row in another reference; 22023 naming the row where the projection is not defined.';
+
+CREATE OR REPLACE FUNCTION streetgen._doubled(axes bytea[], levels integer[], near float8) RETURNS float8[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_doubled';
+COMMENT ON FUNCTION streetgen._doubled(bytea[], integer[], float8) IS
+    'Of each axis (EWKB of a LINESTRING) the metres that lie within near, 0 to 1000 m, of another one of its level, '
+    'of the one where they are most: told by segments that run within ten degrees of each other. Lists of different '
+    'length: 2202E; NULL: 22004; bad geometry or number: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._suspects(model name)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET jit = off SET enable_nestloop = off
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+WITH doubled AS (
+    SELECT unnest(ids) AS axis_id,
+        unnest(streetgen._doubled(lines, levels, (SELECT value::float8 FROM %1$I.setting
+        WHERE name = 'clean_epsilon'))) AS metres
+    FROM (SELECT array_agg(axis_id) AS ids, array_agg(geom::bytea) AS lines, array_agg(level) AS levels
+        FROM %1$I.axis) a)
+SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
+    FROM streetgen._unbelieved(%1$L) GROUP BY attribute
+UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
+    ORDER BY a.source_ref) FROM %1$I.axis a
+WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
+UNION ALL (SELECT CASE WHEN metres > 0.99 * ST_Length(geom) THEN 'lies on another axis'
+    ELSE 'lies on another axis in part' END, NULL, count(*),
+    array_agg(coalesce(source_ref, axis_id::text) ORDER BY source_ref)
+FROM doubled JOIN %1$I.axis USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(geom)) GROUP BY 1
+    ORDER BY 1) $sql$, model);
+EXCEPTION WHEN internal_error THEN
+    -- PostGIS' name for a computation that was interrupted. The interrupt still waits, and is taken before RAISE: the
+    -- call ends as 57014.
+    RAISE;
+END $$;
+COMMENT ON FUNCTION streetgen._suspects(name) IS
+    'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis '
+    'within clean_epsilon of another axis of its level.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_twin(source_ref text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RAISE EXCEPTION 'source_ref % stands in more than one source row', source_ref USING ERRCODE = '22023',
+        HINT = 'Map a column that is unique, or leave source_ref out.';
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_twin(text) IS 'Raises 22023 for a source_ref that two rows of a source have.';
