@@ -108,6 +108,8 @@ COMMENT ON FUNCTION streetgen._hand_over(name, oid[]) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
     AS $$
 DECLARE
     statement text;
