@@ -87,7 +87,7 @@ SELECT 'an override that finds no change of width stays and is told', array_agg(
 DO $$ BEGIN PERFORM streetgen.generate('town'); END $$;
 SELECT 'and changes no kerb', pg_temp.kerbs(12) = 'linear steps';
 SELECT 'refused: ' || call, test.state(call) = wanted FROM (VALUES
-  ('SELECT streetgen.set_transition(''town'', 999999, ''left'')', '22023'), ('SELECT streetgen.set_transition(''town'', NULL, ''left'')', '22023'), ('SELECT streetgen.set_transition(''no such'', 1, ''left'')', '3F000'),
+  ('SELECT streetgen.set_transition(''town'', 999999, ''left'')', '22023'), ('SELECT streetgen.set_transition(''town'', NULL, ''left'')', '22004'), ('SELECT streetgen.set_transition(''no such'', 1, ''left'')', '3F000'),
   (format('SELECT streetgen.set_transition(''town'', %s, ''both'')', pg_temp.place()), '23514'), (format('SELECT streetgen.set_transition(''town'', %s, ''left'', ''NaN'')', pg_temp.place()), '23514'),
   (format('SELECT streetgen.set_transition(''town'', %s, NULL, -1)', pg_temp.place()), '23514'), (format('SELECT streetgen.set_transition(''town'', %s, NULL, 201)', pg_temp.place()), '23514'),
   (format('SELECT streetgen.set_transition(''town'', %s, ''left'')', (SELECT from_node FROM town.edge WHERE axis_id = 2)), '22023')) v(call, wanted);
