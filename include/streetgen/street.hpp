@@ -1,4 +1,4 @@
-// What streets are computed from, and what comes out: corners, section limits, sections,
+// The input of streets, and their results: corners, section limits, sections and
 // intersections.  StreetGen paper, sections 2.4 and 2.5; docs/concepts/geometry.md shows each step.
 #pragma once
 
@@ -39,7 +39,7 @@ struct StreetAxis {
 };
 
 enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axes
-// What happens first where an axis is too short for the wanted radius; the other comes second.
+// An axis may be too short for the wanted radius: the first remedy, before the other one.
 enum class ShortAxis { reduce, follow };
 
 // The model's settings that the geometry needs, each with the name of its setting.  Measures are
@@ -85,7 +85,7 @@ struct CornerOverride {
   double radius = 0;
 };
 
-// Of two overrides of one thing the later holds.
+// Where two overrides name one thing, the later holds.
 struct StreetOverrides {
   std::vector<SectionLimitOverride> limits;
   std::vector<CornerOverride> corners;
@@ -146,14 +146,14 @@ struct Intersection {
   double contested_area = 0;
 };
 
-// What the axis of an edge says of the whole edge.
+// Values that an edge has from its axis.
 struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
 };
 
-// What was there before the change: it tells what else the change moves.
+// A surface as it was before the change.  The comparison tells what else the change moves.
 struct FormerSurface {
   MultiPolygon ground;
   bool contested = false;  // part of its ground belonged to another surface

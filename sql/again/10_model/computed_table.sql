@@ -34,9 +34,9 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'nodes where axes meet or end, edges between them, and what the network step noticed'),
     (2, 'surface', '{network}'::text[], true, 'is part of every model',
         'section limits, sections, corners and intersections: the roadway'),
-    (3, 'lane', '{surface}'::text[], false, 'a third of the time and half of the room of a whole model',
+    (3, 'lane', '{surface}'::text[], false, 'with interconnection nearly half of the processor time of a first run',
         'lanes, the lines between them, and what is painted on them'),
-    (4, 'interconnection', '{lane}'::text[], false, 'a quarter of the time and of the room of a whole model',
+    (4, 'interconnection', '{lane}'::text[], false, 'with lane nearly half of the processor time of a first run',
         'paths from lane to lane at every node') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
