@@ -75,16 +75,19 @@ tell_compiling() {
   done
 }
 
-# build_targets TARGET…
+# build_targets TARGET…: one at a time, as several tests may want it.
 build_targets() {
   mkdir -p "$build"
-  cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
-  cmake --build "$build/release" -j"$(nproc)" --target "$@" 2>&1 | tee "$build/build.log" | tell_compiling || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
+  (
+    flock 9
+    cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+    cmake --build "$build/release" -j"$(nproc)" --target "$@" 2>&1 | tee "$build/build.log" | tell_compiling || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
+  ) 9>"$build/release.lock"
 }
 
 build_extension() {
   build_targets streetgen install_script
-  DESTDIR=$stage cmake --install "$build/release" >/dev/null
+  DESTDIR=$stage flock "$build/release.lock" cmake --install "$build/release" >/dev/null
 }
 
 build_tests() { build_targets streetgen_core_test; }
@@ -92,18 +95,18 @@ build_tests() { build_targets streetgen_core_test; }
 # build_beside FOLDER TARGET OPTION…: a build of its own, with options of cmake.
 build_beside() {
   mkdir -p "$build"
-  cmake -S "$root" -B "$build/$1" "${@:3}" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
-  cmake --build "$build/$1" -j"$(nproc)" --target "$2" >"$build/$1.log" 2>&1 || { tail -20 "$build/$1.log" >&2; fail "the build in $build/$1 failed"; }
+  (
+    flock 9
+    cmake -S "$root" -B "$build/$1" "${@:3}" >"$build/$1.log" 2>&1 && cmake --build "$build/$1" -j"$(nproc)" --target "$2" >"$build/$1.log" 2>&1 ||
+      { tail -20 "$build/$1.log" >&2; fail "the build in $build/$1 failed"; }
+  ) 9>"$build/$1.lock"
 }
 
 # The core, its tests and the fuzz program under ASan and UBSan, with every assertion.
 build_sanitized() { build_beside sanitized all -DCMAKE_BUILD_TYPE=Debug -DSTREETGEN_SANITIZE=ON; }
 
-# The tests of the core as a developer steps through them: nothing is optimised, every assertion holds.
-build_debug() { build_beside debug streetgen_core_test -DCMAKE_BUILD_TYPE=Debug; }
-
 # The module, linked with all types in view: two definitions of one name are an error.
-build_linked() { build_beside linked streetgen -DCMAKE_BUILD_TYPE=None '-DCMAKE_CXX_FLAGS=-flto -Werror=odr'; }
+build_linked() { build_beside linked streetgen -DCMAKE_BUILD_TYPE=None '-DCMAKE_CXX_FLAGS=-O0 -flto=auto -Werror=odr'; }
 
 pg_bin() { pg_config --bindir; }
 

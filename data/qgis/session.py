@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """An editing session: a quarter of fast roads drawn in QGIS from an empty model, step by step, with a picture of each step.
 
-It makes model MODEL anew in the database of CONNECTION and puts the pictures into FOLDER; docs/live.md shows them.
+It makes model MODEL anew in the database of CONNECTION and puts the pictures into FOLDER; docs/guide/qgis.md shows them.
 """
 import argparse
 import pathlib

@@ -1,6 +1,6 @@
 // Everything the core refuses.  The border turns each kind into one SQLSTATE:
-// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014, leads_on SG001 (the
-// border makes it of LeadsOn).
+// invalid_input 22023, degenerate 22000, unsupported 0A000, cancelled 57014, spreads SG001 (the
+// border makes it of ChangeSpreads).
 // Messages are in PostgreSQL style: lower case, no full stop, the wrong value in them.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace streetgen {
 
-enum class ErrorKind { invalid_input, degenerate, unsupported, cancelled, leads_on };
+enum class ErrorKind { invalid_input, degenerate, unsupported, cancelled, spreads };
 
 class Error : public std::runtime_error {
  public:

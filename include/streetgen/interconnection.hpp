@@ -23,13 +23,14 @@ const char* turn_name(Turn turn) noexcept;
 
 // Why an interconnection is plausible, or why not.
 enum class Reason {
-  lane_order,   // the order of the lanes at the node
-  turn_lanes,   // the movements marked on the lane
-  only_way,     // plausible: else the lane in would lead nowhere or the lane out not be reached
-  restriction,  // not: a turn restriction
-  lane_kind,    // not: a lane of another kind
-  u_turn,       // not: it turns back where there are other ways on
-  radius,       // not: too tight for the speed where other ways do
+  lane_order,    // the order of the lanes at the node
+  turn_lanes,    // the movements marked on the lane
+  only_way,      // plausible: else the lane in would lead nowhere or the lane out not be reached
+  restriction,   // not: a turn restriction
+  lane_kind,     // not: a lane of another kind
+  u_turn,        // not: it turns back where there are other ways on
+  radius,        // not: too tight for the speed where other ways do
+  not_drivable,  // a corner that no car drives; plausible only where it is the only way
 };
 const char* reason_name(Reason reason) noexcept;
 
@@ -48,7 +49,7 @@ struct TurnRestriction {
 struct InterconnectionSettings {
   bool u_turn = false;  // also between lanes of one edge
   TrajectoryRule rule = TrajectoryRule::bezier;
-  double least_radius = 3;      // metres, see trajectory
+  double least_radius = 15;     // metres, see trajectory
   double tolerance = 0.05;      // metres, of the trajectories' chords
   double node_tolerance = 0.5;  // metres, of the network
   std::size_t most = 10000;     // at a node of more pairs of lanes none are made
@@ -69,8 +70,8 @@ struct Interconnection {
   Line line;
 };
 
-// At asked nodes, by (node, lane_in, lane_out, along_in, along_out).  `lanes` as streetgen::lanes
-// gives them, of the same streets; `axes` as the streets were made from.
+// At affected nodes, by (node, lane_in, lane_out, along_in, along_out).  `lanes` as
+// streetgen::lanes gives them, of the same streets; `axes` as the streets were made from.
 std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,
                                               const std::vector<Lane>& lanes,

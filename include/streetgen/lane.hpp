@@ -129,7 +129,7 @@ struct LanesOfAxis {
 
 // Deterministic and independent of the order of axes.  Of two overrides of one lane the later holds
 // in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
-// meet at asked nodes.
+// meet at affected nodes.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings);
 

@@ -177,16 +177,16 @@ struct FormerNode {
 struct Former {
   std::vector<FormerEdge> edges;
   std::vector<FormerNode> nodes;  // with an intersection
-  // Whether what is computed counts where the change leads on beyond what is written; else it is
-  // LeadsOn, as soon as that is known.
-  bool onwards = true;
+  // Whether what is computed counts where the change spreads beyond what is written; else it is
+  // ChangeSpreads, as soon as that is known.
+  bool may_spread = true;
 };
 
 // A run for these axes is due at the same time.
-class LeadsOn : public std::exception {
+class ChangeSpreads : public std::exception {
  public:
-  explicit LeadsOn(std::vector<std::int64_t> axes) : axes_(std::move(axes)) {}
-  const char* what() const noexcept override { return "the change leads on along other axes"; }
+  explicit ChangeSpreads(std::vector<std::int64_t> axes) : axes_(std::move(axes)) {}
+  const char* what() const noexcept override { return "the change spreads along other axes"; }
   const std::vector<std::int64_t>& axes() const noexcept { return axes_; }
 
  private:
@@ -202,13 +202,13 @@ struct Streets {
   // edges and nodes, edges that they cut otherwise and where these meet others, corners that follow
   // an axis to there, limits that move, and claims on the same ground whose surface is not what it
   // was.  Where all axes changed, everything.
-  std::vector<bool> asked_edges, asked_nodes;
+  std::vector<bool> affected_edges, affected_nodes;
   // Edges of axes that did not change along which the change leaves what is written: they move
   // where axes beyond reach meet them, look at them or claim the same ground.  A run for their axes
   // is due.
-  std::vector<bool> leading_on;
-  std::vector<Section> sections;            // one per asked edge
-  std::vector<Intersection> intersections;  // one per asked node of degree two and more
+  std::vector<bool> spreads_to;
+  std::vector<Section> sections;            // one per affected edge
+  std::vector<Intersection> intersections;  // one per affected node of degree two and more
 };
 
 // Whether the two limits of the edge meet: it has no section.

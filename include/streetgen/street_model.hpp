@@ -34,7 +34,7 @@ struct StreetModel {
   std::vector<Interconnection> interconnections;
 };
 
-// Deterministic and independent of the order of `input.axes`.  Throws Error and LeadsOn.
+// Deterministic and independent of the order of `input.axes`.  Throws Error and ChangeSpreads.
 StreetModel street_model(const StreetModelInput& input);
 
 }  // namespace streetgen

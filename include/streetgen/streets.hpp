@@ -5,7 +5,7 @@
 
 namespace streetgen {
 
-// Deterministic and independent of the order of `axes`.  Throws Error and LeadsOn.
+// Deterministic and independent of the order of `axes`.  Throws Error and ChangeSpreads.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
                 const StreetOverrides& overrides = {}, const Former& former = {});
 

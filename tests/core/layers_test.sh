@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# layers_test.sh ROOT MODULE: the layer rules of docs/architecture.md, a line "t|f what" each.
+# layers_test.sh ROOT MODULE: the layer rules of docs/development/architecture.md, a line "t|f what" each.
 root=$1 module=$2
 rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 
@@ -38,7 +38,7 @@ rule 'the module exports its SQL functions alone' '! nm -D --defined-only "$modu
 
 # Names of types that more than one header defines: two definitions of one name are one type to the linker.
 types_defined_twice() {
-  sed -nE 's/^(struct|class|union|enum|enum class) ([A-Za-z_0-9]+)( final)?( *:[^:].*)? *\{.*/\2/p' "$root"/src/core/*/*.hpp "$root"/src/pg/*.hpp "$root"/src/pg/*/*.hpp \
+  sed -nE 's/^(struct|class|union|enum|enum class) ([A-Za-z_0-9]+)( final)?( *:[^:].*)? *\{.*/\2/p' "$root"/src/core/*/*.hpp "$root"/src/pg/*/*.hpp \
     "$root"/include/streetgen/*.hpp | sort | uniq -d
 }
 rule 'no two headers define a type of the same name' '! types_defined_twice | grep . >&2'

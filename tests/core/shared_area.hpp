@@ -8,7 +8,7 @@
 namespace streetgen {
 
 inline double shared_area(const MultiPolygon& a, const MultiPolygon& b) {
-  const Ground of_a(a), of_b(b);
+  const PreparedSurface of_a(a), of_b(b);
   if (!overlap(of_a, of_b)) return 0;
   std::vector<LineView> lines;
   for (const MultiPolygon* surface : {&a, &b})

@@ -1,6 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
 -- NULL for an argument without a default, of every public function: refused by name, or its comment says what NULL means.
 -- Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('argued', 2154) \g /dev/null
 INSERT INTO argued.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 9);
 SELECT FROM streetgen.generate('argued') \g /dev/null

@@ -1,6 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Bad input gets a result or one clear error that names the argument or row; the model is as it was.
 -- Each test is a row (name, holds).
-SET client_min_messages = warning;
 
 -- Primitives: every bad geometry and number at every place of every call.
 CREATE TABLE primitive AS SELECT * FROM (VALUES

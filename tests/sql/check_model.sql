@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- check_model and summary: silent on a sound model, and a row for each thing that was broken.  (name, holds)
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('checked', 2154), streetgen.live('checked', false);
   INSERT INTO checked.axis (geom, width, importance)

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Clusters of axes, and a model computed by them.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 \o /dev/null
 SELECT streetgen.create_model('whole', 2154), streetgen.create_model('parts', 2154), streetgen.create_model('empty', 2154);
 CREATE SCHEMA source;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Where a long call fails is said in a few lines: what it was doing, not the statements that it is made of.
-SET client_min_messages = warning;
 SET streetgen.live = 'off';
 CREATE FUNCTION pg_temp.context(statement text) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE

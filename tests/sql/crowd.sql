@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Very many axes at one place: ground and pairs of lanes beyond the bounds.  (name, holds)
-SET client_min_messages = warning;
 SELECT streetgen.create_model(m, 32631) FROM unnest(ARRAY['star', 'band', 'bundle', 'anew']) m \g /dev/null
 SELECT streetgen.live(m, false) FROM unnest(ARRAY['star', 'band', 'bundle']) m \g /dev/null
 INSERT INTO star.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(452000, 5411000),

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Edit views: every edit layer of a GIS.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SET check_function_bodies = off;
 CREATE FUNCTION pg_temp.place(x float8, y float8) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000 + y), 2154) $$;
 CREATE FUNCTION pg_temp.line(wkt text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_Translate(wkt::geometry, 650000, 6860000), 2154) $$;

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- follow: a model in step with a user's own table.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154), streetgen.create_model('twin', 2154), streetgen.create_model('once', 2154) \g /dev/null
 
 -- A grid of streets of 60 m; a vertex in the middle of each that cleaning takes, one near the next street that it keeps.
@@ -150,7 +152,7 @@ SELECT 'a model that is dropped takes its triggers with it', count(*) = 4 FROM p
 -- Rights: of the owner of the model, and TRIGGER on a table of somebody else; its writers need none on the model.
 CREATE ROLE follow_owner;
 CREATE ROLE follow_writer;
-GRANT CREATE ON DATABASE streetgen_test TO follow_owner;
+SELECT format('GRANT CREATE ON DATABASE %I TO follow_owner', current_database()) \gexec
 CREATE SCHEMA survey AUTHORIZATION follow_writer;
 SET ROLE follow_writer;
 CREATE TABLE survey.road (id integer, geom geometry);
@@ -181,7 +183,6 @@ RESET ROLE;
 CREATE TABLE survey.secret AS SELECT 1 AS id, 'SRID=2154;LINESTRING(650500 6860000, 650560 6860000)'::geometry AS geom;
 SET client_min_messages = error;
 SELECT streetgen.adopt_model('rural') \g /dev/null
-SET client_min_messages = warning;
 SELECT 'a table that the owner of the model may not read is not followed', NOT EXISTS (SELECT FROM pg_trigger WHERE tgrelid = 'survey.secret'::regclass);
 DROP SCHEMA survey CASCADE;
 SELECT streetgen.drop_model('rural') \g /dev/null

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- generate: idempotent, independent of the way to get there, whole or not at all.  (name, holds)
-SET client_min_messages = warning;
 -- A quarter with a bend, a T, dead ends, a crossing of levels, a loop, a width change and an acute pair.
 CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Ids of nodes and edges: what keeps them through moves, merges and splits.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 32631) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES (1, 'SRID=32631;LINESTRING(0 0,100 0)', 6), (2, 'SRID=32631;LINESTRING(100 0,200 0)', 6), (3, 'SRID=32631;LINESTRING(100 0,100 80)', 6), (4, 'SRID=32631;LINESTRING(110 0,110 -80)', 6);
 CREATE FUNCTION pg_temp.node_at(x float8, y float8) RETURNS bigint LANGUAGE sql AS $$ SELECT node_id FROM town.node WHERE ST_DWithin(geom, ST_SetSRID(ST_MakePoint(x, y), 32631), 0.01) $$;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Importers: what they take, follow and refuse. Rows (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 32631) \g /dev/null
 CREATE TABLE source (id integer, the_geom geometry, largeur float8, nature text);
 INSERT INTO source VALUES (1, 'SRID=32631;LINESTRING(0 0,50 0,100 0)', 7, 'residential'), (2, 'SRID=32631;LINESTRING(50 0,50 80)', 0, 'residential'),

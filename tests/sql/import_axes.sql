@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Any line table to axes: mapping, refusals, cleaning, following the source.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.with_mapping(mapping text) RETURNS text LANGUAGE sql AS $$
   SELECT format('SELECT count(*) FROM streetgen.import_axes(''import_a'', ''import_source'', %L)', mapping)
 $$;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- BD TOPO roads of version 2 and 3 to axes.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('import_v2', 32631);
   PERFORM streetgen.create_model('import_v3', 32631, 3);

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- OSM lines as osm2pgsql writes them, to axes.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('import_osm', 32631);
 END $$;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Turn restrictions as osm2pgsql writes them.  (name, holds)
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('restricted', 2154);
 END $$;

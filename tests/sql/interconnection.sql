@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Interconnections in a model: restrictions, settings, overrides, conflicts.  (name, holds)
-SET client_min_messages = warning;
 -- A crossing of four streets of a lane each way, the third with two.
 CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
@@ -54,7 +56,7 @@ SELECT pg_temp.again('UPDATE crossing.axis SET width = 9 WHERE axis_id = 1') \g 
 SELECT pg_temp.again('UPDATE crossing.axis SET width = 7 WHERE axis_id = 1') \g /dev/null
 SELECT 'it holds over an edit and its undoing', (SELECT ST_Equals(control, 'SRID=2154;POINT(649999 6860005)') FROM pair WHERE axis_in = 1 AND axis_out = 4);
 SELECT 'a second run changes no row', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('crossing'));
-SELECT 'generate counts what was decided by hand', (SELECT hard = 1 FROM streetgen.generate('crossing') WHERE relation = 'interconnection');
+SELECT 'generate counts what was decided by hand', (SELECT fallbacks = 1 FROM streetgen.generate('crossing') WHERE relation = 'interconnection');
 SELECT pg_temp.again($q$INSERT INTO crossing.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) VALUES ('SRID=2154;POINT(650000 6860000)', 1, 2, 4, 2, false)$q$) \g /dev/null
 SELECT 'of two overrides the younger holds', (SELECT NOT connecting FROM pair WHERE axis_in = 1 AND axis_out = 4);
 SELECT pg_temp.again($q$INSERT INTO crossing.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) VALUES ('SRID=2154;POINT(650000 6860000)', 1, 7, 4, 2, true)$q$) \g /dev/null
@@ -78,7 +80,7 @@ SELECT 'without a radius every path is that of the primitive', (SELECT bool_and(
   FROM pair p JOIN crossing.node n USING (node_id));
 SELECT 'with a radius tight paths bend nearer to the crossing of their lanes', (SELECT count(*) FILTER (WHERE NOT ST_Equals(a.geom, b.geom)) > 0 AND bool_and(ST_Length(b.geom) <= ST_Length(a.geom) + 1e-6)
   FROM crossing.interconnection a JOIN ruled.interconnection b USING (lane_in, lane_out));
-SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory_radius', '3')$q$) \g /dev/null
+SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory_radius', '15')$q$) \g /dev/null
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory', 'arcs')$q$) \g /dev/null
 SELECT 'by arcs the path is that of the primitive', (SELECT bool_and(ST_Equals(p.geom, streetgen.interconnection(CASE WHEN along_in THEN geom_in ELSE ST_Reverse(geom_in) END, CASE WHEN along_out THEN geom_out ELSE ST_Reverse(geom_out) END, n.geom, 'arcs')))
   FROM pair p JOIN crossing.node n USING (node_id));

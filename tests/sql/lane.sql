@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Lanes: counts, directions, kinds, overrides, numbering; what is painted.  (name, holds)
-SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.street(y float8, x float8 DEFAULT 0) RETURNS geometry LANGUAGE sql AS $$
   SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + x, 6860000 + y), ST_MakePoint(650100 + x, 6860000 + y)), 2154) $$;
 DO $$ BEGIN PERFORM streetgen.create_model('lanes', 2154); PERFORM streetgen.live('lanes', false); END $$;
@@ -97,7 +99,7 @@ SELECT 'a lane widened by hand', pg_temp.widths(6) = '{2.5,4,2.5}';
 SELECT 'they say so', (SELECT count(*) = 2 FROM lanes.lane WHERE method = 'by_hand');
 SELECT 'lanes keep their ids', NOT EXISTS (SELECT FROM lane_before b WHERE NOT EXISTS (SELECT FROM lanes.lane l JOIN lanes.edge e USING (edge_id) WHERE (l.lane_id, e.axis_id, l.ordinality) = (b.lane_id, b.axis_id, b.ordinality)));
 UPDATE lanes.axis SET geom = ST_Translate(geom, 5, 0), width = 10 WHERE axis_id = 6;
-SELECT 'overrides survive a change of the axis', bool_and(hard >= 0) AND pg_temp.widths(6) = '{3,4,3}' FROM streetgen.generate('lanes');
+SELECT 'overrides survive a change of the axis', bool_and(fallbacks >= 0) AND pg_temp.widths(6) = '{3,4,3}' FROM streetgen.generate('lanes');
 SELECT 'and a run over all', bool_and(inserted + updated + deleted = 0) AND pg_temp.ways(3) = 'ff' FROM streetgen.generate('lanes');
 UPDATE lanes.axis SET geom = ST_Translate(geom, -5, 0), width = 9 WHERE axis_id = 6;
 DELETE FROM lanes.lane_override;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Levels that pass over and meet, crossings passed over and split.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('levels', 32631) \g /dev/null
 INSERT INTO levels.axis (geom, width, level) VALUES ('SRID=32631;LINESTRING(0 0,100 0)', 7, 0), ('SRID=32631;LINESTRING(50 -50,50 0,50 50)', 7, 1), ('SRID=32631;LINESTRING(50 50,50 100)', 7, 0), ('SRID=32631;LINESTRING(20 -40,20 40)', 7, 0);
 DO $$ BEGIN PERFORM streetgen.generate('levels'); END $$;

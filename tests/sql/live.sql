@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Live: streets follow each statement on axes and overrides.  Each test is a row (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154), streetgen.create_model('once', 2154) \g /dev/null
 
 -- A grid of 5 by 4 crossings, 90 m wide and not quite straight: farther across than any edit reaches.

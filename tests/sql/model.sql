@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Models: made, refused, set, granted, adopted, dropped.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.axis_state(columns text, vals text) RETURNS text LANGUAGE plpgsql AS $$
 BEGIN
   RETURN test.state(format('INSERT INTO model_a.axis (geom, %s) VALUES (''SRID=2154;LINESTRING(650000 6860000,650050 6860000)'', %s)',

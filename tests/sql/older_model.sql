@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- A model made before lanes for both directions, and what it gets.  (name, holds)
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('older', 2154);
   INSERT INTO older.axis (axis_id, geom, width, lane_count, importance) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2, id FROM (VALUES

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Overrides: what a user decides stays, changes what it says and nothing else.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 32631);
   INSERT INTO town.axis (axis_id, geom, width) VALUES (1, 'SRID=32631;LINESTRING(0 0,100 0)', 8);

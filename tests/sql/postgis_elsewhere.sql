@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- PostGIS in another schema than public, and models under a search_path that names neither.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 DROP EXTENSION streetgen, postgis;
 CREATE SCHEMA "gis Data";
 CREATE EXTENSION postgis SCHEMA "gis Data";

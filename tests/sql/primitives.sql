@@ -1,3 +1,5 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Every construction from SQL. Each test is a row (name, holds).
 
 SELECT 'arc_centre: a square corner', ST_DWithin(streetgen.arc_centre('LINESTRING(0 0,50 0)', 'LINESTRING(0 0,0 50)', 6, 6, 4), 'POINT(7 7)', 1e-9);

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- The bounds of turning_radius, and a predictor of the user's.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width, speed, importance, lane_count, kind) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 50, NULL, 2, NULL),

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- What input tables refuse: the row, the value, what is expected and the way out.  Each test is a row (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154), streetgen.create_model('older', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7);
 CREATE TABLE tried (statement text, wanted text, message text);

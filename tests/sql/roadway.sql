@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- The view roadway: the polygons of the roads, each once, named, tiled; axes lie on them.  (name, holds)
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 32631) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width, width_end, importance, name, kind) VALUES
   (1, 'SRID=32631;LINESTRING(0 0,100 0)', 12, 8, 2, 'high street', 'primary'), (2, 'SRID=32631;LINESTRING(100 0,200 0)', 8, NULL, 2, 'high street', 'primary'),

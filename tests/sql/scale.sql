@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- A projection more than 1 % off in scale at the data is refused.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 -- UTM zone 31 at its own place, and asked to hold others.
 DO $$ BEGIN
   PERFORM streetgen.create_model('paris', 32631);

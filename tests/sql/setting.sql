@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/streets.sql
 -- Settings, wherever they come from: proven before they are used.  Each test is a row (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860090)', 6);

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Geometries are written as PostGIS stores them: byte by byte what it makes of the same EWKB.  (name, holds)
-SET client_min_messages = warning;
 SELECT streetgen.create_model('flat', 32631), streetgen.create_model('high', 2154, 3) \g /dev/null
 -- About the origin, with a bend, a crossing, a loop so small that one surface holds its hole, and a street too short for its limits.
 CREATE TABLE public.source AS SELECT * FROM (VALUES

@@ -1,6 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Subjects: a model computes those that it wants; a computed table is a row of one list, its folder and its page.
 -- Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.draw(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN
   EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width, lane_count) VALUES
@@ -78,7 +79,7 @@ CREATE FUNCTION streetgen._upsert_milestone(places jsonb) RETURNS text LANGUAGE 
   SELECT streetgen._upsert_rows(places, 'milestone', columns => 'edge_id, geom', rows => $part$
     SELECT number, edge_id, ST_LineInterpolatePoint(ST_Force2D(geom), 0.5) AS geom FROM (
       SELECT c.number, (SELECT ids FROM edge_ids)[c.number] AS edge_id, c.geom FROM written_edge c) e WHERE edge_id > 0$part$,
-    there => $part$SELECT m.milestone_id FROM new_edge e, LATERAL (SELECT * FROM {model}.milestone m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked AND NOT e.fresh$part$) $$;
+    there => $part$SELECT m.milestone_id FROM new_edge e, LATERAL (SELECT * FROM {model}.milestone m WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.affected AND NOT e.fresh$part$) $$;
 SELECT 'a subject of a user''s own is listed', wanted = false AND tables = '{milestone}' FROM streetgen.subject('laned') WHERE subject = 'milestone';
 SELECT 'switched on it is filled', (SELECT inserted = 3 FROM streetgen.switch_subject('laned', 'milestone', true) WHERE relation = 'milestone');
 SELECT 'with a row for each edge', count(*) = 3 FROM laned.milestone;

@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- One styled picture.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('drawn', 2154) \g /dev/null
 INSERT INTO drawn.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
 DO $$ BEGIN PERFORM streetgen.generate('drawn'); END $$;

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/topology.sql
 -- The network to PostGIS topologies and back.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 \o /dev/null
 \ir ../../data/quarter.sql
 \o

@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- Changes of width: kind and length by setting and by node.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 -- East along y = 0 from 6 m to 10 m wide at x = 100; the wide street comes back west along its axis.
 CREATE FUNCTION pg_temp.fill(model name) RETURNS void LANGUAGE plpgsql AS $$
 BEGIN

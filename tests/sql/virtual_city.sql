@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/city.sql
 -- Virtual cities: what comes out, what a model of one holds, what is refused.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 CREATE TABLE city AS SELECT ordinality AS nth, c.* FROM streetgen.virtual_city(2177, 6560000, 5570000, 20000, 10000, 4) WITH ORDINALITY c;
 SELECT 'the paper''s extent gives its number of streets' AS name, count(*) BETWEEN 1000 AND 2000 AS holds FROM city;
 SELECT 'axes are valid lines of the SRID', bool_and(ST_IsValid(geom) AND ST_SRID(geom) = 2177 AND GeometryType(geom) = 'LINESTRING' AND ST_IsSimple(geom)) FROM city;

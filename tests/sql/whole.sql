@@ -1,5 +1,7 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
 -- The first run of a whole model: rows, then indexes and keys.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 CREATE VIEW public.source AS
     SELECT 1 + i AS axis_id, ST_SetSRID(ST_MakeLine(ST_Point(650000 + 70 * (i / 2 % 25), 6860000 + 60 * (i / 50)), ST_Point(650000 + 70 * (i / 2 % 25 + (i + 1) % 2), 6860000 + 60 * (i / 50 + i % 2))), 2154) AS geom,
            4 + i % 7 AS width, 1 + i % 4 AS importance FROM generate_series(0, 1049) i;
@@ -46,7 +48,7 @@ SELECT 'keys of rows hold', test.state($$INSERT INTO whole.node SELECT * FROM wh
 SELECT 'an index that tells rows for replication stays on', (SELECT key FROM before WHERE what LIKE '% section_identity %') = 'whole.section_identity'::regclass;
 SELECT 'tables have statistics', bool_and(reltuples > 0) FROM pg_class WHERE relnamespace = 'whole'::regnamespace AND relname IN ('node', 'edge', 'lane', 'interconnection');
 SELECT 'foreign keys hold', test.state($$INSERT INTO whole.section_limit SELECT 1000000, -1, which, wanted_abscissa, abscissa, geom, border_line, method FROM whole.section_limit LIMIT 1$$) = '23503';
-CREATE TRIGGER seen AFTER INSERT ON watched.node EXECUTE FUNCTION whole._enter_edit();
+CREATE TRIGGER seen AFTER INSERT ON watched.node EXECUTE FUNCTION whole._begin_edit();
 CREATE TABLE watched_before AS SELECT * FROM made_of('watched');
 SELECT 'both ways count alike', count(*) = 11 AND bool_and(c = g) FROM counted c JOIN streetgen.generate('watched') g USING (relation);
 SELECT 'beside a trigger of others nothing is taken off', NOT EXISTS (SELECT * FROM watched_before EXCEPT SELECT * FROM made_of('watched'));

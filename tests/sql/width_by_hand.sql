@@ -1,5 +1,6 @@
+\set ECHO none
+\ir shared/truths.sql
 -- Which widths are believed, and what importers leave alone.  Each SELECT is one truth: (name, holds).
-SET client_min_messages = warning;
 SELECT streetgen.create_model('town', 2154) \g /dev/null
 CREATE TABLE source (id text, width float8, width_end float8, lanes integer, geom geometry(LineString, 2154));
 INSERT INTO source SELECT 'r' || i, 5, NULL, 1, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000 + 50 * i), ST_MakePoint(650100, 6860000 + 50 * i)), 2154) FROM generate_series(1, 4) i;

@@ -204,7 +204,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('interconnection', 'angle', 'from lane to lane, degrees from -180 to 180, positive to the left'),
     ('interconnection', 'plausible', 'would traffic take it'),
     ('interconnection', 'reason',
-        'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius'),
+        'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius, '
+        'not_drivable'),
     ('interconnection', 'connecting', 'the user''s choice, else as plausible'),
     ('interconnection', 'control',
         'control point of the path: of its Bezier curve, or where the tangents of its arcs meet; NULL by a function '

@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen.version() RETURNS text
     AS $$ SELECT extversion FROM pg_extension WHERE extname = 'streetgen' $$;
 COMMENT ON FUNCTION streetgen.version() IS 'Version of the installed extension.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_model(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._require_model(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
@@ -14,7 +14,7 @@ BEGIN
             HINT = 'SELECT name FROM streetgen.model lists them.';
     END IF;
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name
-        WHERE m.name = _check_model.model) THEN
+        WHERE m.name = _require_model.model) THEN
         RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
             HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace
                 WHERE nspname = model) AND relname = 'axis_class')
@@ -23,7 +23,7 @@ BEGIN
                     'streetgen.create_model(%L, srid => …) makes it.' END, model);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_model(name) IS
+COMMENT ON FUNCTION streetgen._require_model(name) IS
     'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
@@ -40,30 +40,30 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_given(text[]) IS
     'Raises 22004 for the first argument that is NULL; arguments as pairs of name and value.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_reader(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._require_reader(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._require_model(model);
     IF NOT has_schema_privilege(model, 'USAGE') THEN
         RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
             HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_reader(name) IS
+COMMENT ON FUNCTION streetgen._require_reader(name) IS
     'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_owner(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._require_owner(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._require_model(model);
     IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
         RAISE EXCEPTION 'only the owner of model "%" may do this', model USING ERRCODE = '42501',
             HINT = 'Ask its owner, or become a member of the role that owns its schema.';
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_owner(name) IS
+COMMENT ON FUNCTION streetgen._require_owner(name) IS
     'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
 
 CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
@@ -90,7 +90,7 @@ CREATE OR REPLACE FUNCTION streetgen._relations(model name) RETURNS oid[]
         AND relkind IN ('r', 'v')) $$;
 COMMENT ON FUNCTION streetgen._relations(name) IS 'The tables and views in the schema of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._hand_over(model name, before oid[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._give_to_owner(model name, before oid[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
@@ -103,7 +103,7 @@ BEGIN
         EXECUTE format('ALTER TABLE %s OWNER TO %s', made.relation, made.owner);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._hand_over(name, oid[]) IS
+COMMENT ON FUNCTION streetgen._give_to_owner(name, oid[]) IS
     'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
 
 CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
@@ -162,19 +162,20 @@ BEGIN
         streetgen._add_both_ways(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
-    PERFORM streetgen._hand_over(model, before);
+    PERFORM streetgen._give_to_owner(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
     'Makes the tables, columns and indexes that came after the first models, where they are missing.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
-    subjects text[] DEFAULT NULL) RETURNS void
+    subjects text[] DEFAULT NULL, driving_side text DEFAULT 'auto') RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     wanted constant text[] := streetgen._with_needs(subjects);
 BEGIN
-    PERFORM streetgen._check_given('model', model, 'srid', srid::text, 'dimension', dimension::text);
+    PERFORM streetgen._check_given('model', model, 'srid', srid::text, 'dimension', dimension::text,
+        'driving_side', driving_side);
     IF model = '' THEN
         RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023',
             HINT = 'It names the schema of the model''s tables.';
@@ -206,11 +207,15 @@ BEGIN
     PERFORM streetgen._add_tables(model, srid);
     PERFORM streetgen._make_dependents(model);
     PERFORM streetgen._comment_model(model);
+    IF driving_side <> 'auto' THEN
+        PERFORM streetgen.set(model, 'driving_side', driving_side);
+    END IF;
 END $$;
-COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[]) IS
+COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[], text) IS
     'Makes schema model with the tables of a street model in the given SRID (projected, metres). dimension: 3 keeps '
     'the heights of axes and nodes. subjects: what is computed besides network and surface, each with what it needs '
-    '(streetgen.subject lists them); NULL: all of today; another word: 22023. An existing schema: 42P06; an unfit '
+    '(streetgen.subject lists them); NULL: all of today; another word: 22023. '
+    'driving_side: the setting of that name, auto, right or left. An existing schema: 42P06; an unfit '
     'SRID: 22023 with a hint; a role that may not create schemas: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_model(model name) RETURNS void
@@ -220,7 +225,7 @@ DECLARE
     schema oid;
     part text;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     schema := (SELECT oid FROM pg_namespace WHERE nspname = model);
     -- What is named here goes without a notice; what others made of it goes with one.
     FOR part IN SELECT format('DROP %s %s CASCADE', kind, string_agg(name, ', ')) FROM (
@@ -270,7 +275,6 @@ DECLARE
     srid integer;
     dimension integer;
     missing text[];
-    reader oid;
     before oid[];
 BEGIN
     PERFORM streetgen._check_given('schema', schema);
@@ -289,26 +293,17 @@ BEGIN
             HINT = 'Its table axis has no column geom with an SRID.';
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
-    PERFORM streetgen._add_tables(schema, srid);
     before := streetgen._relations(schema);
+    PERFORM streetgen._drop_own_functions(schema), streetgen._add_tables(schema, srid);
     PERFORM streetgen._make_dependents(schema);
-    PERFORM streetgen._hand_over(schema, before);
+    PERFORM streetgen._give_to_owner(schema, before);
+    -- Also on views that a restore brought back without their readers.
+    PERFORM streetgen._grant_like_axes(schema, ARRAY(
+        SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
+            AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
     PERFORM streetgen._grant_edit_views(schema);
     PERFORM streetgen._comment_model(schema);
     PERFORM streetgen._follow_again(schema);
-    -- Who may read or write the axes may do so with what was lost or is new.
-    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
-        WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'SELECT' AND grantee <> relowner LOOP
-        EXECUTE format('GRANT SELECT ON %1$I.setting_used, %1$I.axis_used, %1$I.intersection_group, %1$I.conflict, '
-            '%1$I.roadway, %1$I.section_limit_override, %1$I.corner_override, %1$I.kerb_point_override TO %2$s',
-            schema, CASE reader WHEN 0 THEN 'PUBLIC' ELSE reader::regrole::text END);
-    END LOOP;
-    FOR reader IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
-        WHERE oid = to_regclass(format('%I.axis', schema)) AND privilege_type = 'INSERT' AND grantee <> relowner LOOP
-        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.section_limit_override, %1$I.corner_override, '
-            '%1$I.kerb_point_override TO %2$s', schema, CASE reader WHEN 0 THEN 'PUBLIC'
-            ELSE reader::regrole::text END);
-    END LOOP;
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
@@ -354,7 +349,7 @@ CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RET
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role, 'kind', kind);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('role', role, 'kind', kind);
     IF kind NOT IN ('reader', 'editor') THEN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
     END IF;
@@ -380,7 +375,7 @@ CREATE OR REPLACE FUNCTION streetgen.revoke(model name, role name) RETURNS void
 DECLARE
     through text;
 BEGIN
-    PERFORM streetgen._check_owner(model), streetgen._check_given('role', role);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('role', role);
     PERFORM streetgen._take_back(model, role);
     -- What a role has by others it is not alone to lose.
     SELECT string_agg(CASE grantee WHEN 0 THEN 'public' ELSE grantee::regrole::text END, ', ' ORDER BY grantee)

@@ -46,8 +46,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),
     ('lane_order', 'left_first', NULL, 'lanes are numbered from the middle outwards: left_first or right_first', NULL,
         NULL, ARRAY['left_first', 'right_first']),
-    ('driving_side', 'right', NULL, 'side of the road that one drives on: right or left', NULL, NULL,
-        ARRAY['right', 'left']),
+    ('driving_side', 'auto', NULL,
+        'side of the road that one drives on: right, left, or auto: right until the one-way axes of an import say '
+        'otherwise', NULL, NULL, ARRAY['auto', 'right', 'left']),
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL,
         ARRAY['true', 'false']),
@@ -56,9 +57,10 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'path between two lanes: bezier or arcs, which follow the lanes towards the node where they would cross a '
         'kerb, or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
         'geometry, with its schema', NULL, NULL, ARRAY['bezier', 'arcs']),
-    ('trajectory_radius', '3', 'm',
-        'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node; 0: the rule '
-        'of the paper wherever its path stays on the roadway', 0, 100, NULL),
+    ('trajectory_radius', '15', 'm',
+        'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node, as far as '
+        'the kerbs allow; 15 m is comfortable at 20 km/h; 0: the rule of the paper wherever its path stays on the '
+        'roadway', 0, 100, NULL),
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10,
         NULL),
     ('width_default', '6', 'm', 'width of an axis of which nothing is known', 1, 200, NULL),
@@ -82,7 +84,7 @@ CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._require_reader(model);
     RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
@@ -160,7 +162,7 @@ CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) R
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('setting', setting);
     PERFORM streetgen._check_setting(model, setting, value);
     IF setting = 'radius_function' THEN

@@ -8,7 +8,7 @@ CREATE OR REPLACE FUNCTION streetgen.subject(model name)
 DECLARE
     computed text[];
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._require_model(model);
     computed := streetgen._subjects(model);
     RETURN QUERY SELECT s.subject, s.subject = ANY (computed), s.needs,
         ARRAY(SELECT n.subject FROM streetgen._subject() n WHERE s.subject = ANY (n.needs) ORDER BY n.place),
@@ -45,25 +45,31 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_dependents(name) IS
     'Makes the views, functions and triggers of a model for the subjects that it computes, again and again.';
 
-CREATE OR REPLACE FUNCTION streetgen._grant_like_axes(model name, relations name[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._grant_like_axes(model name, relations oid[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     held record;
 BEGIN
-    FOR held IN SELECT DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, relation
-        FROM pg_class, aclexplode(relacl), unnest(relations) relation
-        WHERE oid = to_regclass(format('%I.axis', model)) AND privilege_type = 'SELECT' AND grantee <> relowner
+    FOR held IN
+        SELECT DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role, privilege_type,
+            made.relname AS relation
+        FROM pg_class axis, aclexplode(axis.relacl), pg_class made
+        WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
+            AND made.oid = ANY (relations)
+            AND (privilege_type = 'SELECT'
+                OR made.relname LIKE '%\_override' AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
-        EXECUTE format('GRANT SELECT ON %I.%I TO %s', model, held.relation, held.role);
+        EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege_type, model, held.relation, held.role);
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._grant_like_axes(name, name[]) IS
-    'Who may read the axes of a model may read these tables and views of it.';
+COMMENT ON FUNCTION streetgen._grant_like_axes(name, oid[]) IS
+    'Who may read the axes of a model may read these tables and views of it. Who may write the axes may write the '
+    'tables of overrides among these.';
 
 CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wanted boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,
-        hard bigint)
+        fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -73,10 +79,10 @@ DECLARE
     has_streets boolean;
     before oid[];
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('subject', subject, 'wanted', wanted::text);
     PERFORM streetgen._with_needs(ARRAY[subject]);
-    PERFORM streetgen._enter(model, wait => true, alone => true);
+    PERFORM streetgen._lock_model(model, wait => true, alone => true);
     computed := streetgen._subjects(model);
     IF wanted = (subject = ANY (computed)) THEN
         RETURN;
@@ -87,9 +93,9 @@ BEGIN
             streetgen._with_needs(ARRAY[subject]));
         PERFORM streetgen._make_edit_indexes(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
         PERFORM streetgen._make_dependents(model);
-        PERFORM streetgen._hand_over(model, before);
+        PERFORM streetgen._give_to_owner(model, before);
         PERFORM streetgen._grant_like_axes(model, ARRAY(
-            SELECT relname FROM pg_class WHERE oid = ANY (streetgen._relations(model)) AND oid <> ALL (before)));
+            SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
         PERFORM streetgen._grant_edit_views(model);
         PERFORM streetgen._comment_model(model);
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.edge)', model) INTO has_streets;

@@ -206,7 +206,7 @@ BEGIN
         END IF;
     END IF;
     NEW.width := 2 * ST_Distance(axis, NEW.geom);
-    IF at IN (0, 1) AND NOT ST_DWithin(streetgen._beside(axis, foot), NEW.geom,
+    IF at IN (0, 1) AND NOT ST_DWithin(streetgen._remap_point_beside(axis, foot), NEW.geom,
         sqrt(25 + NEW.width * NEW.width / 4) + 0.01) OR NOT NEW.width BETWEEN 0.001 AND 200 THEN
         RAISE EXCEPTION '% lies beside no street', subject USING ERRCODE = '22023',
             DETAIL = format('It is %s m from axis %s%s.', round((NEW.width / 2)::numeric, 2), NEW.axis_id,

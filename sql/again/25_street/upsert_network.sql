@@ -1,28 +1,34 @@
 -- The one statement, nodes and edges: which of them are written, and which keep the id of one that is there.
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_network(places jsonb) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_written(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._filled($part$
+    AS $$ SELECT streetgen._fill_template($part$
 computed_edge AS MATERIALIZED (SELECT * FROM streetgen._computed_edge((SELECT streets FROM computed))),
--- The axes whose rows come out, and those that are gone, or whose edges are. One that is gone and was not asked is for
--- the run that asks for it.
-asked_axis AS MATERIALIZED (
-    SELECT axis_id FROM computed_edge WHERE (asked OR lanes_asked) AND axis_id IN (SELECT unnest($1))
+-- The axes whose rows come out, and those that are gone, or whose edges are. An axis that is gone and was not requested
+-- is for the run that requests it.
+written_axis AS MATERIALIZED (
+    SELECT axis_id FROM computed_edge WHERE (affected OR lanes_affected) AND axis_id IN (SELECT unnest($1))
         UNION SELECT unnest($3)
     UNION (SELECT axis_id FROM former_edge JOIN used USING (axis_id) EXCEPT SELECT axis_id FROM computed_edge)),
-written_edge AS MATERIALIZED (SELECT * FROM computed_edge WHERE {whole} OR axis_id IN (SELECT axis_id FROM asked_axis)),
+written_edge AS MATERIALIZED (
+    SELECT * FROM computed_edge WHERE {whole} OR axis_id IN (SELECT axis_id FROM written_axis)),
 written_node AS MATERIALIZED (
     SELECT * FROM streetgen._computed_node((SELECT streets FROM computed))
     WHERE number IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
--- Of the asked axes, and of those that meet what is written: they know its nodes.
+-- Of the written axes, and of those that meet what is written: they know its nodes.
 old_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id
-        FROM asked_axis) AS asked
-    FROM {model}.edge WHERE NOT {bare} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM asked_axis
-        UNION SELECT unnest(anchor_axis) FROM written_node))))$part$, places),
-    streetgen._upsert_rows(places, 'node', named => true, columns => 'geom', rows => $part$
-        SELECT coalesce(node_id, {next_id}) AS node_id, number, asked, {geom_with_height} AS geom
-        FROM (SELECT n.number, n.asked, n.geom, anchor_axis[1] AS axis_id, k.node_id
+        FROM written_axis) AS written
+    FROM {model}.edge WHERE NOT {empty} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM written_axis
+        UNION SELECT unnest(anchor_axis) FROM written_node))))$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_written(jsonb) IS
+    'Part of the one statement: the axes, edges and nodes whose rows are written, and the edges that are there.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_node(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._upsert_rows(places, 'node', named => true, columns => 'geom', rows => $part$
+        SELECT coalesce(node_id, {next_id}) AS node_id, number, affected, {geom_with_height} AS geom
+        FROM (SELECT n.number, n.affected, n.geom, anchor_axis[1] AS axis_id, k.node_id
               FROM written_node n LEFT JOIN (
                   -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa, in
                   -- centimetres.
@@ -38,14 +44,19 @@ old_edge AS MATERIALIZED (
                       JOIN (SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2
                           ELSE round(abscissa * 100) END AS place
                             FROM (SELECT number, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa
-                                FROM written_node WHERE NOT {bare}) a
+                                FROM written_node WHERE NOT {empty}) a
                             LEFT JOIN (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last
                                 FROM computed_edge GROUP BY axis_id) s USING (axis_id) OFFSET 0) n
                                 USING (axis_id, place)
                       ORDER BY o.node_id, axis_id, n.number) heir GROUP BY number) k USING (number)
                           ORDER BY n.number OFFSET 0) c$part$,
-        there => 'SELECT node_id FROM left_node'),
-    streetgen._filled($part$
+        there => 'SELECT node_id FROM left_node') $$;
+COMMENT ON FUNCTION streetgen._upsert_node(jsonb) IS
+    'Part of the one statement: new_node, and node_ids, the ids of nodes by their numbers.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_edge(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
 same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
     JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa))$part$, places),
     streetgen._upsert_rows(places, 'edge', named => true,
@@ -53,14 +64,14 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
             'width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, speed, importance, estimated, '
                 'input_hash, setting_hash',
         rows => $part$
-        SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_asked AS asked, axis_id,
+        SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, axis_id,
                (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
                level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, speed, importance, estimated,
                    input_hash, setting_hash
         FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.lane_count, u.lanes_forward, u.lanes_backward,
             u.lanes_both, u.speed, u.importance,
-                     u.estimated, CASE WHEN e.leading_on THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
+                     u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
               FROM written_edge e JOIN used u USING (axis_id) LEFT JOIN (
                   -- Identity of edges: by their ends along the axis, then by the node they begin at and their turn
                   -- there.
@@ -73,19 +84,31 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
                       ORDER BY start_abscissa) AS turn
                         FROM old_edge WHERE edge_id NOT IN (SELECT edge_id FROM same_edge)) o
                             USING (axis_id, from_node, turn)) k USING (number) ORDER BY e.number OFFSET 0) c$part$,
-        there => 'SELECT edge_id FROM old_edge WHERE asked'),
-    -- LIMIT: asked of each node, and not joined.
-    streetgen._filled($part$
+        there => 'SELECT edge_id FROM old_edge WHERE written')) $$;
+COMMENT ON FUNCTION streetgen._upsert_edge(jsonb) IS
+    'Part of the one statement: new_edge, and edge_ids, the ids of edges by their numbers.';
+
+-- LIMIT: an edge is looked up for each node, and not joined.
+CREATE OR REPLACE FUNCTION streetgen._upsert_left_node(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$
 left_node AS MATERIALIZED (
     SELECT node_id FROM (
-        SELECT from_node AS node_id FROM old_edge WHERE asked UNION SELECT to_node FROM old_edge WHERE asked
-        UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {bare}
+        SELECT from_node AS node_id FROM old_edge WHERE written UNION SELECT to_node FROM old_edge WHERE written
+        UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {empty}
         EXCEPT SELECT node_id FROM new_node) o
     WHERE {whole}
         OR (SELECT true FROM {model}.edge WHERE from_node = o.node_id AND axis_id NOT IN (SELECT axis_id
-            FROM asked_axis) LIMIT 1) IS NULL
+            FROM written_axis) LIMIT 1) IS NULL
             AND (SELECT true FROM {model}.edge WHERE to_node = o.node_id AND axis_id NOT IN (SELECT axis_id
-                FROM asked_axis) LIMIT 1) IS NULL)$part$, places)) $$;
+                FROM written_axis) LIMIT 1) IS NULL)$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_left_node(jsonb) IS
+    'Part of the one statement: left_node, the nodes that no edge begins or ends at any more.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_network(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._upsert_written(places), streetgen._upsert_node(places),
+        streetgen._upsert_edge(places), streetgen._upsert_left_node(places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_network(jsonb) IS
     'Part of the one statement: new_node and new_edge, and node_ids and edge_ids, by which surfaces and lanes find '
     'the ids of theirs.';

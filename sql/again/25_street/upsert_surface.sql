@@ -23,6 +23,6 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surface(places jsonb) RETURNS text
     streetgen._upsert_rows(places, 'intersection', columns => 'level, surface, method, contested_area', rows => $part$
         SELECT number, node_id, level, surface, method, contested_area
         FROM streetgen._computed_intersection((SELECT streets FROM computed), (SELECT ids FROM node_ids))$part$,
-        there => 'SELECT node_id FROM new_node WHERE asked AND NOT fresh')) $$;
+        there => 'SELECT node_id FROM new_node WHERE affected AND NOT fresh')) $$;
 COMMENT ON FUNCTION streetgen._upsert_surface(jsonb) IS
     'Part of the one statement: section limits, sections, corners and intersections at new_edge and new_node.';

@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen.set_transition(model name, node bigint, kin
 DECLARE
     ends record;
 BEGIN
-    PERFORM streetgen._check_reader(model), streetgen._check_given('node', node::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('node', node::text);
     PERFORM streetgen._lock_axes(model, format('SELECT axis_id FROM %I.edge WHERE from_node = %L OR to_node = %2$L',
         model, node));
     -- A node may get another id, an end of an axis stays: the override is kept there.

@@ -43,7 +43,7 @@ BEGIN
             RAISE EXCEPTION '% cannot lie % m from its edge', subject, round(astray) USING ERRCODE = '22023',
                 DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and draw it beside its edge.';
         END IF;
-        IF streetgen._turned(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
+        IF streetgen._remap_runs_against(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
             NEW.geom := ST_Reverse(NEW.geom);
         END IF;
     END IF;

@@ -11,7 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
         FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l
-            WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.asked AND NOT e.fresh$part$),
+            WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.affected AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'lane_separator',
         columns => 'edge_id, lane_position, kind, dashed, axis_offset, geom, surface', rows => $part$
         SELECT number, edge_id, lane_position, kind, dashed, axis_offset, geom, surface
@@ -19,7 +19,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
         there => $part$
         SELECT s.lane_separator_id FROM new_edge e, LATERAL (
             SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s
-                WHERE e.asked AND NOT e.fresh$part$),
+                WHERE e.affected AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'marking',
         columns => 'edge_id, lane_position, along_axis, node_id, kind, geom, surface', rows => $part$
         SELECT number, edge_id, kind, lane_position, along_axis, node_id, geom, surface
@@ -27,6 +27,6 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
             (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m
-            WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.asked AND NOT e.fresh$part$)) $$;
+            WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.affected AND NOT e.fresh$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_lane(jsonb) IS
     'Part of the one statement: lanes, separators and markings at new_edge.';

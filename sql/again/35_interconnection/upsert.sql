@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_interconnection(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._filled($part$
+    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
 rule AS MATERIALIZED (
     SELECT v ->> 'trajectory' AS name, v ->> 'trajectory' IN ('bezier', 'arcs') AS of_core,
         (v ->> 'trajectory_tolerance')::float8 AS tolerance,
@@ -45,21 +45,21 @@ drawn AS MATERIALIZED (
             LEFT JOIN (SELECT * FROM drawn LIMIT (SELECT count(*) FROM drawn)) d
                 USING (lane_in, lane_out, along_in, along_out)$part$,
         there => 'SELECT interconnection_id FROM left_interconnection'),
-    streetgen._filled($part$
--- One of which a lane lies on an axis that is not asked belongs to the run for that axis.
+    streetgen._fill_template($part$
+-- A path with a lane on an axis that is not written belongs to the run for that axis.
 left_interconnection AS MATERIALIZED (
     SELECT interconnection_id FROM (
         SELECT k.interconnection_id, k.lane_in, k.lane_out
-        FROM (SELECT node_id FROM new_node WHERE asked AND NOT fresh UNION ALL SELECT node_id FROM left_node) n,
+        FROM (SELECT node_id FROM new_node WHERE affected AND NOT fresh UNION ALL SELECT node_id FROM left_node) n,
             LATERAL (SELECT * FROM {model}.interconnection k WHERE k.node_id = n.node_id {by_key}) k
         WHERE k.interconnection_id NOT IN (SELECT interconnection_id FROM new_interconnection
             WHERE NOT fresh) OFFSET 0) k
     WHERE {whole}
         OR (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane
             WHERE lane_id = k.lane_in))
-                IN (SELECT axis_id FROM asked_axis)
+                IN (SELECT axis_id FROM written_axis)
             AND (SELECT axis_id FROM {model}.edge WHERE edge_id = (SELECT edge_id FROM {model}.lane
                 WHERE lane_id = k.lane_out))
-                IN (SELECT axis_id FROM asked_axis))$part$, places)) $$;
+                IN (SELECT axis_id FROM written_axis))$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnection(jsonb) IS
     'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';

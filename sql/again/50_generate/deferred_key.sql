@@ -4,12 +4,12 @@
 CREATE OR REPLACE FUNCTION streetgen._keys_are_missing(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     -- By what is committed: who waited for a lock of the model knows old names until it meets a lock of a table.
-    AS $$ SELECT EXISTS (SELECT FROM pg_class WHERE relname = 'missing_key'
+    AS $$ SELECT EXISTS (SELECT FROM pg_class WHERE relname = 'deferred_key'
         AND relnamespace = to_regnamespace(quote_ident(model))) $$;
 COMMENT ON FUNCTION streetgen._keys_are_missing(name) IS
     'Is a model computed by clusters for the first time, without foreign keys and most indexes?';
 
-CREATE OR REPLACE FUNCTION streetgen._leave_keys(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._defer_keys(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -17,48 +17,48 @@ DECLARE
     writer oid;
 BEGIN
     EXECUTE format($sql$
-CREATE TABLE %1$I.missing_key (turn integer NOT NULL, relation name, statement text NOT NULL);
-COMMENT ON TABLE %1$I.missing_key IS
+CREATE TABLE %1$I.deferred_key (turn integer NOT NULL, relation name, statement text NOT NULL);
+COMMENT ON TABLE %1$I.deferred_key IS
     'Foreign keys, indexes and statistics that the first run by clusters makes at its end, or the first edit before; '
     'the table is there as long as any is missing';
-COMMENT ON COLUMN %1$I.missing_key.turn IS 'what is made first, from 0';
-COMMENT ON COLUMN %1$I.missing_key.relation IS
+COMMENT ON COLUMN %1$I.deferred_key.turn IS 'what is made first, from 0';
+COMMENT ON COLUMN %1$I.deferred_key.relation IS
     'table whose indexes and statistics they are, and whose foreign keys they validate; NULL: the foreign keys, not '
     'valid';
-COMMENT ON COLUMN %1$I.missing_key.statement IS 'makes them';
-ALTER TABLE %1$I.missing_key OWNER TO %2$s
+COMMENT ON COLUMN %1$I.deferred_key.statement IS 'makes them';
+ALTER TABLE %1$I.deferred_key OWNER TO %2$s
 $sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
     -- What it says is done with the owner's rights, whoever may write new tables by default.
     FOR writer IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
-        WHERE oid = format('%I.missing_key', model)::regclass AND grantee <> relowner LOOP
-        EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.missing_key FROM %s', model, CASE writer
+        WHERE oid = format('%I.deferred_key', model)::regclass AND grantee <> relowner LOOP
+        EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.deferred_key FROM %s', model, CASE writer
             WHEN 0 THEN 'PUBLIC' ELSE writer::regrole::text END);
     END LOOP;
-    EXECUTE format('INSERT INTO %I.missing_key SELECT * FROM streetgen._take_off(%L, by_cluster => true)', model,
+    EXECUTE format('INSERT INTO %I.deferred_key SELECT * FROM streetgen._drop_keys(%L, by_cluster => true)', model,
         model);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN
-        EXECUTE format('DROP TABLE %I.missing_key', model);
+        EXECUTE format('DROP TABLE %I.deferred_key', model);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._leave_keys(name) IS
-    'Takes foreign keys and indexes that clusters do not need off the tables of a bare model, for _make_key to make; '
-    'not where somebody uses a table. Only the owner may write what waits there.';
+COMMENT ON FUNCTION streetgen._defer_keys(name) IS
+    'Takes foreign keys and indexes that clusters do not need off the tables of an empty model, for _restore_key '
+    'to make, not where somebody uses a table. Only the owner may write what waits there.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_key(model name) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._restore_key(model name) RETURNS text
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     key record;
 BEGIN
     -- Tables wait for the foreign keys between them.
-    EXECUTE format('SELECT FROM %I.missing_key WHERE turn = 0 FOR UPDATE', model);
-    EXECUTE format('SELECT ctid AS place, relation, statement FROM %1$I.missing_key k ORDER BY turn, '
+    EXECUTE format('SELECT FROM %I.deferred_key WHERE turn = 0 FOR UPDATE', model);
+    EXECUTE format('SELECT ctid AS place, relation, statement FROM %1$I.deferred_key k ORDER BY turn, '
         'pg_relation_size(to_regclass(%2$L || quote_ident(relation))) DESC LIMIT 1 FOR UPDATE SKIP LOCKED', model,
         quote_ident(model) || '.') INTO key;
     IF key.place IS NOT NULL THEN
         EXECUTE key.statement;
-        EXECUTE format('DELETE FROM %I.missing_key WHERE ctid = $1', model) USING key.place;
+        EXECUTE format('DELETE FROM %I.deferred_key WHERE ctid = $1', model) USING key.place;
         RETURN coalesce('indexes and statistics of ' || key.relation, 'foreign keys');
     END IF;
     RETURN NULL;
@@ -69,7 +69,7 @@ EXCEPTION WHEN object_in_use THEN
             format('Edit an axis first, or end the first run by clusters: CALL streetgen.generate_clusters(%L).',
             model);
 END $$;
-COMMENT ON FUNCTION streetgen._make_key(name) IS
+COMMENT ON FUNCTION streetgen._restore_key(name) IS
     'Makes the next of the keys that are missing and that no other session makes, and says what it made; NULL: none '
     'is left. A statement of this session that reads the tables, such as an edit of a view of them: 55006.';
 
@@ -78,8 +78,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_keys(model name) RETURNS void
     AS $$
 BEGIN
     LOOP
-        EXIT WHEN streetgen._make_key(model) IS NULL;
+        EXIT WHEN streetgen._restore_key(model) IS NULL;
     END LOOP;
-    EXECUTE format('DROP TABLE %I.missing_key', model);
+    EXECUTE format('DROP TABLE %I.deferred_key', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_keys(name) IS 'Makes all keys that are missing, for who is alone in the model.';

@@ -1,6 +1,6 @@
 -- A whole model at once. Where nothing was derived yet its rows come first, then keys, indexes and statistics.
 
-CREATE OR REPLACE FUNCTION streetgen._is_bare(model name) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._has_no_results(model name) RETURNS boolean
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -22,7 +22,7 @@ BEGIN
         WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model))
             AND (t.oid IS NOT NULL OR NOT pg_has_role(relowner, 'USAGE')));
 END $$;
-COMMENT ON FUNCTION streetgen._is_bare(name) IS
+COMMENT ON FUNCTION streetgen._has_no_results(name) IS
     'Is a model of a thousand axes and more without a derived row, its tables the caller''s and without triggers of '
     'others, and its ids in steps of one?';
 
@@ -55,7 +55,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS
     'Validates a constraint of a table; where a row violates it, after a statement that lets such rows go.';
 
-CREATE OR REPLACE FUNCTION streetgen._take_off(model name, by_cluster boolean DEFAULT false)
+CREATE OR REPLACE FUNCTION streetgen._drop_keys(model name, by_cluster boolean DEFAULT false)
     RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
@@ -150,7 +150,7 @@ EXCEPTION WHEN lock_not_available OR object_in_use THEN
     RAISE WARNING 'tables of model "%" are in use: their keys and indexes stay on, and its first run takes longer',
         model USING DETAIL = SQLERRM;
 END $$;
-COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS
+COMMENT ON FUNCTION streetgen._drop_keys(name, boolean) IS
     'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks '
     'against all others; not where something of others builds on them. Gives the statements that put them back, with '
     'their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. '
@@ -158,7 +158,7 @@ COMMENT ON FUNCTION streetgen._take_off(name, boolean) IS
     '0), so that the rows of the tables can be put in force one beside another; what a foreign key would have deleted '
     'goes. No row, nothing changed and a warning where somebody uses a table.';
 
-CREATE OR REPLACE FUNCTION streetgen._begin_files(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._truncate_results(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
@@ -171,11 +171,11 @@ BEGIN
         EXECUTE 'TRUNCATE ' || array_to_string(derived, ', ');
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._begin_files(name) IS
-    'Begins the files of the derived tables of a bare model anew, after its keys were taken off: where wal_level is '
+COMMENT ON FUNCTION streetgen._truncate_results(name) IS
+    'Begins the files of the derived tables of an empty model anew, after its keys were taken off: where wal_level is '
     'minimal, what a transaction writes into files that it began is synced at its end and not logged.';
 
-CREATE OR REPLACE FUNCTION streetgen._pass_ids(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._advance_sequences(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -184,31 +184,32 @@ BEGIN
         FROM unnest(streetgen._computed_tables(model)) d(relation)
             JOIN pg_attribute ON attrelid = format('%I.%I', model, d.relation)::regclass AND attidentity <> '');
 END $$;
-COMMENT ON FUNCTION streetgen._pass_ids(name) IS
-    'Moves the sequences of the derived tables to the last id: the rows of a bare model take as many from where each '
+COMMENT ON FUNCTION streetgen._advance_sequences(name) IS
+    'Moves the sequences of the derived tables to the last id: the rows of an empty model take as many from where each '
     'stands, which asks it once and not a row.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_whole(model name)
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, hard bigint)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     back text[] := '{}';
 BEGIN
-    IF streetgen._is_bare(model) THEN
-        back := ARRAY(SELECT t.statement FROM streetgen._take_off(model) t ORDER BY t.turn);
+    IF streetgen._has_no_results(model) THEN
+        back := ARRAY(SELECT t.statement FROM streetgen._drop_keys(model) t ORDER BY t.turn);
         IF back <> '{}' THEN
-            PERFORM streetgen._begin_files(model);
+            PERFORM streetgen._truncate_results(model);
         END IF;
     END IF;
-    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL, bare => back <> '{}');
+    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL,
+        CASE back WHEN '{}' THEN 'whole' ELSE 'empty' END);
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;
     IF back <> '{}' THEN
-        PERFORM streetgen._pass_ids(model);
+        PERFORM streetgen._advance_sequences(model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_whole(name) IS
-    'Computes and upserts all streets of a model, for its owner and alone in it. Where it is bare, indexes and keys '
+    'Computes and upserts all streets of a model, for its owner and alone in it. Where it is empty, indexes and keys '
     'are made after the rows, and statistics with them; they are the same as before.';

@@ -1,14 +1,14 @@
--- generate: claim, then one set-based statement.
+-- generate: lock the places, then one set-based statement.
 
 CREATE OR REPLACE FUNCTION streetgen.generate(model name, axes bigint[] DEFAULT NULL, wait boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,
-        hard bigint)
+        fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    asked bigint[] := axes;
+    requested bigint[] := axes;
     whole boolean := axes IS NULL;
-    claimed record;
+    locked record;
     skipped_axes bigint := 0;
     lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
@@ -17,7 +17,7 @@ BEGIN
         -- Long enough for a table that another session makes longer, which is over at once.
         PERFORM set_config('lock_timeout', '100ms', true);
     END IF;
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_settings(model);
     PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
         FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = '
@@ -26,23 +26,23 @@ BEGIN
     EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
     IF axes IS NOT NULL THEN
         -- An id that is neither an axis nor has left rows behind is skipped.
-        skipped_axes := (SELECT count(DISTINCT id) FROM unnest(asked) id);
+        skipped_axes := (SELECT count(DISTINCT id) FROM unnest(requested) id);
         EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
             WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge
-                WHERE axis_id = id)$sql$, model) INTO asked USING asked;
-        skipped_axes := skipped_axes - cardinality(asked);
+                WHERE axis_id = id)$sql$, model) INTO requested USING requested;
+        skipped_axes := skipped_axes - cardinality(requested);
         -- All axes one by one are all axes; fewer than there are need no look at each.
         EXECUTE format($sql$SELECT NOT EXISTS (SELECT FROM %1$I.axis OFFSET cardinality($1))
             AND NOT EXISTS (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge
-                EXCEPT SELECT unnest($1))$sql$, model) INTO whole USING asked;
+                EXCEPT SELECT unnest($1))$sql$, model) INTO whole USING requested;
     END IF;
-    IF whole AND streetgen._enter(model, wait, alone => true) THEN
+    IF whole AND streetgen._lock_model(model, wait, alone => true) THEN
         RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE u.relation WHEN 'edge'
-            THEN skipped_axes ELSE 0 END, u.hard FROM streetgen._upsert_whole(model) u;
+            THEN skipped_axes ELSE 0 END, u.fallbacks FROM streetgen._upsert_whole(model) u;
     ELSE
-        IF asked IS NULL THEN
+        IF requested IS NULL THEN
             EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
-                INTO asked;
+                INTO requested;
         END IF;
         IF streetgen._setting_changed(model) THEN
             RAISE EXCEPTION 'settings of model "%" changed since its streets were computed', model
@@ -50,22 +50,22 @@ BEGIN
                 HINT = format('SELECT * FROM streetgen.generate(%L, wait => true) computes all of it: a part would '
                     'mix old and new.', model);
         END IF;
-        IF streetgen._enter(model, wait, alone => false) THEN
+        IF streetgen._lock_model(model, wait, alone => false) THEN
             IF whole THEN
                 -- Another session edits: go on beside it.
-                claimed := streetgen._claim_beside(model, NULL);
+                locked := streetgen._lock_places_beside(model, NULL);
             ELSE
-                claimed := streetgen._claim(model, asked, wait);
+                locked := streetgen._lock_places(model, requested, wait);
             END IF;
-            skipped_axes := skipped_axes + cardinality(asked) - cardinality(claimed.asked);
+            skipped_axes := skipped_axes + cardinality(requested) - cardinality(locked.requested);
         ELSE
-            skipped_axes := skipped_axes + cardinality(asked);
-            SELECT '{}'::bigint[] AS changed, '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO claimed;
+            skipped_axes := skipped_axes + cardinality(requested);
+            SELECT '{}'::bigint[] AS changed, '{}'::bigint[] AS written, '{}'::bigint[] AS gathered INTO locked;
         END IF;
         RETURN QUERY SELECT u.relation, sum(u.inserted)::bigint, sum(u.updated)::bigint, sum(u.deleted)::bigint,
             sum(u.unchanged)::bigint,
-                CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, sum(u.hard)::bigint
-            FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed) u
+                CASE WHEN u.relation = 'edge' THEN skipped_axes ELSE 0 END, sum(u.fallbacks)::bigint
+            FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed) u
             GROUP BY u.relation ORDER BY array_position(streetgen._computed_tables(model), u.relation);
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
@@ -76,9 +76,9 @@ END $$;
 COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS
     'Computes streets and upserts them: all axes (NULL, or each of them named), or the given ones and what they '
     'change around them, with what changed near them while nobody followed. Unchanged rows are not touched. Returns a '
-    'row per table; hard counts rows whose method is not hypothesis, skipped the axes whose places another run holds; '
-    'rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, within '
-    'lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis over '
+    'row per table; fallbacks counts rows whose method is not hypothesis, skipped the axes whose places another run '
+    'holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, '
+    'within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis over '
     'axis_length_maximal, or where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; '
     'out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock '
     'with another session (40P01): repeat the transaction.';

@@ -16,7 +16,7 @@ CREATE OR REPLACE FUNCTION streetgen._holders(model name) RETURNS text
 COMMENT ON FUNCTION streetgen._holders(name) IS
     'The other sessions that hold places, rows or tables of a model, as text.';
 
-CREATE OR REPLACE FUNCTION streetgen._enter(model name, wait boolean, alone boolean, keys boolean DEFAULT true)
+CREATE OR REPLACE FUNCTION streetgen._lock_model(model name, wait boolean, alone boolean, keys boolean DEFAULT true)
     RETURNS boolean
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -49,7 +49,7 @@ EXCEPTION WHEN lock_not_available THEN
     RAISE EXCEPTION 'another session holds model "%"', model USING ERRCODE = '55P03',
         DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
 END $$;
-COMMENT ON FUNCTION streetgen._enter(name, boolean, boolean, boolean) IS
+COMMENT ON FUNCTION streetgen._lock_model(name, boolean, boolean, boolean) IS
     'Locks the model for this transaction, its settings first: alone, or beside others that lock its places. keys: '
     'not before those that a first run by clusters left are made, for which it is alone. Without wait: whether it was '
     'free. A lock_timeout that ends: 55P03, naming who holds it; above read committed: 0A000.';
@@ -126,7 +126,7 @@ COMMENT ON FUNCTION streetgen._lock_places(name, integer[], integer[], boolean) 
         'so too. '
     'Without wait: false, with some of them locked, where another session holds any.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim_all(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._lock_all_places(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
@@ -134,7 +134,7 @@ BEGIN
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_place(model);
 END $$;
-COMMENT ON FUNCTION streetgen._claim_all(name) IS
+COMMENT ON FUNCTION streetgen._lock_all_places(name) IS
     'Locks all places of a model by one key, for this transaction. A lock_timeout that ends: 55P03, naming who holds '
         'some.';
 
@@ -237,8 +237,9 @@ COMMENT ON FUNCTION streetgen._stale_beside(name, bigint[], bigint[]) IS
     'Axes that changed, or came, since their streets were computed, and lie beside the axes, or at the cells, that '
         'others hold.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim_beside(
-    model name, axes bigint[], OUT asked bigint[], OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._lock_places_beside(
+    model name, axes bigint[], OUT requested bigint[], OUT changed bigint[], OUT written bigint[],
+    OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- Who takes places holds the door for a moment.
     SET lock_timeout = '100ms' SET jit = off
@@ -248,7 +249,7 @@ DECLARE
     held bigint[];
     reach record;
 BEGIN
-    asked := '{}';
+    requested := '{}';
     changed := '{}';
     written := '{}';
     gathered := '{}';
@@ -257,31 +258,32 @@ BEGIN
     held := others.axes || streetgen._stale_beside(model, others.axes, others.cells);
     IF axes IS NULL THEN
         EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
-            INTO asked;
-        changed := asked;
-        written := asked;
-        gathered := asked;
+            INTO requested;
+        changed := requested;
+        written := requested;
+        gathered := requested;
     ELSE
         reach := streetgen._reach_of(model, axes);
-        asked := axes;
-        changed := reach.asked;
+        requested := axes;
+        changed := reach.requested;
         written := reach.written;
         gathered := reach.gathered;
     END IF;
-    asked := ARRAY(SELECT unnest(asked) EXCEPT SELECT unnest(held));
+    requested := ARRAY(SELECT unnest(requested) EXCEPT SELECT unnest(held));
     changed := ARRAY(SELECT unnest(changed) EXCEPT SELECT unnest(held));
     written := ARRAY(SELECT unnest(written) EXCEPT SELECT unnest(held));
 EXCEPTION WHEN lock_not_available THEN
     RETURN;
 END $$;
-COMMENT ON FUNCTION streetgen._claim_beside(name, bigint[]) IS
+COMMENT ON FUNCTION streetgen._lock_places_beside(name, bigint[]) IS
     'Of the axes (NULL: all of a model) those of which no other session writes rows, for who does not wait: it shuts '
         'the door '
     'for this transaction. What changed while nobody followed waits where it lies beside what others write. Gives what '
-    'streetgen._claim gives; nothing where others compute clusters, mark many axes as stale, or have shut the door.';
+    'streetgen._lock_places gives; nothing where others compute clusters, mark many axes as stale, or have shut '
+    'the door.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim(
-    model name, axes bigint[], wait boolean, OUT asked bigint[], OUT changed bigint[], OUT written bigint[],
+CREATE OR REPLACE FUNCTION streetgen._lock_places(
+    model name, axes bigint[], wait boolean, OUT requested bigint[], OUT changed bigint[], OUT written bigint[],
         OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -311,7 +313,7 @@ BEGIN
                 free := streetgen._lock_places(model, wanted, ARRAY[-1], wait);
             END IF;
             IF free THEN
-                -- Told first, asked then: a run that shuts the door sees either this or nobody.
+                -- Told first, requested then: a run that shuts the door sees either this or nobody.
                 PERFORM pg_advisory_xact_lock_shared(model_key, key)
                     FROM (SELECT DISTINCT streetgen._axis_key(id) AS key FROM unnest(named) id) k;
                 entered := streetgen._door_is_open(model);
@@ -331,7 +333,7 @@ BEGIN
         EXCEPTION
             WHEN SQLSTATE 'SG001' THEN
                 IF NOT entered AND NOT wait THEN
-                    SELECT * INTO asked, changed, written, gathered FROM streetgen._claim_beside(model, axes);
+                    SELECT * INTO requested, changed, written, gathered FROM streetgen._lock_places_beside(model, axes);
                     RETURN;
                 ELSIF NOT entered THEN
                     -- Holding nothing that was taken here.
@@ -343,14 +345,14 @@ BEGIN
         END;
         EXIT;
     END LOOP;
-    asked := axes;
-    changed := reach.asked;
+    requested := axes;
+    changed := reach.requested;
     written := reach.written;
     gathered := reach.gathered;
 END $$;
-COMMENT ON FUNCTION streetgen._claim(name, bigint[], boolean) IS
+COMMENT ON FUNCTION streetgen._lock_places(name, bigint[], boolean) IS
     'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order, and tells '
         'of which axes '
-    'it writes rows; without wait, where a place is not free: as streetgen._claim_beside. Gives these axes, the same '
-        'with stale '
+    'it writes rows; without wait, where a place is not free: as streetgen._lock_places_beside. Gives these axes, the '
+    'same with stale '
     'ones near them, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';

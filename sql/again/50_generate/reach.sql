@@ -17,27 +17,13 @@ CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float
 COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS
     'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
 
-CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, description text) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
-        WHERE nspname = model));
-    EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
-    EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
-    EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
-END $$;
-COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
-    'Gives a function in the schema of a model to its owner, with a comment: nobody else may call it, and it goes '
-    'with the extension.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._reach(asked bigint[], OUT stale bigint[], OUT written bigint[], OUT gathered bigint[],
-    OUT cells integer[])
+CREATE OR REPLACE FUNCTION %1$I._reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
+    OUT gathered bigint[], OUT cells integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
@@ -47,7 +33,7 @@ DECLARE
     tolerance float8;
     -- No roadway is wider.
     widest float8;
-    -- The asked axes that are there, and how wide they are.
+    -- The requested axes that are there, and how wide they are.
     present bigint[];
     widths float8[];
 BEGIN
@@ -61,14 +47,14 @@ BEGIN
         INTO reach, size, tolerance, widest FROM %1$I.setting
             WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
     SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)) INTO present, widths FROM %1$I.axis_used u
-        WHERE u.axis_id = ANY (asked);
-    -- What the asked axes can change: along the network, and by their roadway.
+        WHERE u.axis_id = ANY (requested);
+    -- What the requested axes can change: along the network, and by their roadway.
     written := ARRAY(
         WITH line AS MATERIALIZED (
             SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (asked)
+            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (requested)
             -- Too short for an edge, it joined others.
-            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (asked) AND issue = 'collapsed_axis'),
+            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
         near AS MATERIALIZED (
             SELECT e.*, distance <= 3 * tolerance AS met
             FROM line l, LATERAL (
@@ -93,9 +79,9 @@ BEGIN
         -- What joined its ends may part them.
         UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
             WHERE issue = 'collapsed_axis'
-        UNION SELECT unnest(asked));
+        UNION SELECT unnest(requested));
     stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written)
-        AND axis_id NOT IN (SELECT unnest(asked))
+        AND axis_id NOT IN (SELECT unnest(requested))
         AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id),
             true));
     IF stale <> '{}' THEN
@@ -136,14 +122,14 @@ BEGIN
             AND EXISTS (SELECT FROM %1$I.axis a JOIN %1$I.node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
                 WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
         EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
-    -- A run writes every axis near the asked ones whole, ends included. Most lie in the same few cells: the middles of
-    -- their outermost.
+    -- A run writes every axis near the requested ones whole, ends included. Most lie in the same few cells: the
+    -- middles of their outermost.
     box AS MATERIALIZED (
         SELECT DISTINCT (floor((ST_XMin(extent) - margin) / size) + 0.5) * size AS west,
             (floor((ST_YMin(extent) - margin) / size) + 0.5) * size AS south,
             (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east,
                 (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
-        FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(asked)) THEN reach + widest ELSE 10 END AS margin
+        FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(requested)) THEN reach + widest ELSE 10 END AS margin
             FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l OFFSET 0) m)
     SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
         UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
@@ -152,32 +138,33 @@ BEGIN
         INTO gathered, cells;
 END $body$ $sql$, model);
     PERFORM streetgen._own_function(model, '_reach(bigint[])',
-        'Of asked axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
+        'Of requested axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
         'these are computed with, and the cells of all that it reads or writes, ascending');
 END $$;
 COMMENT ON FUNCTION streetgen._make_reach(name) IS
     'Makes the function of a model that tells how far a run for some axes reaches.';
 
-CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT asked bigint[], OUT written bigint[],
+CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT requested bigint[], OUT written bigint[],
     OUT gathered bigint[], OUT cells integer[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     stale bigint[] := axes;
 BEGIN
-    asked := '{}';
+    requested := '{}';
     written := '{}';
     gathered := '{}';
     cells := '{}';
     -- An axis that changed while nobody followed changes what is around it too.
     WHILE stale <> '{}' LOOP
-        asked := asked || stale;
-        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells USING asked;
+        requested := requested || stale;
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells USING requested;
     END LOOP;
     cells := coalesce(cells, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS
-    'What a run for some axes asks, writes and gathers, and its cells: stale axes near the asked ones are asked too.';
+    'What a run for some axes requests, writes and gathers, and its cells: stale axes near the requested ones are '
+    'requested too.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     transitions streetgen.street_transition[],
     limits streetgen.street_limit[], corners streetgen.street_corner[], lanes streetgen.street_lane[],
         restrictions streetgen.street_restriction[],
-    former_edges streetgen.former_edge[], former_nodes streetgen.former_node[], onwards boolean DEFAULT true,
+    former_edges streetgen.former_edge[], former_nodes streetgen.former_node[], may_spread boolean DEFAULT true,
     subjects text[] DEFAULT '{lane,interconnection}')
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
@@ -14,7 +14,7 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         text[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
-        'names and values as words, of all in streetgen._default_setting() that the core reads. onwards: also where '
+        'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
         'interconnection; words of SQL alone are passed over. No axes (NULL) or no subjects (NULL): NULL; any other '
@@ -36,22 +36,22 @@ COMMENT ON AGGREGATE streetgen._ids(integer, bigint) IS
     '22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
-    RETURNS TABLE(number integer, asked boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
+    RETURNS TABLE(number integer, affected boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
 COMMENT ON FUNCTION streetgen._computed_node(bigint) IS
     'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as '
-    'in all these; asked: its intersection and lanes come out; axes that have a vertex there and its abscissa on '
+    'in all these; affected: its intersection and lanes come out; axes that have a vertex there and its abscissa on '
     'each, m. Streets that are not kept: 55000, as in all these. Limits, surfaces, corners, lanes and what is painted '
     'are given once, so that what they took is free for their tables.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
-    RETURNS TABLE(number integer, asked boolean, lanes_asked boolean, leading_on boolean, axis_id bigint,
+    RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, spreads_to boolean, axis_id bigint,
         from_node integer, to_node integer, level integer,
         start_abscissa float8, end_abscissa float8, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
-    'The edges of streets computed in this statement: asked: its section comes out; lanes_asked: its lanes do; '
-    'leading_on: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
+    'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
+    'spreads_to: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8,
@@ -67,7 +67,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint, edges big
     RETURNS TABLE(number integer, edge_id bigint, level integer, surface geometry, method text, contested_area float8)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
 COMMENT ON FUNCTION streetgen._computed_section(bigint, bigint[]) IS
-    'The sections of streets computed in this statement: those of asked edges.';
+    'The sections of streets computed in this statement: those of affected edges.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, node_id bigint, edge_a bigint, end_a text, edge_b bigint, end_b text,
@@ -81,7 +81,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_intersection(streets bigint, node
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME',
         'streetgen_computed_intersection';
 COMMENT ON FUNCTION streetgen._computed_intersection(bigint, bigint[]) IS
-    'The intersections of streets computed in this statement: those of asked nodes where edges meet.';
+    'The intersections of streets computed in this statement: those of affected nodes where edges meet.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text,

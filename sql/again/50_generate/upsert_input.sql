@@ -1,17 +1,8 @@
 -- The one statement, what it reads: axes with what is decided by hand, and what was there before the change.
 
-CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._upsert_former(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._filled($part$
-setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
--- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
--- axis by axis.
-used AS MATERIALIZED (
-    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward,
-        kind_backward,
-           lane_width_forward, lane_width_backward, turn_forward, turn_backward, speed, importance, radius, estimated,
-               CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
-    FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
+    AS $$ SELECT streetgen._fill_template($part$
 -- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
@@ -22,7 +13,22 @@ former_edge AS MATERIALIZED (
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
         LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
-    WHERE NOT {whole} AND e.axis_id = ANY ($1)),
+    WHERE NOT {whole} AND e.axis_id = ANY ($1))$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_former(jsonb) IS
+    'Part of the one statement: former_edge, the written edges and their surfaces before the change.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._upsert_former(places), streetgen._fill_template($part$
+setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
+-- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
+-- axis by axis.
+used AS MATERIALIZED (
+    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward,
+        kind_backward,
+           lane_width_forward, lane_width_backward, turn_forward, turn_backward, speed, importance, radius, estimated,
+               CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
+    FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 computed AS MATERIALIZED (
     SELECT streetgen._streets({srid},
         settings => (
@@ -68,8 +74,8 @@ computed AS MATERIALIZED (
             FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
                 LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
                 LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
-        onwards => {whole} OR $4, subjects => string_to_array('{subjects}', ',')) AS streets)$part$,
+        may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ',')) AS streets)$part$,
             places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
-            FROM jsonb_array_elements_text(places -> 'subjects') s))) $$;
+            FROM jsonb_array_elements_text(places -> 'subjects') s)))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
     'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

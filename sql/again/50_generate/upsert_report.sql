@@ -2,14 +2,14 @@
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_report(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._filled($part$
+    AS $$ SELECT streetgen._fill_template($part$
 new_report AS MATERIALIZED (
     SELECT DISTINCT issue, axis_a, axis_b, measure, geom FROM streetgen._computed_report((SELECT streets FROM computed))
-    WHERE {whole} OR axis_a IN (SELECT axis_id FROM asked_axis) OR axis_b IN (SELECT axis_id FROM asked_axis)),
+    WHERE {whole} OR axis_a IN (SELECT axis_id FROM written_axis) OR axis_b IN (SELECT axis_id FROM written_axis)),
 old_report AS MATERIALIZED (
     SELECT issue, axis_a, axis_b, measure, geom, ctid AS place FROM {model}.report
-    WHERE {whole} OR axis_a = ANY (ARRAY(SELECT axis_id FROM asked_axis))
-        OR axis_b = ANY (ARRAY(SELECT axis_id FROM asked_axis))),
+    WHERE {whole} OR axis_a = ANY (ARRAY(SELECT axis_id FROM written_axis))
+        OR axis_b = ANY (ARRAY(SELECT axis_id FROM written_axis))),
 set_report AS (
     INSERT INTO {model}.report (issue, axis_a, axis_b, measure, geom)
     SELECT issue, axis_a, axis_b, measure, geom FROM new_report
@@ -21,13 +21,13 @@ gone_report AS (
                 o.axis_b, o.measure, o.geom))))
     RETURNING 1)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_report(jsonb) IS
-    'Part of the one statement: the reports that name an asked axis.';
+    'Part of the one statement: the reports that name a requested axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, hard '
-        'FROM count_%1$s', relation, gone_each, gone_with), E' UNION ALL\n' ORDER BY place)
+    SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, '
+        'fallbacks FROM count_%1$s', relation, gone_each, gone_with), E' UNION ALL\n' ORDER BY place)
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
     (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$

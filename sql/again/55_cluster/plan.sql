@@ -26,7 +26,7 @@ DECLARE
     x float8[];
     y float8[];
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._require_reader(model);
     IF k IS NULL THEN
         RAISE EXCEPTION 'k, the number of clusters of model "%", is NULL', model USING ERRCODE = '22004',
             HINT = 'At least 1, at most one an axis.';
@@ -100,7 +100,7 @@ DECLARE
     came integer;
     hash bigint;
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_settings(model);
     IF clusters < 1 OR sessions IS NULL OR sessions < 1 THEN
         RAISE EXCEPTION 'model "%" cannot be computed in % clusters by % sessions', model,
@@ -123,7 +123,7 @@ BEGIN
         GET DIAGNOSTICS came = ROW_COUNT;
         IF came > 0 THEN
             -- They may change what is computed already.
-            PERFORM streetgen._enter(model, wait => true, alone => false);
+            PERFORM streetgen._lock_model(model, wait => true, alone => false);
         END IF;
         RAISE NOTICE 'model "%": % of % clusters are done, the run goes on', model, planned - left_over, planned;
         EXECUTE format('SELECT count(*) FROM %I.cluster WHERE ended IS NULL', model) INTO left_over;
@@ -134,10 +134,10 @@ BEGIN
     SELECT count(*) INTO many FROM streetgen._axis_lines(model);
     planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
     EXECUTE format('DELETE FROM %I.cluster', model);
-    IF streetgen._keys_are_missing(model) OR streetgen._is_bare(model) THEN
-        PERFORM streetgen._enter(model, wait => true, alone => true);
-        IF streetgen._is_bare(model) THEN
-            PERFORM streetgen._leave_keys(model);
+    IF streetgen._keys_are_missing(model) OR streetgen._has_no_results(model) THEN
+        PERFORM streetgen._lock_model(model, wait => true, alone => true);
+        IF streetgen._has_no_results(model) THEN
+            PERFORM streetgen._defer_keys(model);
         END IF;
     END IF;
     IF planned > 0 THEN

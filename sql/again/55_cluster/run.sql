@@ -1,6 +1,6 @@
 -- Clusters computed one by one in many sessions: what each locks, progress, and the keys at the end.
 
-CREATE OR REPLACE FUNCTION streetgen._footprint(model name, asked bigint[], written bigint[], OUT near bigint[],
+CREATE OR REPLACE FUNCTION streetgen._footprint(model name, requested bigint[], written bigint[], OUT near bigint[],
     OUT cells integer[], OUT blocks integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
@@ -41,19 +41,19 @@ SELECT (SELECT near FROM id),
            FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x,
            generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
             LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
-$sql$, model) INTO near, cells, blocks USING asked, written, reach + widest, size;
+$sql$, model) INTO near, cells, blocks USING requested, written, reach + widest, size;
     -- Of an axis that is gone without a trace nothing is to be locked.
-    near := near || asked || written;
+    near := near || requested || written;
     cells := coalesce(cells, '{}');
     blocks := coalesce(blocks, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS
-    'The places of a model that a run for many axes (asked) may read or write: cells, by which it keeps edits away, '
-    'and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there '
-    'whole, asked and written among them.';
+    'The places of a model that a run for many axes (requested) may read or write: cells, by which it keeps edits '
+    'away, and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there '
+    'whole, requested and written among them.';
 
-CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT asked bigint[], OUT written bigint[],
-    OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT requested bigint[],
+    OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys.
     SET enable_nestloop = off
@@ -106,7 +106,7 @@ SELECT array_agg(axis_id) FROM (
     UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a
         WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
 $sql$, model) INTO gathered USING written, reach, near, widest;
-    asked := axes;
+    requested := axes;
 END $$;
 COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS
     'What a run for axes without streets writes and gathers where nothing around them changes by it, since all that '
@@ -130,8 +130,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._clusters_beside(name, integer) IS
     'The clusters that have not ended and may share nodes with a cluster.';
 
-CREATE OR REPLACE FUNCTION streetgen._claim_cluster(model name, cluster integer, axes bigint[], wait boolean,
-    OUT free boolean, OUT first boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
+CREATE OR REPLACE FUNCTION streetgen._lock_cluster(model name, cluster integer, axes bigint[], wait boolean,
+    OUT free boolean, OUT first_run boolean, OUT changed bigint[], OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -140,11 +140,11 @@ DECLARE
     places record;
     reach record;
 BEGIN
-    first := streetgen._keys_are_missing(model);
+    first_run := streetgen._keys_are_missing(model);
     LOOP
-        -- Where more turns out to be needed, the locks taken here are given back first, as _claim does.
+        -- Where more turns out to be needed, the locks taken here are given back first, as _lock_places does.
         BEGIN
-            IF first THEN
+            IF first_run THEN
                 -- No edit comes in before the keys are made.
                 free := streetgen._lock_places(model, ARRAY[cluster_key - cluster], ARRAY[streetgen._door(), -1]
                     || ARRAY(SELECT cluster_key - beside
@@ -158,15 +158,15 @@ BEGIN
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
             END IF;
-            IF first THEN
+            IF first_run THEN
                 reach := streetgen._surroundings(model, axes);
             ELSE
                 reach := streetgen._reach_of(model, axes);
-                IF EXISTS (SELECT unnest(reach.asked)
+                IF EXISTS (SELECT unnest(reach.requested)
                     EXCEPT SELECT unnest(axes)) OR EXISTS (SELECT unnest(reach.written)
                     EXCEPT SELECT unnest(places.near)) THEN
-                    places := streetgen._footprint(model, reach.asked, reach.written);
-                    axes := reach.asked;
+                    places := streetgen._footprint(model, reach.requested, reach.written);
+                    axes := reach.requested;
                     RAISE SQLSTATE 'SG001';
                 END IF;
             END IF;
@@ -180,12 +180,12 @@ BEGIN
         EXIT;
     END LOOP;
     IF free THEN
-        changed := reach.asked;
+        changed := reach.requested;
         written := reach.written;
         gathered := reach.gathered;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._claim_cluster(name, integer, bigint[], boolean) IS
+COMMENT ON FUNCTION streetgen._lock_cluster(name, integer, bigint[], boolean) IS
     'Locks the places of a cluster for this transaction, or, where it is the first run of the model, the cluster and '
     'those beside it; gives what a run for it writes and gathers, and whether it is that first run. Without wait: not '
     'free where another session holds any of them, and nothing is locked.';
@@ -196,7 +196,7 @@ CREATE OR REPLACE FUNCTION streetgen.progress(model name)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._require_reader(model);
     RETURN QUERY EXECUTE format($sql$
 SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
 FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
@@ -227,14 +227,14 @@ CREATE OR REPLACE FUNCTION streetgen.generate_cluster(model name, first integer 
 #variable_conflict use_column
 DECLARE
     chosen record;
-    claimed record;
+    locked record;
     free boolean := false;
     tried integer[] := '{}';
     wait boolean := false;
     started timestamptz;
 BEGIN
-    PERFORM streetgen._check_owner(model);
-    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
+    PERFORM streetgen._require_owner(model);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false, keys => false);
     LOOP
         BEGIN
             -- What has most beside it first: those that are left at the end are apart, and no session waits for
@@ -256,8 +256,8 @@ BEGIN
                         model);
                 END IF;
                 started := clock_timestamp();
-                claimed := streetgen._claim_cluster(model, chosen.cluster_id, chosen.axes, wait);
-                free := claimed.free;
+                locked := streetgen._lock_cluster(model, chosen.cluster_id, chosen.axes, wait);
+                free := locked.free;
                 IF NOT free THEN
                     RAISE SQLSTATE 'SG001';
                 END IF;
@@ -278,10 +278,10 @@ BEGIN
             END IF;
         END IF;
     END LOOP;
-    IF claimed.first THEN
-        PERFORM FROM streetgen._upsert_set(model, claimed.written, claimed.gathered, claimed.changed, first => true);
+    IF locked.first_run THEN
+        PERFORM FROM streetgen._upsert_set(model, locked.written, locked.gathered, locked.changed, 'cluster');
     ELSE
-        PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed);
+        PERFORM FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed);
     END IF;
     EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE '
         'cluster_id = $2', model) USING started, chosen.cluster_id;
@@ -305,10 +305,10 @@ CREATE OR REPLACE FUNCTION streetgen.finish_clusters(model name) RETURNS text
 DECLARE
     made text;
 BEGIN
-    PERFORM streetgen._check_owner(model);
-    PERFORM streetgen._enter(model, wait => true, alone => false, keys => false);
+    PERFORM streetgen._require_owner(model);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false, keys => false);
     IF streetgen._keys_are_missing(model) THEN
-        made := streetgen._make_key(model);
+        made := streetgen._restore_key(model);
         -- The last one leaves nothing behind.
         IF made IS NULL AND pg_try_advisory_xact_lock(hashtext('streetgen.' || model), 0) THEN
             PERFORM streetgen._make_keys(model);
@@ -346,7 +346,7 @@ BEGIN
     END LOOP;
     COMMIT;
     -- Where sessions end together the last one clears up.
-    PERFORM streetgen._enter(model, wait => true, alone => false);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false);
 END $$;
 COMMENT ON PROCEDURE streetgen.generate_clusters(name) IS
     'Computes clusters of a run planned by streetgen.plan_clusters, each in a transaction of its own, until none is '

@@ -10,10 +10,11 @@ CREATE OR REPLACE FUNCTION streetgen._heading(line geometry, place geometry) RET
 COMMENT ON FUNCTION streetgen._heading(geometry, geometry) IS
     'Azimuth (radians) of a line where it is nearest to a place, over 0.1 m to either side.';
 
-CREATE OR REPLACE FUNCTION streetgen._turned(before geometry, after geometry, place geometry) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._remap_runs_against(before geometry, after geometry, place geometry)
+    RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT coalesce(cos(streetgen._heading(before, place) - streetgen._heading(after, place)) < 0, false) $$;
-COMMENT ON FUNCTION streetgen._turned(geometry, geometry, geometry) IS
+COMMENT ON FUNCTION streetgen._remap_runs_against(geometry, geometry, geometry) IS
     'Whether a line runs against another at a place; false where one is NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
@@ -41,44 +42,44 @@ CREATE OR REPLACE FUNCTION streetgen._moved_vertex(before geometry, after geomet
 COMMENT ON FUNCTION streetgen._moved_vertex(geometry, geometry, geometry, float8) IS
     'Where the vertex of a line that was within reach of a place is now; NULL where nothing says so.';
 
-CREATE OR REPLACE FUNCTION streetgen._cut_back(before geometry, after geometry, slack float8) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._remap_is_cut_back(before geometry, after geometry, slack float8) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT ST_Length2D(after) < ST_Length2D(before) AND NOT EXISTS (SELECT FROM ST_DumpPoints(after) v
         WHERE NOT ST_DWithin(v.geom, before, slack)) $$;
-COMMENT ON FUNCTION streetgen._cut_back(geometry, geometry, float8) IS
+COMMENT ON FUNCTION streetgen._remap_is_cut_back(geometry, geometry, float8) IS
     'Whether a line is a piece of what it was, as the first half of a split is.';
 
-CREATE OR REPLACE FUNCTION streetgen._beside(line geometry, place geometry) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._remap_point_beside(line geometry, place geometry) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     SELECT ST_LineInterpolatePoint(line, CASE WHEN at < 0.5 THEN least(at + step, 1) ELSE greatest(at - step, 0) END)
     FROM (SELECT ST_LineLocatePoint(line, place) AS at, 5 / greatest(ST_Length2D(line), 5) AS step) s
     $$;
-COMMENT ON FUNCTION streetgen._beside(geometry, geometry) IS
+COMMENT ON FUNCTION streetgen._remap_point_beside(geometry, geometry) IS
     'The place on a line 5 m along it from another, towards its farther end.';
 
-CREATE OR REPLACE FUNCTION streetgen._met(relation text, line geometry) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(relation text, line geometry) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
         ELSE line END $$;
-COMMENT ON FUNCTION streetgen._met(text, geometry) IS
+COMMENT ON FUNCTION streetgen._remap_part_of_axis(text, geometry) IS
     'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
 
-CREATE OR REPLACE FUNCTION streetgen._inside(line geometry, place geometry) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._remap_lies_beside(line geometry, place geometry) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
-COMMENT ON FUNCTION streetgen._inside(geometry, geometry) IS
+COMMENT ON FUNCTION streetgen._remap_lies_beside(geometry, geometry) IS
     'Whether a place lies beside a line and not beyond its ends.';
 
-CREATE OR REPLACE FUNCTION streetgen._comes_by(relation text, before geometry, after geometry, place geometry,
+CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geometry, after geometry, place geometry,
     reach float8) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT ST_DWithin(streetgen._met(relation, before), place, reach) IS NOT TRUE
+    SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
         OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override')
-            AND streetgen._inside(after, place) AND NOT streetgen._inside(before, place)
+            AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
-COMMENT ON FUNCTION streetgen._comes_by(text, geometry, geometry, geometry, float8) IS
+COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
     'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
 
 -- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is
@@ -103,7 +104,8 @@ moved AS MATERIALIZED (
                AS old_place
     FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom,
         p.reach) v(geom)
-    WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach) AND NOT streetgen._cut_back(p.before, p.after, t.value)
+    WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach)
+        AND NOT streetgen._remap_is_cut_back(p.before, p.after, t.value)
         AND NOT EXISTS (SELECT FROM %1$I.override_place o
             WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
                         AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id
@@ -115,20 +117,20 @@ moved AS MATERIALIZED (
 heir AS (
     SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
            CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL
-               AND streetgen._comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
+               AND streetgen._remap_comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
                 WHEN p.before IS NOT NULL AND p.line IS NULL
-                    AND ST_DWithin(a.geom, streetgen._beside(p.before, p.geom), t.value) THEN 3 END AS turn
+                    AND ST_DWithin(a.geom, streetgen._remap_point_beside(p.before, p.geom), t.value) THEN 3 END AS turn
     FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach)
         LEFT JOIN changed c ON c.axis_id = a.axis_id
-    WHERE ST_DWithin(streetgen._met(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
+    WHERE ST_DWithin(streetgen._remap_part_of_axis(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
     UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p CROSS JOIN tolerance t
-    WHERE NOT p.at_node AND ST_DWithin(streetgen._met(p.relation, p.before), p.geom, p.reach)
-        AND NOT streetgen._cut_back(p.before, p.after, t.value)
-        AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._cut_back(p.after, p.before, t.value)
-            ELSE streetgen._inside(p.after, p.geom) END),
+    WHERE NOT p.at_node AND ST_DWithin(streetgen._remap_part_of_axis(p.relation, p.before), p.geom, p.reach)
+        AND NOT streetgen._remap_is_cut_back(p.before, p.after, t.value)
+        AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._remap_is_cut_back(p.after, p.before, t.value)
+            ELSE streetgen._remap_lies_beside(p.after, p.geom) END),
 found AS MATERIALIZED (
     SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn,
-        streetgen._turned(before, heir_line, geom) AS turned FROM (
+        streetgen._remap_runs_against(before, heir_line, geom) AS turned FROM (
         SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
         WHERE turn = 1 OR turn IS NOT NULL
             AND NOT (at_node AND EXISTS (SELECT FROM place o
@@ -360,7 +362,7 @@ DECLARE
 BEGIN
     LOOP
         BEGIN
-            -- Their rows first, and by one claim all their places, so that none waits for more while it holds some.
+            -- Their rows first, and by one lock all their places, so that none waits for more while it holds some.
             held := '{}';
             %2$s
             IF streetgen._live(%3$L) THEN
@@ -369,7 +371,7 @@ BEGIN
                                        JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach)
                                        WHERE o.geom && ST_Expand(extent, 110));
                 IF concerned <> '{}' THEN
-                    PERFORM FROM streetgen._claim(%3$L, concerned || $1, wait => true);
+                    PERFORM FROM streetgen._lock_places(%3$L, concerned || $1, wait => true);
                 END IF;
             END IF;
             EXIT WHEN NOT EXISTS (SELECT FROM %1$I.override_place WHERE geom && ST_Expand(extent, 110)

@@ -17,12 +17,12 @@ CREATE OR REPLACE FUNCTION streetgen._pause() RETURNS void
     AS $$ SELECT set_config('streetgen.live', 'off', true) $$;
 COMMENT ON FUNCTION streetgen._pause() IS 'For importers: what this transaction changes is for generate to follow.';
 
-CREATE OR REPLACE FUNCTION streetgen._follow(model name, changed bigint[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._update_streets(model name, changed bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    claimed record;
-    leading_on bigint[];
+    locked record;
+    spreads_to bigint[];
 BEGIN
     IF changed IS NULL OR changed = '{}' THEN
         RETURN;
@@ -35,34 +35,34 @@ BEGIN
         -- Where the change goes on beyond the axes written all is given back, rows and locks: who waits for more places
         -- holds none.
         BEGIN
-            claimed := streetgen._claim(model, changed, wait => true);
-            PERFORM FROM streetgen._upsert_part(model, claimed.written, claimed.gathered, claimed.changed,
-                onwards => false);
+            locked := streetgen._lock_places(model, changed, wait => true);
+            PERFORM FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed,
+                may_spread => false);
             EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
-            GET STACKED DIAGNOSTICS leading_on = PG_EXCEPTION_HINT;
-            IF leading_on <@ changed THEN
+            GET STACKED DIAGNOSTICS spreads_to = PG_EXCEPTION_HINT;
+            IF spreads_to <@ changed THEN
                 RAISE;
             END IF;
-            changed := changed || leading_on;
+            changed := changed || spreads_to;
         END;
     END LOOP;
     PERFORM pg_notify('qgis', model);
 END $$;
-COMMENT ON FUNCTION streetgen._follow(name, bigint[]) IS
+COMMENT ON FUNCTION streetgen._update_streets(name, bigint[]) IS
     'Brings the streets of a model up to date with axes that changed; tells QGIS.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_results(model name, gone bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
-    claimed record;
+    locked record;
 BEGIN
     IF gone IS NULL OR gone = '{}' THEN
         RETURN;
     END IF;
-    PERFORM streetgen._enter(model, wait => true, alone => false);
-    claimed := streetgen._claim(model, gone, wait => true);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false);
+    locked := streetgen._lock_places(model, gone, wait => true);
     EXECUTE format($sql$
 WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, from_node, to_node),
      report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1) OR axis_b = ANY ($1)),
@@ -70,7 +70,7 @@ WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, 
 DELETE FROM %1$I.node WHERE node_id IN (SELECT from_node FROM gone UNION SELECT to_node FROM gone)
     AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.from_node = node_id AND e.axis_id <> ALL ($1))
         AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.to_node = node_id AND e.axis_id <> ALL ($1))
-$sql$, model) USING gone, claimed.written;
+$sql$, model) USING gone, locked.written;
 END $$;
 COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS
     'Removes the results of axes that are gone and marks what is around them as stale.';
@@ -80,17 +80,17 @@ CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETU
     AS $$
 DECLARE
     -- Of more axes finding the places takes longer than all places are worth.
-    most_claimed constant integer := 64;
+    most_locked constant integer := 64;
 BEGIN
     IF axes = '{}' THEN
         RETURN;
     END IF;
-    PERFORM streetgen._enter(model, wait => true, alone => false);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false);
     -- A run under way there does not see what is written here.
-    IF cardinality(axes) > most_claimed THEN
-        PERFORM streetgen._claim_all(model);
+    IF cardinality(axes) > most_locked THEN
+        PERFORM streetgen._lock_all_places(model);
     ELSE
-        PERFORM FROM streetgen._claim(model, axes, wait => true);
+        PERFORM FROM streetgen._lock_places(model, axes, wait => true);
     END IF;
     EXECUTE format('UPDATE %I.edge SET input_hash = 0 WHERE axis_id = ANY ($1)', model) USING axes;
 END $$;
@@ -99,7 +99,7 @@ COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS
     'that nobody follows. Locks their places until the transaction ends; of more than 64 axes, all places of the '
     'model.';
 
-CREATE OR REPLACE FUNCTION streetgen._enter_edit(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._begin_edit(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -109,9 +109,9 @@ BEGIN
     END IF;
     -- TRUNCATE takes its table before it enters: who entered must not wait for it.
     EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
-    PERFORM streetgen._enter(model, wait => true, alone => false);
+    PERFORM streetgen._lock_model(model, wait => true, alone => false);
 END $$;
-COMMENT ON FUNCTION streetgen._enter_edit(name) IS
+COMMENT ON FUNCTION streetgen._begin_edit(name) IS
     'Before an edit: setting lock_timeout where the session has none, and the model locked beside other editors.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_triggers(model name) RETURNS void
@@ -123,16 +123,16 @@ DECLARE
 BEGIN
     -- In the model's schema and with its owner's rights: an editor writes axes and overrides, nothing else.
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._enter_edit() RETURNS trigger
+CREATE OR REPLACE FUNCTION %1$I._begin_edit() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
     -- A schema of another name, or a copy, that nobody adopted yet.
     IF TG_TABLE_SCHEMA <> %2$L THEN
-        PERFORM streetgen._check_model(TG_TABLE_SCHEMA);
+        PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
     END IF;
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
-        PERFORM streetgen._enter_edit(%2$L);
+        PERFORM streetgen._begin_edit(%2$L);
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, model);
@@ -189,7 +189,7 @@ BEGIN
         PERFORM streetgen._check_length(%2$L,
             format('SELECT ''axis '' || axis_id AS label, geom FROM %%I.axis WHERE axis_id = ANY (%%L)', %2$L,
             changed));
-        PERFORM streetgen._tell_unbelieved(%2$L, judged), streetgen._follow(%2$L, changed || remapped);
+        PERFORM streetgen._tell_unbelieved(%2$L, judged), streetgen._update_streets(%2$L, changed || remapped);
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, model, (SELECT string_agg(format('%I.%I', model, r), ', ' ORDER BY n)
@@ -224,19 +224,19 @@ BEGIN
     IF live AND remapped IS NOT NULL THEN
         PERFORM streetgen._note_remapped(%2$L, remapped || named);
     ELSIF live THEN
-        PERFORM streetgen._follow(%2$L, named);
+        PERFORM streetgen._update_streets(%2$L, named);
     ELSE
         PERFORM streetgen._mark_stale(%2$L, named);
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, model);
-    PERFORM streetgen._own_function(model, '_enter_edit()', 'Before an edit: locks the model beside other editors'),
+    PERFORM streetgen._own_function(model, '_begin_edit()', 'Before an edit: locks the model beside other editors'),
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
     FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
         AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR '
-            'EACH STATEMENT EXECUTE FUNCTION %1$I._enter_edit()', model, relation);
+            'EACH STATEMENT EXECUTE FUNCTION %1$I._begin_edit()', model, relation);
         EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation,
             'Locks the model beside other editors');
         FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
@@ -295,7 +295,7 @@ DECLARE
     trigger record;
     stale bigint;
 BEGIN
-    PERFORM streetgen._check_owner(model), streetgen._check_given('live', live::text);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('live', live::text);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger
         JOIN pg_class c ON c.oid = tgrelid
         -- What deletes the results of an axis with it, or marks axes as stale, stays on.
@@ -326,7 +326,7 @@ CREATE OR REPLACE FUNCTION streetgen.activity(model name)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model);
+    PERFORM streetgen._require_model(model);
     RETURN QUERY
     SELECT l.pid, a.usename, a.application_name, a.xact_start,
            CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'

@@ -41,7 +41,7 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     SET application_name = 'streetgen: check'
     AS $$
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._require_reader(model);
     -- A loop: what fails within its query does not show it whole.
     FOR severity, rule, relation, id, measure, geom IN EXECUTE streetgen._check_statement(model) LOOP
         RETURN NEXT;

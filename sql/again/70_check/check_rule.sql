@@ -315,7 +315,15 @@ SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_
     WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')),
         used))$part$),
     (64, 'network', 'rule', $part$
-SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$) $$;
+SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$),
+    (66, 'interconnection', 'rule', $part$
+SELECT 'notice', 'path with a corner that no car drives, the only way', 'interconnection', interconnection_id, angle,
+    geom FROM %1$I.interconnection WHERE plausible AND reason = 'not_drivable'$part$),
+    (65, 'network', 'rule', $part$
+SELECT 'warning', 'driving side is not that of the one-way axes', 'setting', NULL::bigint,
+    sum(CASE side WHEN 'left' THEN count_left ELSE count_right END)::float8, NULL::geometry
+    FROM streetgen.driving_side(%1$L) WHERE streetgen._found_driving_side(%1$L) <> streetgen._driving_side(%1$L)
+        AND side IS NOT NULL HAVING count(*) > 0$part$) $$;
 COMMENT ON FUNCTION streetgen._check_part() IS
     'The parts of the query of streetgen.check_model in their order, over a model %1$I. subject: the part stands only '
     'in models that compute it. kind with: a query that rules share, after WITH; kind rule: the rows of one rule '

@@ -50,7 +50,7 @@ CREATE OR REPLACE FUNCTION streetgen.summary(model name) RETURNS TABLE(subject t
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_reader(model);
+    PERFORM streetgen._require_reader(model);
     RETURN QUERY EXECUTE (SELECT format(string_agg(query, E'\nUNION ALL ' ORDER BY place), model)
         FROM streetgen._summary_part() p WHERE p.subject = ANY (streetgen._subjects(model)));
 END $$;

@@ -248,6 +248,7 @@ BEGIN
     PERFORM streetgen._tell_unbelieved(model, written);
     EXECUTE format('ANALYZE %I.axis', model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
+    RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);
     DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
@@ -271,7 +272,7 @@ CREATE OR REPLACE FUNCTION streetgen._take_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_owner(model);
+    PERFORM streetgen._require_owner(model);
     PERFORM streetgen._pause();
     PERFORM streetgen._copy_classes(model);
 END $$;

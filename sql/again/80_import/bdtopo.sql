@@ -41,7 +41,7 @@ BEGIN
             HINT = 'streetgen.import_axes, or data/streetgen load with --mapping, takes any line table whose columns '
                 'a mapping names, such as {"width": "breite"}.';
     END IF;
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
+    driving_side := streetgen._driving_side(model);
     query := format($sql$
 SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 AS width_end,
     streetgen._number(s.lane_count, 0, 30)::integer AS lane_count,

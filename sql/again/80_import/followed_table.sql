@@ -132,7 +132,7 @@ DECLARE
     relation record;
     nameless boolean;
 BEGIN
-    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     SELECT c.relkind, n.nspname IN (SELECT name FROM streetgen.model) AS derived, relispartition
         OR EXISTS (SELECT FROM pg_inherits WHERE inhrelid = c.oid OR inhparent = c.oid) AS shared
         INTO relation FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace WHERE c.oid = source;
@@ -211,7 +211,7 @@ DECLARE
     follower record;
     forgotten bigint;
 BEGIN
-    PERFORM streetgen._check_owner(model), streetgen._check_given('source', source::text);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text);
     SELECT p.oid::regprocedure AS signature, p.proname AS name INTO follower FROM pg_trigger t
         JOIN pg_proc p ON p.oid = t.tgfoid
         WHERE t.tgrelid = source AND p.pronamespace = quote_ident(model)::regnamespace AND p.proname LIKE '\_follow\_%'

@@ -73,13 +73,10 @@ COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS
     'The table PREFIX followed by the suffix, in the first of the schemas that has it or in the schema that the '
     'prefix names; NULL where there is none.';
 
-CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
-    schemas name[] DEFAULT current_schemas(true))
-    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._osm_query(source regclass, driving_side text) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    source regclass := streetgen._osm_table('_line', prefix, schemas);
     named constant text[] := ARRAY['lanes_both_ways', 'lanes_reversible', 'turn_lanes', 'turn_lanes_forward',
         'turn_lanes_backward',
         'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward',
@@ -93,17 +90,8 @@ DECLARE
         SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
             FROM unnest(named) tag
         LEFT JOIN pg_attribute ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
-    driving_side text;
-    query text;
 BEGIN
-    PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
-    IF source IS NULL THEN
-        RAISE EXCEPTION 'there is no table %', quote_ident(prefix || '_line') USING ERRCODE = '42P01',
-            HINT = 'osm2pgsql -O flex -S data/osm2pgsql_flex.lua makes it; a schema that is not in search_path '
-                'stands before the prefix: ''gis.osm''.';
-    END IF;
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO driving_side;
-    query := format($sql$
+    RETURN format($sql$
 -- A city's ways have few wordings of tags, and each is read once.
 WITH line AS MATERIALIZED (
     SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel,
@@ -217,7 +205,33 @@ SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*,
     JOIN meaning USING (wording)$sql$,
         source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END,
             array_to_string(named, ', '));
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
+END $$;
+COMMENT ON FUNCTION streetgen._osm_query(regclass, text) IS
+    'The query of the rows that import_osm takes of a table of lines, where one drives on a side, left or right.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
+    schemas name[] DEFAULT current_schemas(true))
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    source regclass := streetgen._osm_table('_line', prefix, schemas);
+    driving_side text;
+BEGIN
+    PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
+    IF source IS NULL THEN
+        RAISE EXCEPTION 'there is no table %', quote_ident(prefix || '_line') USING ERRCODE = '42P01',
+            HINT = 'osm2pgsql -O flex -S data/osm2pgsql_flex.lua makes it; a schema that is not in search_path '
+                'stands before the prefix: ''gis.osm''.';
+    END IF;
+    driving_side := streetgen._driving_side(model);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, streetgen._osm_query(source, driving_side));
+    IF streetgen._driving_side(model) <> driving_side THEN
+        -- The tags of kerbs mean other lanes where one drives on the other side.
+        PERFORM streetgen._take_classes(model);
+        PERFORM FROM streetgen._import(model, source::text, streetgen._osm_query(source,
+            streetgen._driving_side(model)));
+    END IF;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
 END $$;

@@ -49,7 +49,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_layer(model name, wgs84 boolean DEFA
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._check_model(model), streetgen._check_given('wgs84', wgs84::text);
+    PERFORM streetgen._require_model(model), streetgen._check_given('wgs84', wgs84::text);
     -- OFFSET 0: a surface is snapped once, not again to see whether it is empty.
     RETURN QUERY SELECT l.layer, l.geometry_type || CASE WHEN m.dimension = 3 AND of_axes THEN 'Z' ELSE '' END,
         format('SELECT * FROM (SELECT ' || fields || ', streetgen._for_exchange(' || geometry || ', ' || wgs84 ||

@@ -17,7 +17,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
             (5, 'intersection contested', 'ground', CASE WHEN pixel < 3 THEN 'contested intersection' END),
         (6, 'paint', 'paint', 'paint'), (7, 'axis', 'line', 'axis'), (8, 'limit', 'line', 'limit of a section'),
             (9, 'arc', 'line', 'corner of the wanted radius'),
-        (10, 'arc hard', 'line', 'corner of another radius'), (11, 'path', 'line', 'path from lane to lane'),
+        (10, 'arc fallback', 'line', 'corner of another radius'), (11, 'path', 'line', 'path from lane to lane'),
             (12, 'path implausible', 'line', 'path that is not plausible'),
             (13, 'report', 'ground', 'report')) l(place, style, form, said)
     WHERE style = ANY (styles) AND said IS NOT NULL
@@ -74,7 +74,7 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size
         WHERE method = 'hypothesis' AND pixel < 3$part$),
     (7, 'surface', $part$
-    SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc hard' END, true, ST_CurveToLine(arc, 16),
+    SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, ST_CurveToLine(arc, 16),
         corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3$part$),
     (8, 'interconnection', $part$
     SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path'
@@ -99,7 +99,7 @@ DECLARE
     picture record;
     frame text;
 BEGIN
-    PERFORM streetgen._check_reader(model), streetgen._check_given('legend', legend::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text);
     IF width IS NULL OR width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', coalesce(width::text, 'NULL')
             USING ERRCODE = '22023', HINT = 'The default is 1200.';
@@ -126,7 +126,7 @@ SELECT pixel, round(w::numeric, 3) AS w, round(h::numeric, 3) AS h,
     '<style>.section{fill:#c9ccd1}.intersection{fill:#b3b8c0}.transition{fill:#c3b8d6}.contested{fill:#d9c7a7}'
     'path{fill-rule:evenodd}.line{fill:none;stroke-width:' || round((pixel * 1)::numeric, 4)
     || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' ||
-        round((pixel * 1.5)::numeric, 4) || '}.hard{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' ||
+        round((pixel * 1.5)::numeric, 4) || '}.fallback{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' ||
         round((pixel * 0.7)::numeric, 4) || '}.implausible{stroke:#6b7280;stroke-opacity:.5;stroke-width:' ||
         round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}'
     || CASE WHEN pixel < 3 THEN ''

@@ -42,7 +42,7 @@ DECLARE
     target record;
     wanted text;
 BEGIN
-    PERFORM streetgen._check_reader(model), streetgen._check_given('topology', topology), streetgen._check_topology();
+    PERFORM streetgen._require_reader(model), streetgen._check_given('topology', topology), streetgen._check_topology();
     SELECT srid, dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
     FOR level IN EXECUTE format('SELECT DISTINCT level FROM %I.edge ORDER BY level', model) LOOP
         wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;

@@ -13,10 +13,10 @@
 namespace streetgen {
 
 // The boxes, and those of runs of them, and of runs of runs.
-class BoxRuns {
+class BoxHierarchy {
  public:
-  BoxRuns() = default;
-  explicit BoxRuns(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+  BoxHierarchy() = default;
+  explicit BoxHierarchy(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
     for (std::size_t first = 0, last = boxes_.size(); first < last;
          first = last, last = boxes_.size()) {
       levels_.push_back(first);

@@ -108,7 +108,7 @@ class Borders {
         ordered.push_back(boxes[i]);
         indexed_.push_back(i);
       }
-    index_ = BoxRuns(std::move(ordered));
+    index_ = BoxHierarchy(std::move(ordered));
     surface_index_ = BoxIndex(surface_boxes);
     auto met = met_.cbegin();
     for (std::size_t r = 1; r < rings_.size(); ++r) add_runs(rings_[r - 1], rings_[r], met);
@@ -269,7 +269,7 @@ class Borders {
   std::vector<int> rings_;    // their first sides, and the end
   std::vector<Meeting> met_;  // where sides of different rings meet, by side
   std::vector<int> indexed_;  // sides, by place
-  BoxRuns index_;             // of these
+  BoxHierarchy index_;        // of these
   std::vector<Piece> pieces_;
   std::vector<Run> runs_;
 };
@@ -320,7 +320,7 @@ std::vector<bool> on_rings(const std::vector<std::array<int, 2>>& ends) {
 
 }  // namespace
 
-std::vector<Box> narrow_places(const std::vector<const MultiPolygon*>& surfaces, double max_area) {
+std::vector<Box> narrow_gaps(const std::vector<const MultiPolygon*>& surfaces, double max_area) {
   const Borders borders(surfaces);
   const double radius = std::sqrt(max_area / M_PI);
   std::vector<Run> runs;

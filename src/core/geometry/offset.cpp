@@ -43,7 +43,7 @@ Kerb kerb_line(const Line& axis, double u, double v, double half_start, double h
   Kerb kerb;
   kerb.line.reserve(part.size());
   if (part.size() < 2) {
-    const Point across = left_normal(place_at(axis, abscissa).direction) * side;
+    const Point across = left_normal(position_at(axis, abscissa).direction) * side;
     kerb.line.push_back(planar(part[0]) + across * half_at(abscissa));
     return kerb;
   }

@@ -30,7 +30,7 @@ Line distinct(Line line) {
   return line;
 }
 
-Place place_at(const Line& line, double abscissa) {
+LinePosition position_at(const Line& line, double abscissa) {
   double before = 0;
   const std::size_t last = line.size() - 2;
   for (std::size_t i = 0;; ++i) {
@@ -46,24 +46,24 @@ Place place_at(const Line& line, double abscissa) {
 
 Point local_direction(const Line& line, double abscissa) {
   constexpr double reach = 0.1;
-  const Point before = place_at(line, abscissa - reach).point;
-  const Point after = place_at(line, abscissa + reach).point;
+  const Point before = position_at(line, abscissa - reach).point;
+  const Point after = position_at(line, abscissa + reach).point;
   const Point direction = unit(after - before);
-  return norm(direction) > 0 ? direction : place_at(line, abscissa).direction;
+  return norm(direction) > 0 ? direction : position_at(line, abscissa).direction;
 }
 
 Line substring(const Line& line, double u, double v) {
   if (u > v) return reversed(substring(line, v, u));
   Line out;
   out.reserve(line.size() + 1);
-  out.push_back(place_at(line, u).point);
+  out.push_back(position_at(line, u).point);
   double before = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     before += distance(line[i - 1], line[i]);
     if (before >= v) break;
     if (before > u) out.push_back(line[i]);
   }
-  out.push_back(place_at(line, v).point);
+  out.push_back(position_at(line, v).point);
   return out;
 }
 

@@ -42,12 +42,12 @@ Line planar(Line line);
 Line distinct(Line line);
 
 // The segment that holds `abscissa` (clamped), and where in it.
-struct Place {
+struct LinePosition {
   std::size_t segment = 0;
   Point point;
   Point direction;  // unit, of the segment
 };
-Place place_at(const Line& line, double abscissa);
+LinePosition position_at(const Line& line, double abscissa);
 // Unit direction of the substring at +-0.1 m around `abscissa`.
 Point local_direction(const Line& line, double abscissa);
 // From abscissa u to abscissa v; backwards when u > v.

@@ -31,7 +31,7 @@ bool passes(const Point& p, const Point& a, const Point& b, bool right = true) {
 }  // namespace
 
 // The segments of a surface's rings.
-class Ground::Boundary {
+class PreparedSurface::Boundary {
  public:
   explicit Boundary(const MultiPolygon& surface) {
     std::size_t count = 0;
@@ -47,7 +47,7 @@ class Ground::Boundary {
           boxes.push_back(streetgen::box_of(ring[i - 1], ring[i]));
           if (i + 1 == ring.size()) ends_.push_back(starts_.size());
         }
-    boxes_ = BoxRuns(std::move(boxes));
+    boxes_ = BoxHierarchy(std::move(boxes));
   }
 
   // Whether the rings pass the height of p an odd number of times on its right, or else on its
@@ -80,20 +80,20 @@ class Ground::Boundary {
  private:
   std::vector<const Point*> starts_;  // the end of each follows in its ring
   std::vector<std::size_t> ends_;     // of rings
-  BoxRuns boxes_;
+  BoxHierarchy boxes_;
 };
 
-Ground::Ground(const MultiPolygon& surface)
+PreparedSurface::PreparedSurface(const MultiPolygon& surface)
     : surface_(&surface), box_(streetgen::box_of(surface)) {}
-Ground::Ground(Ground&&) noexcept = default;
-Ground::~Ground() = default;
+PreparedSurface::PreparedSurface(PreparedSurface&&) noexcept = default;
+PreparedSurface::~PreparedSurface() = default;
 
-const Ground::Boundary& Ground::boundary() const {
+const PreparedSurface::Boundary& PreparedSurface::boundary() const {
   if (!boundary_) boundary_ = std::make_unique<Boundary>(*surface_);
   return *boundary_;
 }
 
-bool Ground::holds(const Point& p) const {
+bool PreparedSurface::holds(const Point& p) const {
   if (!box_.holds(p, 0)) return false;
   // Rings pass a height an even number of times: as odd on one side as on the other.
   const bool right = box_.max_x - p.x < p.x - box_.min_x;
@@ -102,13 +102,13 @@ bool Ground::holds(const Point& p) const {
   return boundary().passes_oddly(p, way, right);
 }
 
-bool Ground::holds_deeply(const Point& p) const {
+bool PreparedSurface::holds_deeply(const Point& p) const {
   return holds(p) && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
     return distance_to_segment(p, a, b) <= same_place;
   });
 }
 
-Box Ground::box_within(const Box& box) const {
+Box PreparedSurface::box_within(const Box& box) const {
   Box held;
   boundary().any(box, [&](const Point& a, const Point& b, const Box&) {
     double first = 0, last = 1;
@@ -131,14 +131,14 @@ Box Ground::box_within(const Box& box) const {
   return held.grown(same_place).shared_with(box);
 }
 
-bool Ground::comes_near(const Point& from, const Point& to) const {
+bool PreparedSurface::comes_near(const Point& from, const Point& to) const {
   const Box box = box_of(from, to);
   if (!box_.meets(box, same_place)) return false;
   return boundary().any(box, [](const Point&, const Point&, const Box&) { return true; }) ||
          holds(from);
 }
 
-void Ground::cut(const Point& from, const Point& to, std::vector<double>& at) const {
+void PreparedSurface::cut(const Point& from, const Point& to, std::vector<double>& at) const {
   const Point along = to - from;
   boundary().any(box_of(from, to), [&](const Point& a, const Point& b, const Box&) {
     const Point side = b - a;
@@ -150,7 +150,7 @@ void Ground::cut(const Point& from, const Point& to, std::vector<double>& at) co
   });
 }
 
-bool Ground::crosses(const Ground& other, const Box& shared) const {
+bool PreparedSurface::crosses(const PreparedSurface& other, const Box& shared) const {
   return boundary().any(shared, [&](const Point& p, const Point& q, const Box& box) {
     poll_cancel();
     return other.boundary().any(
@@ -159,7 +159,7 @@ bool Ground::crosses(const Ground& other, const Box& shared) const {
 }
 
 // A vertex, or a place just inside of the boundary, lies inside the other.
-bool Ground::reaches_into(const Ground& other, const Box& shared) const {
+bool PreparedSurface::reaches_into(const PreparedSurface& other, const Box& shared) const {
   constexpr double step = 1e-4;
   return boundary().any(shared, [&](const Point& p, const Point& q, const Box&) {
     poll_cancel();
@@ -186,7 +186,7 @@ bool inside(const Point& p, const MultiPolygon& surface) {
                      [&](const Polygon& polygon) { return inside(p, polygon); });
 }
 
-bool overlap(const Ground& a, const Ground& b) {
+bool overlap(const PreparedSurface& a, const PreparedSurface& b) {
   if (!a.box().meets(b.box())) return false;
   const Box shared = a.box().shared_with(b.box());
   return a.crosses(b, shared) || a.reaches_into(b, shared) || b.reaches_into(a, shared);

@@ -14,11 +14,11 @@ bool inside(const Point& p, const MultiPolygon& surface);
 
 // A surface that is asked about others; it keeps what it finds out about its boundary, and the
 // surface must outlive it unchanged.
-class Ground {
+class PreparedSurface {
  public:
-  explicit Ground(const MultiPolygon& surface);
-  Ground(Ground&&) noexcept;
-  ~Ground();
+  explicit PreparedSurface(const MultiPolygon& surface);
+  PreparedSurface(PreparedSurface&&) noexcept;
+  ~PreparedSurface();
 
   const Box& box() const { return box_; }
   bool holds(const Point& p) const;
@@ -30,10 +30,10 @@ class Ground {
   void cut(const Point& from, const Point& to, std::vector<double>& at) const;
 
  private:
-  friend bool overlap(const Ground& a, const Ground& b);
+  friend bool overlap(const PreparedSurface& a, const PreparedSurface& b);
   class Boundary;
-  bool crosses(const Ground& other, const Box& shared) const;
-  bool reaches_into(const Ground& other, const Box& shared) const;
+  bool crosses(const PreparedSurface& other, const Box& shared) const;
+  bool reaches_into(const PreparedSurface& other, const Box& shared) const;
   const Boundary& boundary() const;
   // Deeper than a micrometre.
   bool holds_deeply(const Point& p) const;
@@ -44,6 +44,6 @@ class Ground {
 };
 
 // True when the surfaces share ground deeper than a micrometre; touching ones do not.
-bool overlap(const Ground& a, const Ground& b);
+bool overlap(const PreparedSurface& a, const PreparedSurface& b);
 
 }  // namespace streetgen

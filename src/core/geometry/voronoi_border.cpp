@@ -81,7 +81,7 @@ void join_ends(std::vector<std::pair<Point, Point>>& edges) {
 
 // What two cells share: a stretch of the line of places equally far from both sites, told by metres
 // along it.
-class NearestOwner::Edge {
+class VoronoiBorder::Edge {
  public:
   Edge(const Point& p, const Point& q)
       : p_(p), middle_((q - p) * 0.5), along_(left_normal(unit(q - p))) {}
@@ -146,7 +146,7 @@ class NearestOwner::Edge {
   double first_ = -infinite, last_ = infinite;
 };
 
-NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
+VoronoiBorder::VoronoiBorder(const std::vector<Site>& sites, const Box& within)
     : within_{0, 0, within.max_x - within.min_x, within.max_y - within.min_y},
       origin_{within.min_x, within.min_y, 0},
       sites_(distinct_sites(sites, origin_)) {
@@ -155,32 +155,32 @@ NearestOwner::NearestOwner(const std::vector<Site>& sites, const Box& within)
   std::vector<Box> boxes;
   boxes.reserve(2 * sites_.size());
   for (const Site& site : sites_) boxes.push_back(box_of(site.point, site.point));
-  index_ = BoxRuns(std::move(boxes));
+  index_ = BoxHierarchy(std::move(boxes));
 }
 
-double NearestOwner::square(int site, const Point& p) const {
+double VoronoiBorder::square(int site, const Point& p) const {
   const Point away = sites_[site].point - p;
   return dot(away, away);
 }
 
 template <class Use>
-void NearestOwner::each_in(const Box& box, Use use) const {
+void VoronoiBorder::each_in(const Box& box, Use use) const {
   index_.any_near(box, 0, [&](std::size_t i) {
     use(static_cast<int>(i));
     return false;
   });
 }
 
-int NearestOwner::nearest(const Point& p, int end) const {
+int VoronoiBorder::nearest(const Point& p, int end) const {
   return index_.nearest(p, [&](int i) { return i < end ? square(i, p) : infinite; });
 }
 
-bool NearestOwner::first_owns(const Point& place) const {
+bool VoronoiBorder::first_owns(const Point& place) const {
   return sites_[nearest(place - origin_, size())].first;
 }
 
-NearestOwner::Edge NearestOwner::edge_between(int first, int second,
-                                              std::vector<int>& neighbours) const {
+VoronoiBorder::Edge VoronoiBorder::edge_between(int first, int second,
+                                                std::vector<int>& neighbours) const {
   Edge edge(sites_[first].point, sites_[second].point);
   // Those beside the two in their rows leave little to the others.
   for (const int site : {first, second})
@@ -199,7 +199,7 @@ NearestOwner::Edge NearestOwner::edge_between(int first, int second,
 
 // Lines that join all sites meet every line of the border, which has sites on both its sides: from
 // each site to the one before, or where that is far to the nearest before.
-std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
+std::vector<std::pair<int, int>> VoronoiBorder::some_pairs() const {
   std::vector<std::pair<int, int>> pairs;
   Point asked;
   double apart = 0;  // metres: no site of the other owner lies nearer to the place asked last
@@ -245,7 +245,7 @@ std::vector<std::pair<int, int>> NearestOwner::some_pairs() const {
 }
 
 // From edge to edge, by the sites at their ends.
-std::vector<std::pair<Point, Point>> NearestOwner::border() const {
+std::vector<std::pair<Point, Point>> VoronoiBorder::border() const {
   std::vector<std::pair<Point, Point>> edges;
   std::vector<std::pair<int, int>> seen = some_pairs();
   std::sort(seen.begin(), seen.end());

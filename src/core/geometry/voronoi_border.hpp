@@ -17,9 +17,9 @@ struct Site {
 
 // The Voronoi cells of the sites, told apart by owner, as far as a box shows them.  Of sites in one
 // place (10 micrometres) the earlier one counts.
-class NearestOwner {
+class VoronoiBorder {
  public:
-  NearestOwner(const std::vector<Site>& sites, const Box& within);  // one site or more
+  VoronoiBorder(const std::vector<Site>& sites, const Box& within);  // one site or more
 
   // Of a place in the box.
   bool first_owns(const Point& place) const;
@@ -43,7 +43,7 @@ class NearestOwner {
   Box within_;  // from the origin, as all below
   Point origin_;
   std::vector<Site> sites_;
-  BoxRuns index_;  // of sites
+  BoxHierarchy index_;  // of sites
 };
 
 }  // namespace streetgen

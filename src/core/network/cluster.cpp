@@ -28,15 +28,15 @@ class Bisection {
   }
 
  private:
-  using Place = std::vector<int>::iterator;
+  using Member = std::vector<int>::iterator;
 
-  void split(Place begin, Place end, int k, int first) {
+  void split(Member begin, Member end, int k, int first) {
     if (k == 1) {
-      for (Place i = begin; i != end; ++i) cluster_[*i] = first;
+      for (Member i = begin; i != end; ++i) cluster_[*i] = first;
       return;
     }
     const int half = k / 2;
-    const Place cut = begin + static_cast<long long>(end - begin) * half / k;
+    const Member cut = begin + static_cast<long long>(end - begin) * half / k;
     divide(begin, cut, end, longest(begin, end));
     for (int turn = 0; turn < most_turns; ++turn)
       if (!divide(begin, cut, end, centre(cut, end) - centre(begin, cut))) break;
@@ -45,9 +45,10 @@ class Bisection {
   }
 
   // The first along the direction come before the cut.  Whether any changed its side.
-  bool divide(Place begin, Place cut, Place end, const Point& direction) {
+  bool divide(Member begin, Member cut, Member end, const Point& direction) {
     poll_cancel();
-    for (Place i = begin; i != end; ++i) along_[*i] = dot(points_[*i] - points_[*begin], direction);
+    for (Member i = begin; i != end; ++i)
+      along_[*i] = dot(points_[*i] - points_[*begin], direction);
     const auto before = [&](int i, int j) {
       return along_[i] != along_[j] ? along_[i] < along_[j] : i < j;
     };
@@ -58,18 +59,18 @@ class Bisection {
     return true;
   }
 
-  Point centre(Place begin, Place end) const {
+  Point centre(Member begin, Member end) const {
     const Point origin = points_[*begin];
     Point sum;
-    for (Place i = begin; i != end; ++i) sum = sum + (points_[*i] - origin);
+    for (Member i = begin; i != end; ++i) sum = sum + (points_[*i] - origin);
     return origin + sum * (1.0 / static_cast<double>(end - begin));
   }
 
   // The direction of the greatest variance, eastwards.
-  Point longest(Place begin, Place end) const {
+  Point longest(Member begin, Member end) const {
     const Point middle = centre(begin, end);
     double xx = 0, xy = 0, yy = 0;
-    for (Place i = begin; i != end; ++i) {
+    for (Member i = begin; i != end; ++i) {
       const Point p = points_[*i] - middle;
       xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
     }

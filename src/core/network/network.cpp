@@ -27,7 +27,7 @@ struct Vertex {
 };
 
 // Where a group of vertices or a crossing lies.
-struct Place {
+struct AxisPoint {
   int axis;
   Point point;
 };
@@ -155,7 +155,7 @@ class Builder {
       const double width = std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
       if (width <= 3 * tolerance_) continue;
       wide.insert(group);
-      const Place place = place_of(group);
+      const AxisPoint place = place_of(group);
       const std::int64_t axis_id = axes_[place.axis]->axis_id;
       out_.reports.push_back({NetworkIssue::wide_cluster, axis_id, axis_id, place.point, width});
     }
@@ -309,7 +309,7 @@ class Builder {
     });
   }
 
-  Place place_of(int group) const {
+  AxisPoint place_of(int group) const {
     if (const auto crossing = crossings_.find(group); crossing != crossings_.end())
       return crossing->second;
     return {vertices_[group].axis, vertices_[group].point};
@@ -404,7 +404,7 @@ class Builder {
   std::vector<Segment> segments_;
   std::vector<Box> segment_boxes_;
   BoxIndex segment_index_;
-  std::map<int, Place> crossings_;
+  std::map<int, AxisPoint> crossings_;
   std::vector<int> node_of_;  // by group, -1: none
   Network out_;
 };

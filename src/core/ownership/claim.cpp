@@ -18,7 +18,7 @@ void add_axis(Claim& claim, const Layout& layout, int edge) {
 }
 
 // Twice the millimetres: sections lie at odd places, nodes at even ones.
-std::int64_t place_of(double abscissa) { return 2 * std::llround(1000 * abscissa); }
+std::int64_t order_key_at(double abscissa) { return 2 * std::llround(1000 * abscissa); }
 
 // Where the edge's line begins, metres along its axis, told from its first vertex between its ends:
 // those lie beside the axis where others meet it, and must not move what is measured beyond.
@@ -41,10 +41,10 @@ Claim claim_of_section(const Layout& layout, int e) {
   const double start = layout.streets.limits[2 * e].abscissa,
                end = layout.streets.limits[2 * e + 1].abscissa;
   Claim claim;
-  claim.wanted = layout.streets.asked_edges[e];
+  claim.wanted = layout.streets.affected_edges[e];
   claim.level = edge.level;
   claim.axis_id = edge.axis_id;
-  claim.place = place_of(edge.start_abscissa) + 1;
+  claim.order_key = order_key_at(edge.start_abscissa) + 1;
   if (start < end)
     claim.skeleton.push_back({&layout.arms[2 * e].line, start, end, first_abscissa(layout, e)});
   add_axis(claim, layout, e);
@@ -54,10 +54,10 @@ Claim claim_of_section(const Layout& layout, int e) {
 Claim claim_of_intersection(const Layout& layout, int node) {
   const NodeAnchor& anchor = layout.streets.network.nodes[node].anchors.front();
   Claim claim;
-  claim.wanted = layout.streets.asked_nodes[node];
+  claim.wanted = layout.streets.affected_nodes[node];
   claim.level = layout.level_of(node);
   claim.axis_id = anchor.axis_id;
-  claim.place = place_of(anchor.abscissa);
+  claim.order_key = order_key_at(anchor.abscissa);
   claim.node = layout.streets.network.nodes[node].point;
   for (const EdgeEnd& end : layout.junctions[node].ends) {
     const Line& along = layout.arms[2 * end.edge].line;

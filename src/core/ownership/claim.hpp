@@ -6,7 +6,7 @@
 
 namespace streetgen {
 
-// Without a surface yet, wanted where they are asked.
+// Without a surface yet, wanted where their edge or node is affected.
 Claim claim_of_section(const Layout& layout, int edge);
 Claim claim_of_intersection(const Layout& layout, int node);
 

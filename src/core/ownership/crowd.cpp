@@ -102,8 +102,8 @@ MultiPolygon square_of(const Box& box) {
 struct Parts {
   MultiPolygon claimed, rest;
 };
-Parts parted(MultiPolygon ground, const MultiPolygon& surface, const Ground& claim) {
-  const Ground whole(ground);
+Parts parted(MultiPolygon ground, const MultiPolygon& surface, const PreparedSurface& claim) {
+  const PreparedSurface whole(ground);
   if (!claim.box().meets(whole.box())) return {{}, std::move(ground)};
   std::vector<LineView> lines;
   append_rings(ground, lines);
@@ -135,11 +135,11 @@ class Shares {
 
   bool comes_into(int claim, const Box& box) const {
     const MultiPolygon square = square_of(box);
-    return overlap(grounds_[claim], Ground(square));
+    return overlap(grounds_[claim], PreparedSurface(square));
   }
   std::vector<Box> boxes() const {
     std::vector<Box> boxes;
-    for (const Ground& ground : grounds_) boxes.push_back(ground.box());
+    for (const PreparedSurface& ground : grounds_) boxes.push_back(ground.box());
     return boxes;
   }
 
@@ -162,13 +162,14 @@ class Shares {
       MultiPolygon own = parts.claimed;
       for (const auto& [other, ground] : given) {
         if (claims_[other].level == claim.level || !tile(claims_[other], claim)) continue;
-        own = parted(std::move(own), ground, Ground(ground)).rest;
+        own = parted(std::move(own), ground, PreparedSurface(ground)).rest;
         lost = true;
       }
       if (lost) {
         MultiPolygon all = std::move(parts.rest);
         all.insert(all.end(), parts.claimed.begin(), parts.claimed.end());
-        parts.rest = own.empty() ? std::move(all) : parted(std::move(all), own, Ground(own)).rest;
+        parts.rest =
+            own.empty() ? std::move(all) : parted(std::move(all), own, PreparedSurface(own)).rest;
       }
       free = std::move(parts.rest);
       if (own.empty()) continue;
@@ -192,7 +193,7 @@ class Shares {
 
   MultiPolygon left_of(Geos& geos, int claim, const BySquare& shares) const {
     std::vector<MultiPolygon> squares;
-    std::map<GridCell, Ground> held;
+    std::map<GridCell, PreparedSurface> held;
     std::vector<LineView> lines;
     append_rings(*claims_[claim].surface, lines);
     squares.reserve(shares.size());
@@ -215,7 +216,7 @@ class Shares {
   }
 
   const std::vector<Claim>& claims_;
-  std::vector<Ground> grounds_;
+  std::vector<PreparedSurface> grounds_;
   std::map<int, BySquare> shares_;  // by claim; an empty one where others took all
 };
 

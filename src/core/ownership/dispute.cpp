@@ -47,7 +47,7 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
                                      of_b = skeleton_within(b, within);
   std::vector<Box> boxes;
   for (const SkeletonSegment& segment : of_b) boxes.push_back(box_of(segment.from, segment.to));
-  const BoxRuns index(std::move(boxes));
+  const BoxHierarchy index(std::move(boxes));
   for (const SkeletonSegment& s : of_a) {
     poll_cancel();
     const bool crossed = index.any_near(box_of(s.from, s.to), 0, [&](std::size_t i) {
@@ -105,8 +105,8 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
 
 // The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
 // a little on. Segments that go on from each other keep their common end.
-void append_shared(const Ground& a, const Ground& b, const Point& from, const Point& to,
-                   std::vector<Line>& parts) {
+void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Point& from,
+                   const Point& to, std::vector<Line>& parts) {
   const Point along = to - from, past = along * (coordinate_margin / norm(along));
   const auto shared = [&](const Point& p) { return a.holds(p) && b.holds(p); };
   std::vector<double> cuts;
@@ -143,20 +143,20 @@ void append_shared(const Ground& a, const Ground& b, const Point& from, const Po
 }  // namespace
 
 bool before(const Claim& a, const Claim& b) {
-  return std::tuple(a.importance, -a.width, a.axis_id, a.place) <
-         std::tuple(b.importance, -b.width, b.axis_id, b.place);
+  return std::tuple(a.importance, -a.width, a.axis_id, a.order_key) <
+         std::tuple(b.importance, -b.width, b.axis_id, b.order_key);
 }
 
-Rivalry::Rivalry(const Party& a, const Party& b) {
+Dispute::Dispute(const Disputant& a, const Disputant& b) {
   Box within = a.ground->box().shared_with(b.ground->box());
   const bool first_wins = before(*a.claim, *b.claim);
-  const Party &winner = first_wins ? a : b, &loser = first_wins ? b : a;
+  const Disputant &winner = first_wins ? a : b, &loser = first_wins ? b : a;
   const bool takes_node = loser.claim->node && winner.ground->holds(*loser.claim->node);
   crossed_ = !takes_node && skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;
   // Border there is on the ground of both.
-  for (const Ground* ground : {a.ground, b.ground, a.ground, b.ground})
+  for (const PreparedSurface* ground : {a.ground, b.ground, a.ground, b.ground})
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
   std::vector<Site> sites;
   // Of sites in one place the claim that comes before keeps it.
@@ -170,7 +170,7 @@ Rivalry::Rivalry(const Party& a, const Party& b) {
   }
 }
 
-bool Rivalry::first_owns(const Point& place) const {
+bool Dispute::first_owns(const Point& place) const {
   return nearest_ ? nearest_->first_owns(place) : first_owns_all_;
 }
 

@@ -11,16 +11,16 @@
 namespace streetgen {
 
 // A claim and its ground, which comes in unsettled.
-struct Party {
+struct Disputant {
   const Claim* claim;
-  const Ground* ground;
+  const PreparedSurface* ground;
 };
 
 // Where the axes of the two cross, all shared ground is the more important one's, unless it holds
 // the other's node; else each place is that of the nearer axis.
-class Rivalry {
+class Dispute {
  public:
-  Rivalry(const Party& a, const Party& b);
+  Dispute(const Disputant& a, const Disputant& b);
 
   bool crossed() const { return crossed_; }
   bool first_owns(const Point& place) const;
@@ -30,11 +30,11 @@ class Rivalry {
  private:
   bool crossed_ = false;
   bool first_owns_all_ = false;
-  std::optional<NearestOwner> nearest_;
+  std::optional<VoronoiBorder> nearest_;
   std::vector<Line> border_;
 };
 
-// Rank where axes cross: importance, width, axis_id, place.
+// Rank where axes cross: importance, width, axis_id, order_key.
 bool before(const Claim& a, const Claim& b);
 
 }  // namespace streetgen

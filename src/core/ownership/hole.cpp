@@ -33,7 +33,7 @@ std::vector<Line> bridges_between(const std::vector<LineView>& lines) {
       sides.emplace_back(line[i - 1], line[i]);
       boxes.push_back(box_of(line[i - 1], line[i]));
     }
-  const BoxRuns near(std::move(boxes));
+  const BoxHierarchy near(std::move(boxes));
   std::vector<Line> bridges;
   for (const LineView& line : lines)
     for (const Point& p : line)
@@ -181,14 +181,14 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
   // By a surface of the level, or by one of another that tiles with one of the level.
   const auto covered = [&](const Ring& ring, const std::vector<int>& around) {
     const MultiPolygon hole{{ring}};
-    const Ground ground(hole);
+    const PreparedSurface ground(hole);
     const std::vector<int> near = index.near(ground.box(), same_place);
     return std::any_of(near.begin(), near.end(), [&](int k) {
       const int i = solid[k];
       return std::find(around.begin(), around.end(), i) == around.end() &&
              std::any_of(around.begin(), around.end(),
                          [&](int j) { return tile(claims[i], claims[j]); }) &&
-             overlap(ground, Ground(*claims[i].surface));
+             overlap(ground, PreparedSurface(*claims[i].surface));
     });
   };
   std::vector<Hole> holes;
@@ -203,14 +203,14 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
     const std::vector<int> group = near_wanted(whole, claims, boxes);
     std::vector<const MultiPolygon*> surfaces;
     for (const int i : group) surfaces.push_back(claims[i].surface);
-    for (const Box& place : narrow_places(surfaces, max_area))
+    for (const Box& place : narrow_gaps(surfaces, max_area))
       for (const Ring& found :
            holes_near(place.grown(coordinate_margin), members_near(group, place))) {
         const Box box = box_of({{found}}).grown(coordinate_margin);
         std::vector<int> around = members_near(group, box);
         std::sort(around.begin(), around.end(), [&](int i, int j) {
-          return std::tie(claims[i].axis_id, claims[i].place) <
-                 std::tie(claims[j].axis_id, claims[j].place);
+          return std::tie(claims[i].axis_id, claims[i].order_key) <
+                 std::tie(claims[j].axis_id, claims[j].order_key);
         });
         if (std::none_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }))
           continue;

@@ -25,7 +25,8 @@ constexpr double hole_extent = 20;
 std::vector<Hole> holes_between(const std::vector<Claim>& claims,
                                 const std::vector<std::pair<int, int>>& disputes, double max_area);
 
-// Each hole goes to the surface with the longest border on it; ties: the smaller (axis_id, place).
+// Each hole goes to the surface with the longest border on it; ties: the smaller (axis_id,
+// order_key).
 void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>& holes);
 
 }  // namespace streetgen

@@ -21,7 +21,7 @@ namespace streetgen {
 namespace {
 
 std::vector<std::pair<int, int>> overlapping_boxes(const std::vector<Claim>& claims,
-                                                   const std::vector<Ground>& grounds) {
+                                                   const std::vector<PreparedSurface>& grounds) {
   std::vector<Box> boxes(claims.size());
   std::vector<int> order;
   for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -62,7 +62,7 @@ class Settlement {
       : geos_(geos),
         claims_(claims),
         disputes_(disputes),
-        rivalries_(disputes.size()),
+        judged_(disputes.size()),
         first_(claims.size() + 1),
         opponents_(streetgen::opponents(claims, disputes)) {
     grounds_.reserve(claims.size());
@@ -80,7 +80,7 @@ class Settlement {
   MultiPolygon ground_of(int claim) {
     poll_cancel();
     const MultiPolygon& surface = *claims_[claim].surface;
-    const Ground& ground = grounds_[claim];
+    const PreparedSurface& ground = grounds_[claim];
     std::vector<LineView> lines;
     append_rings(surface, lines);
     const auto near = [&](const Point& from, const Point& to) {
@@ -90,7 +90,7 @@ class Settlement {
     for (const int other : opponents_[claim])
       append_stretches(*claims_[other].surface, near, lines);
     const auto append_border = [&](std::size_t dispute) {
-      for (const Line& line : rivalry(dispute).border())
+      for (const Line& line : dispute_of(dispute).border())
         if (near(line.front(), line.back())) lines.push_back(line);
     };
     const bool levels_meet =
@@ -146,15 +146,15 @@ class Settlement {
         if (std::binary_search(i, parties.end(), disputes_[d].second)) use(d);
   }
 
-  const Rivalry& rivalry(std::size_t dispute) {
-    auto& slot = rivalries_[dispute];
+  const Dispute& dispute_of(std::size_t dispute) {
+    auto& slot = judged_[dispute];
     const auto [i, j] = disputes_[dispute];
-    if (!slot) slot.emplace(Party{&claims_[i], &whole(i)}, Party{&claims_[j], &whole(j)});
+    if (!slot) slot.emplace(Disputant{&claims_[i], &whole(i)}, Disputant{&claims_[j], &whole(j)});
     return *slot;
   }
 
-  // A rivalry is the same wherever crowds took of the two.
-  const Ground& whole(int claim) const {
+  // A dispute is the same wherever crowds took of the two.
+  const PreparedSurface& whole(int claim) const {
     const auto found = wholes_.find(claim);
     return found == wholes_.end() ? grounds_[claim] : found->second;
   }
@@ -212,7 +212,7 @@ class Settlement {
 
   // By face; of those off its ground an empty one.
   std::vector<Contest> contests_in(int claim, const Arrangement& faces) {
-    const Ground& ground = grounds_[claim];
+    const PreparedSurface& ground = grounds_[claim];
     std::vector<Contest> contests;
     contests.reserve(faces.places().size());
     for (const Point& place : faces.places()) {
@@ -237,7 +237,7 @@ class Settlement {
   }
 
   Duel duel(std::size_t dispute, const Point& place) {
-    const Rivalry& between = rivalry(dispute);
+    const Dispute& between = dispute_of(dispute);
     const auto [i, j] = disputes_[dispute];
     const bool first = between.first_owns(place);
     return {first ? i : j, first ? j : i, between.crossed()};
@@ -307,11 +307,11 @@ class Settlement {
   Geos& geos_;
   const std::vector<Claim>& claims_;
   const std::vector<std::pair<int, int>>& disputes_;
-  std::vector<std::optional<Rivalry>> rivalries_;  // by dispute
-  std::vector<std::size_t> first_;                 // dispute of each claim as the first of a pair
-  std::vector<std::vector<int>> opponents_;        // by claim
-  std::vector<Ground> grounds_;
-  std::unordered_map<int, Ground> wholes_;  // where they are not these
+  std::vector<std::optional<Dispute>> judged_;  // by dispute
+  std::vector<std::size_t> first_;              // dispute of each claim as the first of a pair
+  std::vector<std::vector<int>> opponents_;     // by claim
+  std::vector<PreparedSurface> grounds_;
+  std::unordered_map<int, PreparedSurface> wholes_;  // where they are not these
 };
 
 }  // namespace
@@ -322,7 +322,7 @@ bool tile(const Claim& a, const Claim& b) {
 }
 
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
-  std::vector<Ground> grounds;
+  std::vector<PreparedSurface> grounds;
   for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);
   std::vector<std::pair<int, int>> pairs;
   for (const auto& pair : overlapping_boxes(claims, grounds)) {

@@ -26,7 +26,7 @@ constexpr double contested_at_least = 0.01;
 // One claim an edge, then one a node.
 class Owners {
  public:
-  Owners(Layout& layout, const Moved& moved)
+  Owners(Layout& layout, const Affected& moved)
       : layout_(layout),
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved.edges),
@@ -150,15 +150,15 @@ class Owners {
     return any;
   }
 
-  // Whether it was not asked for yet.
-  bool ask(int i) {
+  // Whether the claim was not wanted yet.
+  bool mark_affected(int i) {
     if (claims_[i].wanted) return false;
     claims_[i].wanted = true;
     auto& streets = layout_.streets;
     if (i < edges_) {
-      if (!layout_.axis_of(i).outer) streets.asked_edges[i] = true;
+      if (!layout_.axis_of(i).outer) streets.affected_edges[i] = true;
     } else if (!layout_.outer(i - edges_)) {
-      streets.asked_nodes[i - edges_] = true;
+      streets.affected_nodes[i - edges_] = true;
     }
     return true;
   }
@@ -168,7 +168,7 @@ class Owners {
     const std::vector<std::vector<int>> all = opponents(claims_, disputes_);
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
       if (moved_[i])
-        for (const int other : all[i]) ask(other);
+        for (const int other : all[i]) mark_affected(other);
   }
 
   bool all_wanted() const {
@@ -181,7 +181,7 @@ class Owners {
     for (const Crowd& crowd : crowds_about())
       if (crowd.members.back() >= static_cast<int>(claims_.size()) ||
           any_claim(crowd, [&](int i) { return bool(moved_[i]); }))
-        each_claim(crowd, [&](int i) { ask(i); });
+        each_claim(crowd, [&](int i) { mark_affected(i); });
   }
 
   // From the surfaces as they were built.
@@ -204,10 +204,11 @@ class Owners {
       return;
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
       if (!moved_[i] || surfaces_[i].ground.empty()) continue;
-      const Ground ground(surfaces_[i].ground);
+      const PreparedSurface ground(surfaces_[i].ground);
       for (const int j : vicinity().near(ground.box().grown(hole_extent)))
-        if (!claims_[j].wanted && was_[j] != nullptr && overlap(ground, Ground(was_[j]->ground)))
-          ask(j);
+        if (!claims_[j].wanted && was_[j] != nullptr &&
+            overlap(ground, PreparedSurface(was_[j]->ground)))
+          mark_affected(j);
     }
   }
 
@@ -215,12 +216,13 @@ class Owners {
   void ask_above_given_up() {
     for (const FormerSurface* given_up : given_up_) {
       if (given_up->ground.empty()) continue;
-      const Ground ground(given_up->ground);
+      const PreparedSurface ground(given_up->ground);
       for (const int i : vicinity().near(ground.box())) {
         if (claims_[i].wanted || was_[i] == nullptr) continue;
         if (was_[i]->contested) build(i);
-        if (overlap(ground, Ground(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)))
-          ask(i);
+        if (overlap(ground,
+                    PreparedSurface(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)))
+          mark_affected(i);
       }
     }
   }
@@ -244,7 +246,7 @@ class Owners {
       for (const int e : turned.edges) {
         const Edge& edge = layout_.streets.network.edges[e];
         for (const int i : {e, edges_ + edge.from_node, edges_ + edge.to_node})
-          if (beside.count(i) > 0) layout_.streets.leading_on[e] = true;
+          if (beside.count(i) > 0) layout_.streets.spreads_to[e] = true;
       }
   }
 
@@ -253,12 +255,12 @@ class Owners {
     for (const Turned& turned : turned_)
       for (const FormerSurface* before : turned.surfaces) {
         if (before->ground.empty()) continue;
-        const Ground ground(before->ground);
+        const PreparedSurface ground(before->ground);
         for (const int i : vicinity().near(ground.box())) {
           if (!outer(i) || !tile(claims_[turned.edges.front()], claims_[i])) continue;
           build(i);
-          if (overlap(ground, Ground(surfaces_[i].ground)))
-            layout_.streets.leading_on[turned.edges.front()] = true;
+          if (overlap(ground, PreparedSurface(surfaces_[i].ground)))
+            layout_.streets.spreads_to[turned.edges.front()] = true;
         }
       }
   }
@@ -266,7 +268,7 @@ class Owners {
   bool ask_around(const std::vector<Hole>& holes) {
     bool more = false;
     for (const Hole& hole : holes)
-      for (const int i : hole.around) more = ask(i) || more;
+      for (const int i : hole.around) more = mark_affected(i) || more;
     return more;
   }
 
@@ -300,8 +302,8 @@ class Owners {
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
       if (claims_[i].wanted && !in_crowd[i] && was_[i] != nullptr &&
           same(was_[i]->ground, surfaces_[i].ground))
-        (i < edges_ ? streets.asked_edges : streets.asked_nodes)[i < edges_ ? i : i - edges_] =
-            false;
+        (i < edges_ ? streets.affected_edges
+                    : streets.affected_nodes)[i < edges_ ? i : i - edges_] = false;
   }
 
   template <class Row>
@@ -316,7 +318,7 @@ class Owners {
   void give_rows() {
     Streets& streets = layout_.streets;
     for (int e = 0; e < edges_; ++e) {
-      if (!streets.asked_edges[e]) continue;
+      if (!streets.affected_edges[e]) continue;
       Section section;
       section.edge = e;
       settle_row(section, e);
@@ -324,7 +326,7 @@ class Owners {
     }
     for (int i = edges_; i < static_cast<int>(claims_.size()); ++i) {
       const int node = i - edges_;
-      if (!streets.asked_nodes[node] || layout_.junctions[node].dead_end()) continue;
+      if (!streets.affected_nodes[node] || layout_.junctions[node].dead_end()) continue;
       Intersection intersection;
       intersection.node = node;
       intersection.level = claims_[i].level;
@@ -351,6 +353,6 @@ class Owners {
 
 }  // namespace
 
-void settle_owners(Layout& layout, const Moved& moved) { Owners(layout, moved).settle(); }
+void settle_owners(Layout& layout, const Affected& moved) { Owners(layout, moved).settle(); }
 
 }  // namespace streetgen

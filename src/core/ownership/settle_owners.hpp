@@ -6,8 +6,9 @@
 
 namespace streetgen {
 
-// Those of asked edges and nodes come out; whatever claims the same ground as moved ones is asked
-// for too. Only what these depend on is built.
-void settle_owners(Layout& layout, const Moved& moved);
+// Builds the sections and intersections of the affected edges and nodes, and only the surfaces that
+// these depend on. Every edge and node that claims the same ground as a moved one becomes affected
+// too.
+void settle_owners(Layout& layout, const Affected& moved);
 
 }  // namespace streetgen

@@ -82,11 +82,11 @@ void check_limits(const Streets& streets) {
 
 void check_surfaces(const Streets& streets) {
   for (std::size_t s = 0; s < streets.sections.size(); ++s) {
-    require(streets.asked_edges.at(streets.sections[s].edge), "a section was asked for", s);
+    require(streets.affected_edges.at(streets.sections[s].edge), "a section is affected", s);
     require_closed_rings(streets.sections[s].surface, "rings of sections are closed", s);
   }
   for (std::size_t i = 0; i < streets.intersections.size(); ++i) {
-    require(streets.asked_nodes.at(streets.intersections[i].node), "an intersection was asked for",
+    require(streets.affected_nodes.at(streets.intersections[i].node), "an intersection is affected",
             i);
     require_closed_rings(streets.intersections[i].surface, "rings of intersections are closed", i);
   }

@@ -16,13 +16,13 @@ namespace {
 
 // An edit that has to be given up is so as soon as that is known.
 void stay_within(const Streets& streets, const Former& former) {
-  if (former.onwards) return;
+  if (former.may_spread) return;
   std::vector<std::int64_t> axes;
-  for (std::size_t e = 0; e < streets.leading_on.size(); ++e) {
+  for (std::size_t e = 0; e < streets.spreads_to.size(); ++e) {
     const std::int64_t axis = streets.network.edges[e].axis_id;
-    if (streets.leading_on[e] && (axes.empty() || axes.back() != axis)) axes.push_back(axis);
+    if (streets.spreads_to[e] && (axes.empty() || axes.back() != axis)) axes.push_back(axis);
   }
-  if (!axes.empty()) throw LeadsOn(std::move(axes));
+  if (!axes.empty()) throw ChangeSpreads(std::move(axes));
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   check_corners(layout.streets);
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
   check_limits(layout.streets);
-  const Moved moved = ask_around_changes(layout, former);
+  const Affected moved = find_affected(layout, former);
   stay_within(layout.streets, former);
   settle_owners(layout, moved);
   check_surfaces(layout.streets);

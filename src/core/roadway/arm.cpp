@@ -13,7 +13,7 @@ double half_at(const Arm& arm, double abscissa) {
 }
 
 Line border_across(const Arm& arm, double abscissa) {
-  const Point foot = planar(place_at(arm.line, abscissa).point);
+  const Point foot = planar(position_at(arm.line, abscissa).point);
   const Point across = left_normal(local_direction(arm.line, abscissa)) * half_at(arm, abscissa);
   return {foot + across, foot - across};
 }

@@ -95,7 +95,8 @@ void change_width(Course& course, const Arm& arm, const Taper& taper, int side) 
 
 }  // namespace
 
-Course onwards(const Layout& layout, const EdgeEnd& end, int side, std::vector<int>& looked_at) {
+Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
+                        std::vector<int>& looked_at) {
   const auto& edges = layout.streets.network.edges;
   const Arm& own = layout.arm(end);
   Course course{{own.line, own.half_start, 0, length(own.line)}};

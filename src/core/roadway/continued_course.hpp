@@ -12,6 +12,7 @@ namespace streetgen {
 // further node along the same street, the axis of the same level and width that turns least within
 // the widest bend; where there is none, along the axis on which the kerb of that side goes on
 // unbroken. The further nodes are added to `looked_at`.
-Course onwards(const Layout& layout, const EdgeEnd& end, int side, std::vector<int>& looked_at);
+Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
+                        std::vector<int>& looked_at);
 
 }  // namespace streetgen

@@ -180,7 +180,7 @@ class Border {
         offset_(axis.half() + radius),
         pieces_(offset_pieces(axis.line(), offset_, side)) {
     const Point node = planar(axis.line().front());
-    const Point behind = node - place_at(axis.line(), 0).direction * offset_;
+    const Point behind = node - position_at(axis.line(), 0).direction * offset_;
     if (axis.first())
       pieces_.insert(pieces_.begin(), {behind, pieces_.front().start, node, true, 0, 0, 0});
     // Most pieces of a jagged axis hold no place for a centre.
@@ -288,7 +288,7 @@ std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& str
 }
 
 Point towards(const Foot& foot, const Point& centre) {
-  const Point point = planar(place_at(foot.axis->line(), foot.at).point);
+  const Point point = planar(position_at(foot.axis->line(), foot.at).point);
   return point + unit(planar(centre) - point) * foot.axis->half();
 }
 

@@ -40,12 +40,12 @@ class Change {
         former_(former),
         met_(nodes_.size()),
         turned_(nodes_.size(), none),
-        leading_on_(edges_.size()),
+        spreads_to_(edges_.size()),
         moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
                std::vector<const FormerSurface*>(edges_.size()),
                std::vector<const FormerSurface*>(nodes_.size())} {}
 
-  Moved moved() {
+  Affected moved() {
     compare_edges();
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
@@ -56,7 +56,7 @@ class Change {
   }
 
   const std::vector<GivenUp>& given_up() const { return given_up_; }
-  const std::vector<bool>& leading_on() const { return leading_on_; }
+  const std::vector<bool>& spreads_to() const { return spreads_to_; }
 
  private:
   // Met are the nodes at which an edge came, went or got another line; elsewhere limits moved.
@@ -135,14 +135,14 @@ class Change {
   }
 
   void lead_on(int e, int node) {
-    if (layout_.meets_outer(node)) leading_on_[e] = true;
+    if (layout_.meets_outer(node)) spreads_to_[e] = true;
   }
 
   void lead_followers_on() {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       for (const int other : layout_.junctions[n].followed)
         if (turned_[other] != none && layout_.meets_outer(static_cast<int>(n)))
-          leading_on_[turned_[other]] = true;
+          spreads_to_[turned_[other]] = true;
   }
 
   void give_up(const FormerEdge& edge, bool of_changed) {
@@ -230,38 +230,38 @@ class Change {
   const Former& former_;
   std::vector<bool> met_;
   std::vector<int> turned_;  // by node: an edge there that turned
-  std::vector<bool> leading_on_;
-  Moved moved_;
+  std::vector<bool> spreads_to_;
+  Affected moved_;
   std::vector<GivenUp> given_up_;
   std::set<std::pair<double, double>> ends_of_changed_;
 };
 
 // Marks those whose surface lies by ground that was given up: they may get some of it, or close no
 // hole there any more.
-void ask_by(const std::vector<GivenUp>& given_up, const std::vector<const FormerSurface*>& surfaces,
-            std::vector<bool>& asked) {
+void mark_by(const std::vector<GivenUp>& given_up, const std::vector<const FormerSurface*>& surfaces,
+            std::vector<bool>& affected) {
   std::vector<Box> boxes;
   for (const FormerSurface* surface : surfaces)
     boxes.push_back(surface == nullptr ? Box{} : box_of(surface->ground));
   const BoxIndex index(boxes);
   for (const auto& [ground, of_changed] : given_up)
     for (const int i : index.near(box_of(ground->ground), near_enough))
-      if (!asked[i] && (of_changed || surfaces[i]->contested) &&
+      if (!affected[i] && (of_changed || surfaces[i]->contested) &&
           come_near(surfaces[i]->ground, ground->ground, near_enough))
-        asked[i] = true;
+        affected[i] = true;
 }
 
 }  // namespace
 
-Moved ask_around_changes(Layout& layout, const Former& former) {
+Affected find_affected(Layout& layout, const Former& former) {
   Change change(layout, former);
-  Moved moved = change.moved();
-  auto &edges = layout.streets.asked_edges, &nodes = layout.streets.asked_nodes;
+  Affected moved = change.moved();
+  auto &edges = layout.streets.affected_edges, &nodes = layout.streets.affected_nodes;
   edges = moved.edges;
   nodes = moved.nodes;
-  layout.streets.leading_on = change.leading_on();
-  ask_by(change.given_up(), moved.sections, edges);
-  ask_by(change.given_up(), moved.intersections, nodes);
+  layout.streets.spreads_to = change.spreads_to();
+  mark_by(change.given_up(), moved.sections, edges);
+  mark_by(change.given_up(), moved.intersections, nodes);
   for (const GivenUp& given_up : change.given_up()) moved.given_up.push_back(given_up.surface);
   return moved;
 }

@@ -1,4 +1,4 @@
-// What a change asks for: the edges and nodes whose rows may become others.
+// The edges and nodes that a change affects: those whose rows may become others.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,17 @@ struct Turned {
   std::vector<const FormerSurface*> surfaces;  // that they and their nodes had before
 };
 
-// By edge and node: those whose surface may get another shape from the axes about it. What is asked
-// beyond these only meets ground that others give up; its surface before the change is known.
-struct Moved {
+// By edge and node: those whose surface may get another shape from the axes about it. An edge or
+// node that is affected beyond these only meets ground that others give up; its surface before the
+// change is known.
+struct Affected {
   std::vector<bool> edges, nodes;
   std::vector<const FormerSurface*> sections, intersections;  // nullptr: none, or it moved
   std::vector<const FormerSurface*> given_up{};               // of those that moved or are gone
   std::vector<Turned> turned{};
 };
 
-// Marks the asked edges and nodes. `former` outlives what it gives.
-Moved ask_around_changes(Layout& layout, const Former& former);
+// Marks the affected edges and nodes in `layout.streets`. `former` must outlive the result.
+Affected find_affected(Layout& layout, const Former& former);
 
 }  // namespace streetgen

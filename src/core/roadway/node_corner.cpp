@@ -19,7 +19,7 @@ constexpr double nearly_straight = 160 * M_PI / 180;
 constexpr double shortest_arc = 5e-3;  // metres
 
 double heading(const Arm& arm, double abscissa) {
-  const Point d = place_at(arm.line, abscissa).point - arm.line.front();
+  const Point d = position_at(arm.line, abscissa).point - arm.line.front();
   return std::atan2(d.y, d.x);
 }
 
@@ -53,7 +53,8 @@ void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
     solved.limit_b = crossing->abscissa_b;
     return;
   }
-  const Point along_a = place_at(a.line, 0).direction, along_b = place_at(b.line, 0).direction;
+  const Point along_a = position_at(a.line, 0).direction,
+              along_b = position_at(b.line, 0).direction;
   solved.limit_b = std::max(0.0, dot(left_normal(along_a) * a.half_start, along_b));
   solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.half_start, along_a));
 }

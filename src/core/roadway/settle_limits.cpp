@@ -46,7 +46,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
     limit.at_start = at_start;
     limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
     limit.abscissa = at_start ? start.limit : total - end.limit;
-    limit.point = place_at(layout.streets.network.edges[e].line, limit.abscissa).point;
+    limit.point = position_at(layout.streets.network.edges[e].line, limit.abscissa).point;
     const bool put = (at_start ? put_start : put_end).has_value();
     limit.method = crossed && !(one_yields && put) ? Method::crossed_limits
                    : put                           ? Method::by_hand

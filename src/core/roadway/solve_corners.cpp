@@ -42,8 +42,9 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
   if (!may_follow(arm_a, arm_b)) return solved;
-  const auto followed = follow_corner(arm_a, arm_b, onwards(layout, a, +1, junction.followed),
-                                      onwards(layout, b, -1, junction.followed), wish);
+  const auto followed =
+      follow_corner(arm_a, arm_b, continued_course(layout, a, +1, junction.followed),
+                    continued_course(layout, b, -1, junction.followed), wish);
   return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
 }
 

@@ -220,7 +220,7 @@ std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
   std::size_t last = 0;
   double least = 7;
   for (std::size_t i = 0; i < arms.size(); ++i) {
-    const double of_arm = angle_about(node, place_at(arms[i].line, 1).point);
+    const double of_arm = angle_about(node, position_at(arms[i].line, 1).point);
     const double turn = std::fmod(angle - of_arm + 4 * M_PI, 2 * M_PI);
     if (turn >= least) continue;
     least = turn;
@@ -257,7 +257,7 @@ bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::si
 bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
             const std::vector<Gap>& gaps) {
   constexpr double step = 1.0, inwards = 1e-3;  // metres
-  const Ground ground(surface);
+  const PreparedSurface ground(surface);
   const auto held = [&](std::size_t arm, const Point& p) {
     if (ground.holds(p)) return true;
     const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();

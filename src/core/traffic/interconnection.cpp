@@ -20,6 +20,7 @@ namespace {
 constexpr double slowed_down = 0.15;
 constexpr double lateral_acceleration = 3;  // m/s2
 constexpr double car_radius = 3;            // metres, least of a car's path
+constexpr double sharpest_drivable = 30;    // degrees between chords of a path
 
 constexpr double same_direction = 1e-3;  // radians
 constexpr double angle_step = 1e-6;      // degrees, to which angles are rounded
@@ -58,6 +59,39 @@ struct NodeLeg {
   std::vector<int> in, out;  // indices of lanes, from left to right in their driving direction
 };
 
+bool drivable(const Line& path) { return sharpest_turn(path) <= sharpest_drivable; }
+
+// Of paths that are offered one by one, from the best on: the first that is clear of the kerbs and
+// drivable, else the first that is clear, else the first. The rule of the paper asks for clear
+// alone.
+class PathChoice {
+ public:
+  PathChoice(const Kerbs& kerbs, int from, int to, bool papers)
+      : kerbs_(kerbs), from_(from), to_(to), papers_(papers) {}
+
+  // Whether the choice is made.
+  bool offer(std::optional<Trajectory> path) {
+    if (!path) return false;
+    const bool clear = !kerbs_.stop(path->line, from_, to_);
+    const bool made = clear && (papers_ || drivable(path->line));
+    if (made || !offered_ || (clear && !best_is_clear_)) {
+      best_ = std::move(*path);
+      best_is_clear_ = clear;
+      offered_ = true;
+    }
+    return made;
+  }
+
+  Trajectory best() { return std::move(best_); }
+
+ private:
+  const Kerbs& kerbs_;
+  int from_, to_;
+  bool papers_;
+  Trajectory best_;
+  bool offered_ = false, best_is_clear_ = false;
+};
+
 class Builder {
  public:
   Builder(const Streets& streets, const std::vector<StreetAxis>& axes,
@@ -80,7 +114,7 @@ class Builder {
   std::vector<Interconnection> run(const std::vector<TurnRestriction>& restrictions) {
     restrict(restrictions);
     for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
-      if (!streets_.asked_nodes[n]) continue;
+      if (!streets_.affected_nodes[n]) continue;
       poll_cancel();
       tell_progress("interconnections", n, legs_.size());
       join(n);
@@ -122,7 +156,7 @@ class Builder {
     const Roadway& roadway = streets_.roadways[lane.edge];
     const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
     const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
-    const Point along = place_at(axis, end_abscissa(lane, at_front)).direction;
+    const Point along = position_at(axis, end_abscissa(lane, at_front)).direction;
     const Point direction = unit(along + left_normal(along) * (share * widening));
     const Point own = at_front ? leaving(lane.line.begin(), lane.line.end())
                                : leaving(lane.line.rbegin(), lane.line.rend()) * -1;
@@ -233,7 +267,7 @@ class Builder {
       for (std::size_t b = 0; b < legs.size(); ++b) {
         if (legs[a].in.empty() || legs[b].out.empty()) continue;
         if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
-        movements.push_back({static_cast<int>(a), static_cast<int>(b), {}, 0, {}, {}});
+        movements.push_back({static_cast<int>(a), static_cast<int>(b), {}, 0, {}, {}, {}});
       }
     if (movements.empty()) return;
     std::vector<Leg> ends;
@@ -258,6 +292,31 @@ class Builder {
         [&](const Interconnection& a, const Interconnection& b) { return place(a) < place(b); });
   }
 
+  // The widest path that the rule gives, clear of the kerbs and without a corner; else a path that
+  // turns later, or one of arcs.
+  Trajectory path_between(int node, const LaneToNode& in, const LaneToNode& out,
+                          const Kerbs& kerbs) const {
+    const TrajectoryRule rule = settings_.rule, arcs = TrajectoryRule::arcs;
+    const auto direct = [&](TrajectoryRule by, double radius) {
+      return trajectory({in.end.place - in.end.direction, in.end.place},
+                        {out.end.place, out.end.place - out.end.direction},
+                        streets_.network.nodes[node].point, by, settings_.tolerance, radius);
+    };
+    const auto late = [&](TrajectoryRule by) {
+      return late_turn(in, out, by, settings_.tolerance, kerbs);
+    };
+    const bool papers = rule == TrajectoryRule::bezier && settings_.least_radius == 0;
+    PathChoice choice(kerbs, in.border, out.border, papers);
+    if (papers) {
+      if (!choice.offer(direct(rule, 0))) choice.offer(late(rule));
+      return choice.best();
+    }
+    choice.offer(direct(rule, settings_.least_radius)) ||
+        choice.offer(direct(rule, std::min(settings_.least_radius, car_radius))) ||
+        choice.offer(late(rule)) || choice.offer(direct(arcs, 0)) || choice.offer(late(arcs));
+    return choice.best();
+  }
+
   std::vector<Interconnection> draw(int node, const std::vector<Leg>& ends, const Kerbs& kerbs,
                                     Movement& movement) const {
     const NodeLeg &from = legs_[node][movement.from], &to = legs_[node][movement.to];
@@ -276,19 +335,12 @@ class Builder {
         pair.angle = rounded(turn_angle(in.direction, out.direction));
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
-        Trajectory path =
-            trajectory({in.place - in.direction, in.place}, {out.place, out.place + out.direction},
-                       streets_.network.nodes[node].point, settings_.rule, settings_.tolerance,
-                       settings_.least_radius);
-        if (kerbs.stop(path.line, movement.from, movement.to)) {
-          auto late = late_turn(to_node(from.in[i], in, from, true, movement.from),
-                                to_node(to.out[o], out, to, false, movement.to), settings_.rule,
-                                settings_.tolerance, kerbs);
-          if (late) path = std::move(*late);
-        }
+        Trajectory path = path_between(node, to_node(from.in[i], in, from, true, movement.from),
+                                       to_node(to.out[o], out, to, false, movement.to), kerbs);
         pair.control = path.control;
         pair.line = std::move(path.line);
         movement.radius.push_back(quarter_radius(pair.line));
+        movement.drivable.push_back(drivable(pair.line));
         pairs.push_back(std::move(pair));
       }
     return pairs;
@@ -361,6 +413,8 @@ const char* reason_name(Reason reason) noexcept {
       return "u_turn";
     case Reason::radius:
       return "radius";
+    case Reason::not_drivable:
+      return "not_drivable";
   }
   return "";
 }

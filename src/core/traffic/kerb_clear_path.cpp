@@ -31,7 +31,7 @@ LaneEnd parting(const LaneToNode& lane, double reach) {
   const double abscissa = length(lane.line) - reach;
   if (abscissa <= 0) return lane.end;
   LaneEnd end = lane.end;
-  const Place place = place_at(lane.line, abscissa);
+  const LinePosition place = position_at(lane.line, abscissa);
   end.place = place.point;
   end.direction = place.direction;
   return end;
@@ -59,7 +59,7 @@ Trajectory turn_at(const LaneToNode& in, const LaneToNode& out, double reach, Tr
 Line lane_to_node(const Line& axis, double half_start, double half_end, double abscissa,
                   const Point& place, bool to_start) {
   const double total = length(axis);
-  const Point foot = place_at(axis, abscissa).point;
+  const Point foot = position_at(axis, abscissa).point;
   const double half = half_start + (half_end - half_start) * (abscissa / total);
   const double share = dot(place - foot, left_normal(local_direction(axis, abscissa))) / half;
   Line line = to_start ? offset_line(axis, 0, abscissa, share * half_start, share * half_end)

@@ -164,7 +164,7 @@ class Builder {
     const std::vector<NodeRank> ranks = ranks_of(streets_);
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
-      if (!meets_asked(e)) continue;
+      if (!meets_affected(e)) continue;
       poll_cancel();
       tell_progress("lanes", e, streets_.network.edges.size());
       const LaneStrip strip = strip_of(streets_, e);
@@ -193,9 +193,9 @@ class Builder {
   }
 
  private:
-  bool meets_asked(int e) const {
+  bool meets_affected(int e) const {
     const Edge& edge = streets_.network.edges[e];
-    return streets_.asked_nodes[edge.from_node] || streets_.asked_nodes[edge.to_node];
+    return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
   }
 
   std::vector<LaneWish> wishes_of(int e) const {

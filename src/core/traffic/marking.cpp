@@ -246,7 +246,7 @@ void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
     marking.position = lane.position;
     marking.along_axis = lane.along_axis;
     marking.node = lane.along_axis ? edge.to_node : edge.from_node;
-    const Point foot = place_at(way, tip - reach).point, head = place_at(way, tip).point;
+    const Point foot = position_at(way, tip - reach).point, head = position_at(way, tip).point;
     if (distance(foot, head) < 0.9 * reach) continue;
     marking.line = {foot, head};
     marking.surface = arrow(geos, lane.turns, foot, unit(head - foot) * size);

@@ -66,9 +66,9 @@ double movement_order(const Leg& from, const Leg& to) {
   return movement_angle(from, to) + (norm(way) > 0 ? turn_angle(in.direction, way) : 0);
 }
 
-class Choice {
+class Plausibility {
  public:
-  Choice(const std::vector<Leg>& legs, std::vector<Movement>& movements)
+  Plausibility(const std::vector<Leg>& legs, std::vector<Movement>& movements)
       : legs_(legs), movements_(movements) {}
 
   void run() {
@@ -93,8 +93,12 @@ class Choice {
   static bool turns_back(const Way& way) {
     return turn_of(way.angle) == Turn::u_turn || way.movement->from == way.movement->to;
   }
+  static bool drivable(const Way& way, int in, int out) {
+    return way.movement->drivable[in * way.to->out.size() + out];
+  }
   static bool tight(const Way& way, int in, int out) {
-    return std::abs(way.angle) > noticeable && radius(way, in, out) < way.movement->least_radius;
+    return !drivable(way, in, out) ||
+           (std::abs(way.angle) > noticeable && radius(way, in, out) < way.movement->least_radius);
   }
 
   void approach(int leg) {
@@ -340,7 +344,7 @@ class Choice {
            distance(in.back().place, out.back().place);
   }
 
-  bool leads_on(int leg, int in, const Verdict* besides = nullptr) const {
+  bool spreads(int leg, int in, const Verdict* besides = nullptr) const {
     for (const Way& way : ways_)
       if (way.movement->from == leg)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
@@ -439,31 +443,36 @@ class Choice {
     };
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int i = 0; i < static_cast<int>(legs_[leg].in.size()); ++i)
-        if (!leads_on(leg, i)) add(likeliest_on(leg, i));
+        if (!spreads(leg, i)) add(likeliest_on(leg, i));
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int o = 0; o < static_cast<int>(legs_[leg].out.size()); ++o)
         if (!reached(leg, o)) add(likeliest_to(leg, o));
   }
 
   // A tight path goes where both its lanes have another, or one that is neither tight nor back; of
-  // an ordinary turn, its movement too.
+  // an ordinary turn, its movement too. A path with a corner goes also where the movement has no
+  // other, and says so where it stays as the only way.
   void drop_tight() {
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
         for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
           Verdict& verdict = at(way, i, o);
-          if (!verdict.plausible || verdict.reason == Reason::turn_lanes || !tight(way, i, o) ||
-              (std::abs(way.angle) <= sharp && !taken(*way.movement, &verdict)))
+          if (!verdict.plausible || !tight(way, i, o)) continue;
+          const bool corner = !drivable(way, i, o);
+          if (!corner && (verdict.reason == Reason::turn_lanes ||
+                          (std::abs(way.angle) <= sharp && !taken(*way.movement, &verdict))))
             continue;
           std::vector<Pair> instead;
-          if (!leads_on(way.movement->from, i, &verdict))
+          if (!spreads(way.movement->from, i, &verdict))
             instead.push_back(likeliest_on(way.movement->from, i));
           if (!reached(way.movement->to, o, &verdict))
             instead.push_back(likeliest_to(way.movement->to, o));
-          if (!std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; }))
-            continue;
+          const bool goes =
+              std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; });
+          if (corner) verdict.reason = Reason::not_drivable;
+          if (!goes) continue;
           for (const Pair& pair : instead) *pair.verdict = {true, Reason::only_way};
-          verdict = {false, Reason::radius};
+          verdict = {false, corner ? Reason::not_drivable : Reason::radius};
         }
   }
 
@@ -487,7 +496,7 @@ Turn turn_of(double angle) {
 }
 
 void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements) {
-  Choice(legs, movements).run();
+  Plausibility(legs, movements).run();
 }
 
 }  // namespace streetgen

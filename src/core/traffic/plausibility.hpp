@@ -38,6 +38,7 @@ struct Movement {
   LaneKinds restricted;     // forbidden to lanes in of these kinds, unless to a lane out of another
   double least_radius = 0;  // metres, what the speed needs
   std::vector<double> radius;  // of the trajectory of each pair
+  std::vector<bool> drivable;  // by pair: the trajectory has no corner
   std::vector<Verdict> verdicts;
 
   bool forbidden(LaneKind in) const { return restricted[index_of(in)]; }

@@ -181,6 +181,19 @@ Trajectory tangent_trajectory(const Line& lane_in, const Line& lane_out, Traject
   return {*crossing, bezier(way.start, *crossing, way.end, tolerance)};
 }
 
+double sharpest_turn(const Line& path) {
+  double sharpest = 0;
+  Point before;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point along = path[i] - path[i - 1];
+    if (!(norm(along) > 0)) continue;
+    if (norm(before) > 0)
+      sharpest = std::max(sharpest, std::atan2(std::abs(cross(before, along)), dot(before, along)));
+    before = along;
+  }
+  return sharpest * 180 / M_PI;
+}
+
 double quarter_radius(const Line& path) {
   const double quarter = length(path) / 4;
   if (!(quarter > 0)) return std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ int sqlstate_of(ErrorKind kind) noexcept {
       return ERRCODE_FEATURE_NOT_SUPPORTED;
     case ErrorKind::cancelled:
       return ERRCODE_QUERY_CANCELED;
-    case ErrorKind::leads_on:
+    case ErrorKind::spreads:
       return MAKE_SQLSTATE('S', 'G', '0', '0', '1');
   }
   return ERRCODE_INTERNAL_ERROR;

@@ -31,8 +31,8 @@ ComputedStreets compute_streets(const StreetsCall& call) {
   const StreetsInput input = read_input(call);
   try {
     return {street_model(input.model), input.srid, input.has_z};
-  } catch (const LeadsOn& leads_on) {
-    throw Error(ErrorKind::leads_on, leads_on.what(), array_of(leads_on.axes()));
+  } catch (const ChangeSpreads& spreads) {
+    throw Error(ErrorKind::spreads, spreads.what(), array_of(spreads.axes()));
   }
 }
 

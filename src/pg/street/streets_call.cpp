@@ -202,7 +202,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   const Rows nodes = rows(fcinfo, 9, "former nodes");
   call->former_nodes = {nodes.count, column(nodes, "x", FLOAT8OID), column(nodes, "y", FLOAT8OID),
                         column(nodes, "surface", BYTEAOID), column(nodes, "contested", BOOLOID)};
-  call->onwards = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
+  call->may_spread = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
   take_subjects(fcinfo, 11, call);
 }
 

@@ -53,7 +53,7 @@ struct StreetsCall {
     int count;
     Column x, y, surface, contested;
   } former_nodes;
-  bool onwards;
+  bool may_spread;
   struct {
     int count;
     const char** words;

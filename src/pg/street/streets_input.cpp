@@ -223,9 +223,11 @@ std::vector<LaneOverride> lane_overrides_of(const StreetsCall& call) {
 }
 
 LaneSettings lane_settings_of(const Settings& given) {
-  LaneSettings settings =
-      read_lane_settings(given.word("lane_order").c_str(), given.word("driving_side").c_str(),
-                         given.measure("lane_width_minimal"));
+  // Until an import tells otherwise.
+  const std::string side =
+      given.word("driving_side") == "auto" ? "right" : given.word("driving_side");
+  LaneSettings settings = read_lane_settings(given.word("lane_order").c_str(), side.c_str(),
+                                             given.measure("lane_width_minimal"));
   settings.edge_lines = given.choice<bool>("edge_line", {{"none", false}, {"solid", true}});
   return settings;
 }
@@ -290,7 +292,7 @@ Former former_of(const StreetsCall& call) {
   for (int i = 0; i < nodes.count; ++i)
     former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
                             former_surface(nodes.surface, nodes.contested, i)});
-  former.onwards = call.onwards;
+  former.may_spread = call.may_spread;
   return former;
 }
 

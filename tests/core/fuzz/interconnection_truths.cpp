@@ -100,8 +100,11 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
     if (!(pair.angle > -180 && pair.angle <= 180))
       faults.push_back("an angle of " + std::to_string(pair.angle) + name);
     if (pair.plausible && pair.reason != Reason::lane_order && pair.reason != Reason::turn_lanes &&
-        pair.reason != Reason::only_way)
+        pair.reason != Reason::only_way && pair.reason != Reason::not_drivable)
       faults.push_back(std::string("plausible by ") + reason_name(pair.reason) + name);
+    if (pair.plausible && pair.reason != Reason::not_drivable && sharpest_turn(pair.line) > 30)
+      faults.push_back("a path with a corner of " + std::to_string(sharpest_turn(pair.line)) +
+                       name);
   }
 }
 
@@ -109,16 +112,16 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
 // bus and cycle lanes may meet in vain.
 void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
                Faults& faults) {
-  std::map<std::pair<int, bool>, bool> leads_on, reached;
+  std::map<std::pair<int, bool>, bool> spreads, reached;
   for (const Interconnection& pair : pairs) {
     const LaneKind in = lanes[pair.lane_in].kind, out = lanes[pair.lane_out].kind;
     const bool fits = in == out || in == LaneKind::general || out == LaneKind::general;
     if (pair.reason == Reason::restriction || !fits) continue;
-    leads_on[{pair.lane_in, pair.along_in}] |= pair.plausible;
+    spreads[{pair.lane_in, pair.along_in}] |= pair.plausible;
     const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;
     if (!turns_back || pair.plausible) reached[{pair.lane_out, pair.along_out}] |= pair.plausible;
   }
-  for (const auto& [lane, holds] : leads_on)
+  for (const auto& [lane, holds] : spreads)
     if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " leads nowhere");
   for (const auto& [lane, holds] : reached)
     if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " is not reached");

@@ -107,7 +107,7 @@ void find_astray(const Streets& town, const Lanes& lanes, Faults& faults) {
     const double total = length(lane.line);
     whole += total;
     for (int i = 0; i < steps; ++i) {
-      const Point p = place_at(lane.line, total * (i + 0.5) / steps).point;
+      const Point p = position_at(lane.line, total * (i + 0.5) / steps).point;
       double off = 1e300;
       for (const Polygon& part : section.surface) {
         if (inside(p, part)) off = 0;

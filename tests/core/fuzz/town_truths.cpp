@@ -78,7 +78,7 @@ void find_uncovered(const Streets& town, const std::vector<Surface>& surfaces, F
     const double total = length(line);
     whole += total;
     for (int i = 0; i < steps; ++i) {
-      const Point p = planar(place_at(line, total * (i + 0.5) / steps).point);
+      const Point p = planar(position_at(line, total * (i + 0.5) / steps).point);
       std::vector<const MultiPolygon*> near;
       for (const int s : index.near(box_of(p, p), 1)) near.push_back(grounds[s]);
       const double away = off(near, p);

@@ -29,7 +29,7 @@ class Runs : public testing::TestWithParam<int> {};
 TEST_P(Runs, FindWhatOneByOneIsFound) {
   std::mt19937 random(GetParam());
   const std::vector<Box> boxes = row(GetParam(), random);
-  const BoxRuns runs(boxes);
+  const BoxHierarchy runs(boxes);
   std::uniform_real_distribution<double> place(-10, 10 + GetParam() / 2.0);
   for (int i = 0; i < 100; ++i) {
     const Point p{place(random), place(random), 0}, q{p.x + 5, p.y + 2, 0};
@@ -53,14 +53,14 @@ TEST_P(Runs, FindWhatOneByOneIsFound) {
 
 INSTANTIATE_TEST_SUITE_P(OfSizes, Runs, testing::Values(0, 1, 7, 8, 9, 64, 65, 500, 513));
 
-TEST(Ground, TellsTheBoxOfWhatLiesInABox) {
+TEST(PreparedSurface, TellsTheBoxOfWhatLiesInABox) {
   const MultiPolygon triangle{{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 0}}}};
-  const Box held = Ground(triangle).box_within({4, 4, 20, 20});
+  const Box held = PreparedSurface(triangle).box_within({4, 4, 20, 20});
   EXPECT_NEAR(held.min_x, 4, 1e-5);
   EXPECT_NEAR(held.min_y, 4, 1e-5);
   EXPECT_NEAR(held.max_x, 6, 1e-5);
   EXPECT_NEAR(held.max_y, 6, 1e-5);
-  EXPECT_GT(Ground(triangle).box_within({6, 6, 20, 20}).min_x, 6);
+  EXPECT_GT(PreparedSurface(triangle).box_within({6, 6, 20, 20}).min_x, 6);
 }
 
 // A wavy ring about the centre, of so many sides, that goes round once or back.
@@ -76,13 +76,13 @@ Ring wavy(std::mt19937& random, const Point& centre, double radius, int sides, d
 }
 
 // Runs of sides are told by their ends, those of several rings one by one.
-TEST(Ground, HoldsAPlaceThatLiesInsideItsRings) {
+TEST(PreparedSurface, HoldsAPlaceThatLiesInsideItsRings) {
   std::mt19937 random(7);
   for (const int sides : {3, 8, 9, 64, 65, 700}) {
     const MultiPolygon surface{
         {wavy(random, {0, 0, 0}, 20, sides, 1), wavy(random, {1, 1, 0}, 8, sides, -1)},
         {wavy(random, {50, 3, 0}, 20, sides, 1)}};
-    const Ground ground(surface);
+    const PreparedSurface ground(surface);
     std::uniform_real_distribution<double> x(-21, 71), y(-21, 24);
     int held = 0;
     for (int i = 0; i < 2000; ++i) {

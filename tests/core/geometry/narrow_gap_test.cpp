@@ -29,7 +29,7 @@ std::vector<MultiPolygon> about_a_block(double size) {
 
 TEST(Narrow, AHoleSmallerThanAskedForIsAPlace) {
   const auto surfaces = about_a_block(0.7);
-  const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+  const std::vector<Box> places = narrow_gaps(all(surfaces), 0.5);
   ASSERT_EQ(places.size(), 1u);
   EXPECT_TRUE(places[0].holds({10, 10, 0}, 1e-9));
   EXPECT_TRUE(places[0].holds({10.7, 10.7, 0}, 1e-9));
@@ -38,11 +38,11 @@ TEST(Narrow, AHoleSmallerThanAskedForIsAPlace) {
 // A fifth of a millimetre wide, and a quarter of a micrometre.
 TEST(Narrow, AHairIsAPlace) {
   const auto surfaces = about_a_block(0.0);
-  EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
+  EXPECT_TRUE(narrow_gaps(all(surfaces), 0.5).empty());
   for (const double wide : {2e-4, 2.5e-7}) {
     std::vector<MultiPolygon> hair{rectangle(0, 0, 30, 10), rectangle(0, 10 + wide, 30, 10),
                                    rectangle(0, 0, 10, 20), rectangle(11, 0, 19, 20)};
-    EXPECT_EQ(narrow_places(all(hair), 0.5).size(), 1u) << wide;
+    EXPECT_EQ(narrow_gaps(all(hair), 0.5).size(), 1u) << wide;
   }
 }
 
@@ -65,7 +65,7 @@ TEST(Narrow, AHoleMayEndInACrackOfASurface) {
                                {0, 10, 0},
                                {0, 0, 0}}}};
     const std::vector<MultiPolygon> surfaces{lower, upper};
-    const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+    const std::vector<Box> places = narrow_gaps(all(surfaces), 0.5);
     ASSERT_EQ(places.size(), 1u) << wide;
     EXPECT_TRUE(places[0].holds({5, 10.1, 0}, 1e-9));
   }
@@ -73,22 +73,21 @@ TEST(Narrow, AHoleMayEndInACrackOfASurface) {
 
 TEST(Narrow, AWideHoleIsNone) {
   const auto surfaces = about_a_block(5);
-  EXPECT_TRUE(narrow_places(all(surfaces), 0.5).empty());
+  EXPECT_TRUE(narrow_gaps(all(surfaces), 0.5).empty());
 }
 
 TEST(Narrow, AGapThatIsOpenIsNone) {
+  EXPECT_TRUE(narrow_gaps(all({rectangle(0, 0, 10, 10), rectangle(10.1, 0, 10, 10)}), 0.5).empty());
   EXPECT_TRUE(
-      narrow_places(all({rectangle(0, 0, 10, 10), rectangle(10.1, 0, 10, 10)}), 0.5).empty());
-  EXPECT_TRUE(
-      narrow_places(
+      narrow_gaps(
           all({rectangle(0, 0, 10, 10), rectangle(10.1, 0, 10, 10), rectangle(5, 8, 10, 10)}), 0.5)
           .empty());
 }
 
 TEST(Narrow, SurfacesThatShareABorderLeaveNone) {
-  EXPECT_TRUE(narrow_places(all({rectangle(0, 0, 10, 10), rectangle(10, 0, 10, 10),
-                                 rectangle(20, 2, 10, 6), rectangle(10, 10, 10, 30)}),
-                            0.5)
+  EXPECT_TRUE(narrow_gaps(all({rectangle(0, 0, 10, 10), rectangle(10, 0, 10, 10),
+                               rectangle(20, 2, 10, 6), rectangle(10, 10, 10, 30)}),
+                          0.5)
                   .empty());
 }
 
@@ -99,7 +98,7 @@ TEST(Narrow, AHoleMayEndWhereASurfaceTouchesItself) {
   const MultiPolygon beside{
       {{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10.5, 10, 0}, {10, 9.5, 0}, {10, 0, 0}}}};
   const std::vector<MultiPolygon> surfaces{parts, beside};
-  const std::vector<Box> places = narrow_places(all(surfaces), 0.5);
+  const std::vector<Box> places = narrow_gaps(all(surfaces), 0.5);
   ASSERT_EQ(places.size(), 1u);
   EXPECT_TRUE(places[0].holds({10, 10, 0}, 1e-9));
 }
@@ -120,7 +119,7 @@ TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {
       const Point across = left_normal(unit(along)) * short_side(random);
       surfaces.push_back({{{at, at + along, at + along + across, at + across, at}}});
     }
-    const std::vector<Box> places = narrow_places(all(surfaces), max_area);
+    const std::vector<Box> places = narrow_gaps(all(surfaces), max_area);
     for (const Polygon& polygon : geos.polygons(geos.unite(surfaces).get()))
       for (std::size_t i = 1; i < polygon.size(); ++i) {
         if (std::abs(signed_area(polygon[i])) >= max_area) continue;

@@ -29,7 +29,7 @@ Box box_of(const std::vector<Site>& sites, double margin) {
 // to the outside of the box.
 void expect_border(const std::vector<Site>& sites, const Box& within) {
   std::map<std::pair<double, double>, int> ends;
-  for (const auto& [from, to] : NearestOwner(sites, within).border()) {
+  for (const auto& [from, to] : VoronoiBorder(sites, within).border()) {
     for (const double t : {0.0, 0.3, 1.0}) {
       const Point p = from + (to - from) * t;
       EXPECT_NEAR(nearest(sites, p, true), nearest(sites, p, false), 1e-5);
@@ -57,7 +57,7 @@ TEST(Nearest, PlacesAreOfTheOwnerOfTheNearestSite) {
   for (const int count : {40, 1100})
     for (int round = 0; round < (count > 1000 ? 1 : 50); ++round) {
       const std::vector<Site> sites = random_sites(random, count, 0.4);
-      const NearestOwner nearer(sites, box_of(sites, 0));
+      const VoronoiBorder nearer(sites, box_of(sites, 0));
       for (int i = 0; i < 200; ++i) {
         const Point p{650000 + place(random), 6860000 + place(random), 0};
         const double ahead = nearest(sites, p, false) - nearest(sites, p, true);
@@ -77,7 +77,7 @@ TEST(Nearest, TheBorderPartsTheOwners) {
       const std::vector<Site> sites = random_sites(random, count, round % 2 == 0 ? 0.4 : 0.05);
       const Box within{650005, 6860005, 650045, 6860045};
       expect_border(sites, within);
-      const NearestOwner nearer(sites, within);
+      const VoronoiBorder nearer(sites, within);
       const auto border = nearer.border();
       for (int i = 0; i < 40; ++i) {
         const Point p{650000 + place(random), 6860000 + place(random), 0};
@@ -98,13 +98,13 @@ TEST(Nearest, TheBorderOfARegularGridHasNoGaps) {
       sites.push_back({{1.0 * x, 1.0 * y, 0}, x > 0 && y > 0 && x < 5 && y < 5});
   expect_border(sites, box_of(sites, 0));
   double length = 0;
-  for (const auto& [from, to] : NearestOwner(sites, box_of(sites, 0)).border())
+  for (const auto& [from, to] : VoronoiBorder(sites, box_of(sites, 0)).border())
     length += distance(from, to);
   EXPECT_NEAR(length, 16, 1e-6);
   for (int x = 0; x < 6; ++x)
     for (int y = 0; y < 6; ++y) sites[6 * x + y].first = (x + y) % 2 == 0;
   length = 0;
-  for (const auto& [from, to] : NearestOwner(sites, box_of(sites, 0)).border())
+  for (const auto& [from, to] : VoronoiBorder(sites, box_of(sites, 0)).border())
     length += distance(from, to);
   EXPECT_NEAR(length, 2 * 5 * 7, 1e-6);  // each line up to a metre outside
 }
@@ -114,15 +114,16 @@ TEST(Nearest, ACellAmongTheOthersHasABorder) {
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y) sites.push_back({{1.0 * x, 1.0 * y, 0}, x != 2 || y != 2});
   expect_border(sites, box_of(sites, 0));
-  EXPECT_EQ(NearestOwner(sites, box_of(sites, 0)).border().size(), 4u);
+  EXPECT_EQ(VoronoiBorder(sites, box_of(sites, 0)).border().size(), 4u);
 }
 
 TEST(Nearest, OfSitesInOnePlaceTheEarlierCounts) {
   const Point here{10, 10, 0}, there{20, 10, 0};
   const Box within{0, 0, 30, 20};
-  EXPECT_TRUE(NearestOwner({{here, true}, {here, false}, {there, false}}, within).first_owns(here));
+  EXPECT_TRUE(
+      VoronoiBorder({{here, true}, {here, false}, {there, false}}, within).first_owns(here));
   EXPECT_FALSE(
-      NearestOwner({{here, false}, {here, true}, {there, false}}, within).first_owns(here));
+      VoronoiBorder({{here, false}, {here, true}, {there, false}}, within).first_owns(here));
 }
 
 }  // namespace

@@ -145,7 +145,8 @@ TEST(Network, AnAxisIsCutNowhereTwiceWithinTheTolerance) {
       for (const auto& [at, node] : {std::pair(edge.start_abscissa, edge.from_node),
                                      std::pair(edge.end_abscissa, edge.to_node)}) {
         const Line& line = axes[edge.axis_id - 1].line;
-        EXPECT_LE(distance(place_at(line, at).point, n.nodes[node].point), 3 * tolerance) << round;
+        EXPECT_LE(distance(position_at(line, at).point, n.nodes[node].point), 3 * tolerance)
+            << round;
       }
       // Not severed.
       if (e > 0 && n.edges[e - 1].axis_id == edge.axis_id) {

@@ -94,13 +94,13 @@ TEST(Ownership, WhereLevelsMeetAPlaceIsOwnedOnceByWhatTiles) {
     for (int k = 0; k < 400; ++k) {
       const Point at = place() + Point{0.0317, 0.0271, 0};
       for (std::size_t i = 0; i < before.size(); ++i) {
-        if (!Ground(before[i]).holds(at)) continue;
+        if (!PreparedSurface(before[i]).holds(at)) continue;
         int others = 0;
         for (std::size_t j = 0; j < before.size(); ++j)
           others += j != i && tile(town.claims[i], town.claims[j]) &&
-                    Ground(*town.claims[j].surface).holds(at);
+                    PreparedSurface(*town.claims[j].surface).holds(at);
         // Others may both own it where they do not tile with each other.
-        if (Ground(*town.claims[i].surface).holds(at))
+        if (PreparedSurface(*town.claims[i].surface).holds(at))
           EXPECT_EQ(others, 0) << "seed " << seed;
         else
           EXPECT_GT(others, 0) << "seed " << seed;
@@ -142,7 +142,7 @@ TEST(Holes, LieBetweenSurfacesThatTouchInPoints) {
     std::vector<Claim> claims(2);
     claims[0].surface = &left;
     claims[1].surface = &right;
-    claims[1].place = 1;
+    claims[1].order_key = 1;
     for (Claim& claim : claims) claim.edges = {1, 2};
     const std::vector<Hole> holes = holes_between(claims, {}, 0.5);
     ASSERT_EQ(holes.size(), 1u) << gap;
@@ -169,7 +169,7 @@ TEST(Holes, LieBetweenDisputesThatEdgesJoin) {
   for (std::size_t i = 0; i < claims.size(); ++i) {
     claims[i].surface = &surfaces[i];
     claims[i].edges = edges[i];
-    claims[i].place = static_cast<std::int64_t>(i);
+    claims[i].order_key = static_cast<std::int64_t>(i);
   }
   const std::vector<std::pair<int, int>> pairs = disputes(claims);
   ASSERT_EQ(pairs, (std::vector<std::pair<int, int>>{{0, 4}, {1, 2}}));

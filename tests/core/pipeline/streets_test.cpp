@@ -123,7 +123,7 @@ TEST(Streets, AnIntersectionHoldsAWideAxisBesideAShortOne) {
   const StreetAxis wide{2, {south, node}, 0, 20.83, 20.83, 8, 1};
   const Streets town = streets({shorter, wide}, {});
   ASSERT_EQ(town.intersections.size(), 1u);
-  const Ground ground(town.intersections.front().surface);
+  const PreparedSurface ground(town.intersections.front().surface);
   for (double off = 0.05; off < distance(node, town.limits[3].point); off += 0.1)
     EXPECT_TRUE(ground.holds(node + unit(south - node) * off)) << off;
 }
@@ -213,7 +213,7 @@ bool ends_at(const MultiPolygon& surface, const Point& p) {
     for (const Ring& ring : polygon)
       for (const Point& q : ring)
         if (q.x == p.x && q.y == p.y) return true;
-  return !within(1e-6) && (Ground(surface).holds(p) || within(1e-4));
+  return !within(1e-6) && (PreparedSurface(surface).holds(p) || within(1e-4));
 }
 
 TEST(Streets, NeighboursShareTheirBorderLineVertexForVertex) {
@@ -333,7 +333,7 @@ TEST(Streets, AnIntersectionKeepsItsNode) {
       [&](const Intersection& i) { return distance(town.network.nodes[i.node].point, {}) == 0; });
   ASSERT_NE(tee, town.intersections.end());
   EXPECT_GT(tee->contested_area, 0);
-  EXPECT_TRUE(Ground(tee->surface).holds({1e-3, 1e-3, 0}));
+  EXPECT_TRUE(PreparedSurface(tee->surface).holds({1e-3, 1e-3, 0}));
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
           ++(out[i] ? asked : left);
         }
       };
-      compare(part.asked_edges, told.sections, was.sections, is.sections, "edge");
-      compare(part.asked_nodes, told.intersections, was.intersections, is.intersections, "node");
+      compare(part.affected_edges, told.sections, was.sections, is.sections, "edge");
+      compare(part.affected_nodes, told.intersections, was.intersections, is.intersections, "node");
     }
   }
   EXPECT_GT(asked, 500u);
@@ -209,9 +209,9 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
       for (const Edge& edge : edges)
         if (edge.axis_id == edited) at[edge.from_node] = at[edge.to_node] = true;
       for (std::size_t e = 0; e < edges.size(); ++e) {
-        EXPECT_EQ(part.asked_edges[e], edges[e].axis_id == edited)
+        EXPECT_EQ(part.affected_edges[e], edges[e].axis_id == edited)
             << "seed " << seed << ", axis " << edited << ", edge " << e;
-        out += part.asked_edges[e];
+        out += part.affected_edges[e];
         met += at[edges[e].from_node] || at[edges[e].to_node];
       }
     }
@@ -230,13 +230,13 @@ TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
   axes[0].line.back().y = 0.3;
   axes[1].changed = axes[2].changed = false;
   axes[2].outer = true;
-  EXPECT_EQ(streets(axes, {}, {}, former).leading_on, (std::vector<bool>{false, true, false}));
-  former.onwards = false;
+  EXPECT_EQ(streets(axes, {}, {}, former).spreads_to, (std::vector<bool>{false, true, false}));
+  former.may_spread = false;
   try {
     streets(axes, {}, {}, former);
     FAIL();
-  } catch (const LeadsOn& leads_on) {
-    EXPECT_EQ(leads_on.axes(), std::vector<std::int64_t>{8});
+  } catch (const ChangeSpreads& spreads) {
+    EXPECT_EQ(spreads.axes(), std::vector<std::int64_t>{8});
   }
 }
 

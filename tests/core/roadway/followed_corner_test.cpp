@@ -38,8 +38,8 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
   EXPECT_NEAR(distance(corner->arc->start, {10, 5, 0}), 0, 1e-9);
   EXPECT_NEAR(distance(corner->arc->end, {5, 10, 0}), 0, 1e-9);
   // Between the kerbs and the arc, and just behind the arc.
-  EXPECT_TRUE(Ground(town.intersections[0].surface).holds({6.2, 6.2, 0}));
-  EXPECT_FALSE(Ground(town.intersections[0].surface).holds({6.6, 6.6, 0}));
+  EXPECT_TRUE(PreparedSurface(town.intersections[0].surface).holds({6.2, 6.2, 0}));
+  EXPECT_FALSE(PreparedSurface(town.intersections[0].surface).holds({6.6, 6.6, 0}));
 }
 
 // A link of 3 m between kerbs at 5 m, and the street that goes on from it with a bend.
@@ -116,7 +116,7 @@ void lies_on_a_kerb(const Streets& town, const Point& foot) {
   const auto roadway = [&](const Point& p) {
     const auto held = [&](const auto& surfaces) {
       return std::any_of(surfaces.begin(), surfaces.end(),
-                         [&](const auto& one) { return Ground(one.surface).holds(p); });
+                         [&](const auto& one) { return PreparedSurface(one.surface).holds(p); });
     };
     return held(town.sections) || held(town.intersections);
   };
@@ -130,7 +130,7 @@ TEST(Streets, AnAxisIsFollowedOntoAnotherLevel) {
   ASSERT_EQ(corner->method, Method::followed);
   EXPECT_EQ(corner->radius, 5);
   EXPECT_NEAR(distance(*corner->centre, {10, 10, 0}), 0, 1e-9);
-  EXPECT_TRUE(Ground(town.intersections[0].surface).holds({6.2, 6.2, 0}));
+  EXPECT_TRUE(PreparedSurface(town.intersections[0].surface).holds({6.2, 6.2, 0}));
 }
 
 TEST(Streets, AnAxisIsFollowedIntoAnotherWidth) {
@@ -164,7 +164,7 @@ TEST(Streets, NoAxisIsFollowedToWhereItComesBack) {
                                 {5, loop, 0, 7, 7, 6, 2}},
                                {});
   for (const Intersection& intersection : town.intersections)
-    EXPECT_FALSE(Ground(intersection.surface).holds({20, 27, 0})) << intersection.node;
+    EXPECT_FALSE(PreparedSurface(intersection.surface).holds({20, 27, 0})) << intersection.node;
 }
 
 TEST(Streets, NoAxisIsFollowedIntoAnotherWidthPastAStreetBetween) {

@@ -77,7 +77,7 @@ void expect_tiled(const Streets& town, const std::string& of) {
   for (const Edge& edge : town.network.edges) {
     const double total = length(edge.line);
     for (double at = 0.17; at < total; at += 0.53) {
-      const Point p = place_at(edge.line, at).point;
+      const Point p = position_at(edge.line, at).point;
       const bool covered =
           std::any_of(surfaces.begin(), surfaces.end(), [&](const MultiPolygon* surface) {
             return std::any_of(surface->begin(), surface->end(),
@@ -133,7 +133,7 @@ TEST(ByHand, ALimitLiesWhereItWasPut) {
         ++placed;
         EXPECT_EQ(limit.method, Method::by_hand) << "seed " << seed;
         EXPECT_NEAR(limit.abscissa, put, 1e-6);
-        EXPECT_NEAR(distance(limit.point, place_at(edge.line, put).point), 0, 1e-6);
+        EXPECT_NEAR(distance(limit.point, position_at(edge.line, put).point), 0, 1e-6);
         EXPECT_NEAR(
             distance((limit.border_line[0] + limit.border_line[1]) * 0.5, planar(limit.point)), 0,
             1e-6);

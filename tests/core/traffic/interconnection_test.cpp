@@ -232,8 +232,71 @@ TEST(Interconnection, StaysOnTheRoadwayOfAcuteCrossings) {
       const Town town(roads);
       for (const Interconnection& i : town.join())
         for (double at = 0.05; at < length(i.line); at += 0.1)
-          EXPECT_TRUE(town.holds(place_at(i.line, at).point)) << narrow << ' ' << wide << ' ' << at;
+          EXPECT_TRUE(town.holds(position_at(i.line, at).point))
+              << narrow << ' ' << wide << ' ' << at;
     }
+}
+
+// Random stars of streets, some of them one-way.
+class Star {
+ public:
+  explicit Star(unsigned seed) : random_(seed) {}
+  std::vector<Road> roads() {
+    std::vector<Road> out;
+    const int count = 3 + pick(3);
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * M_PI * (i + 0.6 * pick(100) / 100) / count;
+      const Line line{{0, 0, 0}, {150 * std::cos(angle), 150 * std::sin(angle), 0}};
+      int forward = pick(4), backward = pick(4);
+      if (i == 0) forward = 1 + pick(3);
+      if (i == 1) backward = 1 + pick(3);
+      if (forward + backward == 0) forward = 1;
+      out.push_back(road(i + 1, line, forward, backward));
+    }
+    return out;
+  }
+
+ private:
+  int pick(int n) { return static_cast<int>(random_() % n); }
+  std::mt19937 random_;
+};
+
+// Tangents of a right turn about a kerb arc of 8 m are 8 + 3.5 / 2 m long; the parabola between
+// them bends by no less than that length / sqrt(2) = 6.9 m.
+TEST(Interconnection, ATurnIsAsWideAsTheKerbsAllow) {
+  const Town town = crossing(1);
+  InterconnectionSettings narrow;
+  narrow.least_radius = 3;
+  const auto wide = town.join(), least = town.join({}, narrow);
+  ASSERT_EQ(wide.size(), least.size());
+  int turns = 0;
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    EXPECT_GE(quarter_radius(wide[i].line), quarter_radius(least[i].line) - 1e-9);
+    if (wide[i].turn != Turn::left && wide[i].turn != Turn::right) continue;
+    ++turns;
+    EXPECT_GE(quarter_radius(wide[i].line), 6.5) << turn_name(wide[i].turn);
+  }
+  EXPECT_GT(turns, 0);
+}
+
+TEST(Interconnection, APathThatTrafficTakesHasNoCorner) {
+  int taken = 0, kept = 0, out = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const Town town(Star(seed).roads());
+    for (const Interconnection& i : town.join()) {
+      const bool corner = sharpest_turn(i.line) > 30;
+      if (i.plausible) ++taken;
+      if (i.plausible && corner) {
+        EXPECT_EQ(i.reason, Reason::not_drivable) << seed;
+        ++kept;
+      }
+      if (i.reason != Reason::not_drivable) continue;
+      EXPECT_TRUE(corner) << seed;
+      if (!i.plausible) ++out;
+    }
+  }
+  EXPECT_GT(taken, 1000);
+  EXPECT_LT(kept + out, taken / 100);
 }
 
 TEST(Plausible, ALoneLaneTakesEveryWay) {
@@ -485,39 +548,15 @@ TEST(Plausible, AMarkedLaneTakesTheLanesThatNoneReaches) {
   EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}}));
 }
 
-// Random stars of streets, some of them one-way.
-class Star {
- public:
-  explicit Star(unsigned seed) : random_(seed) {}
-  std::vector<Road> roads() {
-    std::vector<Road> out;
-    const int count = 3 + pick(3);
-    for (int i = 0; i < count; ++i) {
-      const double angle = 2 * M_PI * (i + 0.6 * pick(100) / 100) / count;
-      const Line line{{0, 0, 0}, {150 * std::cos(angle), 150 * std::sin(angle), 0}};
-      int forward = pick(4), backward = pick(4);
-      if (i == 0) forward = 1 + pick(3);
-      if (i == 1) backward = 1 + pick(3);
-      if (forward + backward == 0) forward = 1;
-      out.push_back(road(i + 1, line, forward, backward));
-    }
-    return out;
-  }
-
- private:
-  int pick(int n) { return static_cast<int>(random_() % n); }
-  std::mt19937 random_;
-};
-
 TEST(Plausible, EveryLaneLeadsOnAndIsReachedWhereAnotherStreetAllows) {
   for (unsigned seed = 1; seed <= 400; ++seed) {
     const Town town(Star(seed).roads());
-    std::map<int, bool> leads_on, reached;
+    std::map<int, bool> spreads, reached;
     for (const Interconnection& i : town.join()) {
-      leads_on[i.lane_in] = leads_on[i.lane_in] || i.plausible;
+      spreads[i.lane_in] = spreads[i.lane_in] || i.plausible;
       reached[i.lane_out] = reached[i.lane_out] || i.plausible;
     }
-    for (const auto& [lane, holds] : leads_on) EXPECT_TRUE(holds) << seed << " in " << lane;
+    for (const auto& [lane, holds] : spreads) EXPECT_TRUE(holds) << seed << " in " << lane;
     for (const auto& [lane, holds] : reached) EXPECT_TRUE(holds) << seed << " out " << lane;
   }
 }

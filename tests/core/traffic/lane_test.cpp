@@ -142,7 +142,7 @@ TEST(OffsetLine, LiesAtItsOffset) {
       for (std::size_t k = 0; k + 1 < line.size(); ++k) {
         const Point middle = (line[k] + line[k + 1]) * 0.5;
         EXPECT_NEAR(distance_to_line(middle, axis), std::abs(offset), 0.01 * std::abs(offset));
-        EXPECT_GT(offset * cross(place_at(axis, 0).direction, line.front() - axis.front()), 0);
+        EXPECT_GT(offset * cross(position_at(axis, 0).direction, line.front() - axis.front()), 0);
       }
     }
   }
@@ -249,11 +249,11 @@ TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
           crossed ? std::min(start.wanted_abscissa, end.wanted_abscissa) : start.abscissa;
       const double v =
           crossed ? std::max(start.wanted_abscissa, end.wanted_abscissa) : end.abscissa;
-      const Point from = place_at(axis, u).point, to = place_at(axis, v).point;
+      const Point from = position_at(axis, u).point, to = position_at(axis, v).point;
       EXPECT_NEAR(distance(lane.line.front(), from), std::abs(lane.axis_offset), 0.02);
       EXPECT_LT(distance(lane.line.back(), to), 8);
       if (v - u > 1) {
-        EXPECT_GT(dot(lane.line[1] - lane.line[0], place_at(axis, u).direction), 0);
+        EXPECT_GT(dot(lane.line[1] - lane.line[0], position_at(axis, u).direction), 0);
       }
     }
   }

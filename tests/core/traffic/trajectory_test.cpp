@@ -34,6 +34,19 @@ void expect_point(const Point& a, const Point& b) {
 }
 
 // 2.7.3: the barycentre of the lanes' crossing, here (2, -2), and the centre.
+TEST(Trajectory, TheSharpestTurnIsThatOfTwoChords) {
+  EXPECT_EQ(sharpest_turn({{0, 0, 0}, {9, 0, 0}}), 0);
+  EXPECT_NEAR(sharpest_turn({{0, 0, 0}, {9, 0, 0}, {9, 0, 0}, {9, 7, 0}}), 90, 1e-9);
+  EXPECT_NEAR(sharpest_turn({{0, 0, 0}, {9, 0, 0}, {1, 0, 0}}), 180, 1e-9);
+  EXPECT_EQ(sharpest_turn({{3, 3, 0}, {3, 3, 0}}), 0);
+  for (const int chords : {3, 5, 24, 360}) {
+    Line circle;
+    for (int i = 0; i <= chords; ++i)
+      circle.push_back({std::cos(2 * M_PI * i / chords), std::sin(2 * M_PI * i / chords), 0});
+    EXPECT_NEAR(sharpest_turn(circle), 360. / chords, 1e-6);
+  }
+}
+
 TEST(Trajectory, NotParallelLanesBendAboutTheirCrossingAndTheCentre) {
   expect_point(bezier(ray({10, -2, 0}, 0, 50)).control, {1, -1, 0});
 }
@@ -210,8 +223,8 @@ TEST(Trajectory, FollowsTheMotionsOfThePlane) {
       const Line other =
           trajectory(moved_line(in), moved_line(out), moved(centre), rule, tolerance).line;
       EXPECT_NEAR(length(path), length(other), 1e-6 * (1 + length(path)));
-      EXPECT_NEAR(distance(moved(place_at(path, length(path) / 2).point),
-                           place_at(other, length(other) / 2).point),
+      EXPECT_NEAR(distance(moved(position_at(path, length(path) / 2).point),
+                           position_at(other, length(other) / 2).point),
                   0, 1e-5 * (1 + length(path)));
     }
   }

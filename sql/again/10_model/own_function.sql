@@ -1,0 +1,38 @@
+-- Functions that stand in the schema of a model, such as those of its triggers.
+
+CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, description text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
+        WHERE nspname = model));
+    EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+    EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
+    EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
+END $$;
+COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
+    'Gives a function in the schema of a model to its owner, with a comment: nobody else may call it, and it goes '
+    'with the extension.';
+
+CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN
+        WITH own AS (SELECT p.oid FROM pg_proc p JOIN pg_depend d ON d.objid = p.oid AND d.classid = 'pg_proc'::regclass
+                JOIN pg_extension e ON e.oid = d.refobjid AND d.refclassid = 'pg_extension'::regclass
+            WHERE p.pronamespace = quote_ident(model)::regnamespace AND d.deptype = 'x' AND e.extname = 'streetgen')
+        SELECT drop FROM (
+            SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop
+            FROM pg_trigger JOIN own ON own.oid = tgfoid JOIN pg_class c ON c.oid = tgrelid
+            WHERE c.relnamespace = quote_ident(model)::regnamespace AND NOT tgisinternal
+            UNION ALL SELECT 2, format('DROP FUNCTION %s', oid::regprocedure) FROM own) d ORDER BY turn
+    LOOP
+        EXECUTE part;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._drop_own_functions(name) IS
+    'Drops the functions of a model that go with the extension, and the triggers of its tables that call them: an '
+    'earlier build may have made them with other names and arguments.';

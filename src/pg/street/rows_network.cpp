@@ -1,0 +1,61 @@
+// The rows of subject network.
+#include <utility>
+
+#include "street/row_value.hpp"
+
+namespace streetgen::pg {
+
+namespace {
+
+using Computed = const ComputedStreets&;
+
+const char* issue_name(NetworkIssue issue) {
+  switch (issue) {
+    case NetworkIssue::wide_cluster:
+      return "wide_cluster";
+    case NetworkIssue::crossing:
+      return "crossing";
+    case NetworkIssue::collapsed_axis:
+      return "collapsed_axis";
+  }
+  return "";
+}
+
+bool lanes_affected(const Streets& streets, const Edge& edge) {
+  return streets.affected_nodes[edge.from_node] || streets.affected_nodes[edge.to_node];
+}
+
+bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
+  const auto& node = computed.streets.network.nodes[i];
+  std::vector<std::int64_t> axes;
+  std::vector<double> abscissas;
+  for (const NodeAnchor& anchor : node.anchors) {
+    axes.push_back(anchor.axis_id);
+    abscissas.push_back(anchor.abscissa);
+  }
+  return put(row, computed.streets.affected_nodes[i],
+             Geometry{stored_point(node.point, with_z(computed))}, std::move(axes),
+             std::move(abscissas));
+}
+
+bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
+  const Edge& edge = computed.streets.network.edges[i];
+  return put(row, bool(computed.streets.affected_edges[i]), lanes_affected(computed.streets, edge),
+             bool(computed.streets.spreads_to[i]), edge.axis_id, number(edge.from_node),
+             number(edge.to_node), edge.level, edge.start_abscissa, edge.end_abscissa,
+             Geometry{stored_line(edge.line, with_z(computed))});
+}
+
+bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
+  const NetworkReport& report = computed.streets.network.reports[i];
+  return put(row, name(issue_name(report.issue)), report.axis_a, report.axis_b, report.measure,
+             Geometry{stored_point(report.point, flat(computed))});
+}
+
+}  // namespace
+
+const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};
+const Table edge_table{[](Computed c) { return c.streets.network.edges.size(); }, fill_edge};
+const Table report_table{[](Computed c) { return c.streets.network.reports.size(); }, fill_report};
+
+}  // namespace streetgen::pg

@@ -1,0 +1,313 @@
+-- What tests/battery/edits runs: random towns, edited statement by statement, against the same axes and overrides generated from scratch.
+CREATE SCHEMA edits;
+
+-- A script: settings, the rows that the town begins with, the statements that edit it.
+CREATE TYPE edits.script AS (settings text[], axes text[], statements text[]);
+
+CREATE TABLE edits.town (name text PRIMARY KEY);
+COMMENT ON TABLE edits.town IS 'Models whose axes, about a random place, begin scripts too';
+
+CREATE FUNCTION edits.chance(likely float8) RETURNS boolean LANGUAGE sql VOLATILE RETURN random() < likely;
+
+CREATE FUNCTION edits.between(low float8, high float8) RETURNS float8 LANGUAGE sql VOLATILE RETURN round((low + (high - low) * random())::numeric, 2)::float8;
+
+CREATE FUNCTION edits.one_of(VARIADIC words text[]) RETURNS text LANGUAGE sql VOLATILE RETURN words[1 + floor(random() * cardinality(words))::integer];
+
+-- Axis by its place in the order of keys: nothing else of a table is the same twice.
+CREATE FUNCTION edits.axis() RETURNS edited.axis LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  found edited.axis;
+BEGIN
+  SELECT * INTO found FROM edited.axis ORDER BY axis_id OFFSET floor(random() * (SELECT count(*) FROM edited.axis)) LIMIT 1;
+  RETURN found;
+END $$;
+
+-- A place to draw to: a vertex that is there, one near it, or anywhere about.
+CREATE FUNCTION edits.place() RETURNS geometry LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  near geometry := (edits.axis()).geom;
+  vertex geometry := coalesce(ST_PointN(near, 1 + floor(random() * ST_NPoints(near))::integer), 'SRID=2154;POINT(650000 6860000)');
+  off float8 := CASE floor(random() * 6)::integer WHEN 0 THEN 0 WHEN 1 THEN 0 WHEN 2 THEN 0.3 WHEN 3 THEN 1.5 WHEN 4 THEN 12 ELSE 60 END;
+BEGIN
+  RETURN ST_Translate(vertex, edits.between(-off, off), edits.between(-off, off));
+END $$;
+
+CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATILE AS $$
+  SELECT CASE attribute
+    WHEN 'width' THEN quote_nullable(CASE WHEN edits.chance(0.9) THEN edits.between(2.5, 22) END)
+    WHEN 'width_end' THEN quote_nullable(CASE WHEN edits.chance(0.7) THEN edits.between(3, 20) END)
+    WHEN 'level' THEN edits.one_of('0', '0', '0', '1', '-1')
+    WHEN 'direction' THEN quote_literal(edits.one_of('both', 'direct', 'reverse'))
+    WHEN 'importance' THEN edits.one_of('NULL', '1', '2', '3', '4', '5')
+    WHEN 'speed' THEN edits.one_of('NULL', '30', '50', '90')
+    WHEN 'lane_count' THEN edits.one_of('NULL', '1', '2', '3', '4')
+    WHEN 'lanes_both' THEN edits.one_of('NULL', '1', '2')
+    WHEN 'radius' THEN edits.one_of('NULL', '0', '4', '15')
+    WHEN 'kind' THEN quote_nullable(edits.one_of('residential', 'primary', 'service', NULL))
+    WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
+    WHEN 'turn_forward' THEN quote_nullable(edits.one_of('left|through', 'through;right', NULL))
+    WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
+
+CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
+
+CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
+  SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
+
+CREATE FUNCTION edits.inserted(rows text) RETURNS text LANGUAGE sql VOLATILE RETURN 'INSERT INTO edited.axis (axis_id, geom, width, level, direction, importance) VALUES ' || rows;
+
+CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE RETURN edits.inserted(edits.drawn_row(axis_id, geom));
+
+-- One edit of the town as it is: a statement, or the two of a split or merge.
+CREATE FUNCTION edits.edit() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  edit text := edits.one_of('move vertex', 'move vertex', 'move vertex', 'move node', 'attribute', 'attribute', 'attribute', 'several', 'insert', 'insert', 'delete', 'split', 'merge', 'reverse',
+                            'number anew', 'transition', 'lane', 'limit', 'kerb point', 'corner', 'interconnection', 'restriction', 'no override', 'paused');
+  a edited.axis := edits.axis();
+  fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
+  attribute text := edits.attribute();
+  vertex integer;
+  place geometry;
+  other record;
+BEGIN
+  IF a.axis_id IS NULL THEN
+    edit := 'insert';
+  END IF;
+  CASE edit
+    WHEN 'move vertex' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET geom = %L WHERE axis_id = %s', ST_AsEWKT(ST_SetPoint(a.geom, floor(random() * ST_NPoints(a.geom))::integer, edits.place())), a.axis_id)];
+    WHEN 'move node' THEN
+      vertex := floor(random() * ST_NPoints(a.geom));
+      place := edits.place();
+      RETURN ARRAY[format('UPDATE edited.axis a SET geom = (SELECT ST_MakeLine(CASE WHEN ST_Equals(p.geom, %L) THEN %L ELSE p.geom END ORDER BY path) FROM ST_DumpPoints(a.geom) p) WHERE ST_DWithin(geom, %1$L, 0)',
+                          ST_AsEWKT(ST_PointN(a.geom, vertex + 1)), ST_AsEWKT(place))];
+    WHEN 'attribute' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET %I = %s WHERE axis_id = %s', attribute, edits.value_of(attribute), a.axis_id)];
+    WHEN 'several' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET %I = %s WHERE axis_id %% %s = 0', attribute, edits.value_of(attribute), 2 + floor(random() * 5))];
+    WHEN 'insert' THEN
+      RETURN ARRAY[edits.drawn(fresh, CASE WHEN edits.chance(0.2) THEN ST_MakeLine(ARRAY[edits.place(), edits.place(), edits.place()]) ELSE ST_MakeLine(edits.place(), edits.place()) END)];
+    WHEN 'delete' THEN
+      RETURN ARRAY[format('DELETE FROM edited.axis WHERE axis_id IN (%s, %s)', a.axis_id, (edits.axis()).axis_id)];
+    WHEN 'split' THEN
+      place := ST_LineInterpolatePoint(a.geom, edits.between(0.1, 0.9));
+      RETURN ARRAY[format('UPDATE edited.axis SET geom = %L WHERE axis_id = %s', ST_AsEWKT(ST_SetPoint(ST_LineSubstring(a.geom, 0, ST_LineLocatePoint(a.geom, place)), -1, place)), a.axis_id),
+                   edits.drawn(fresh, ST_SetPoint(ST_LineSubstring(a.geom, ST_LineLocatePoint(a.geom, place), 1), 0, place))];
+    WHEN 'merge' THEN
+      SELECT b.axis_id, ST_LineMerge(ST_Collect(a.geom, b.geom)) AS geom INTO other FROM edited.axis b WHERE b.axis_id <> a.axis_id
+        AND ST_GeometryType(ST_LineMerge(ST_Collect(a.geom, b.geom))) = 'ST_LineString' ORDER BY b.axis_id LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('UPDATE edited.axis SET geom = %L WHERE axis_id = %s', ST_AsEWKT(other.geom), a.axis_id), format('DELETE FROM edited.axis WHERE axis_id = %s', other.axis_id)];
+      END IF;
+    WHEN 'reverse' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET geom = ST_Reverse(geom) WHERE axis_id = %s', a.axis_id)];
+    WHEN 'number anew' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET axis_id = %s WHERE axis_id = %s', fresh + 1, a.axis_id)];
+    WHEN 'transition' THEN
+      RETURN ARRAY[format('INSERT INTO edited.transition_override (axis_id, which, kind, length) VALUES (%s, %L, %L, %s)',
+                          a.axis_id, edits.one_of('start', 'end'), edits.one_of('symmetric', 'left', 'right'), edits.between(0, 30))];
+    WHEN 'lane' THEN
+      RETURN ARRAY[format('INSERT INTO edited.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width) VALUES (%s, %s, %s, %s, %s, %s)',
+                          a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('1', '2', '3'), edits.one_of('true', 'false', 'NULL'), edits.one_of('true', 'false', 'NULL'), edits.one_of('NULL', '2.2', '4.1'))];
+    WHEN 'interconnection' THEN
+      SELECT e.axis_id AS axis_in, f.axis_id AS axis_out, i.ordinality AS lane_in, o.ordinality AS lane_out, n.geom INTO other
+        FROM edited.interconnection c JOIN edited.lane i ON i.lane_id = c.lane_in JOIN edited.edge e ON e.edge_id = i.edge_id
+        JOIN edited.lane o ON o.lane_id = c.lane_out JOIN edited.edge f ON f.edge_id = o.edge_id JOIN edited.node n USING (node_id)
+        ORDER BY e.axis_id, e.start_abscissa, lane_in, f.axis_id, f.start_abscissa, lane_out OFFSET floor(random() * (SELECT count(*) FROM edited.interconnection)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('INSERT INTO edited.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting, control) VALUES (%L, %s, %s, %s, %s, %s, %L)', ST_AsEWKT(other.geom),
+                            other.axis_in, other.lane_in, other.axis_out, other.lane_out, edits.one_of('true', 'false', 'NULL'), CASE WHEN edits.chance(0.5) THEN ST_AsEWKT(ST_Translate(other.geom, 2, 1)) END)];
+      END IF;
+    WHEN 'restriction' THEN
+      RETURN ARRAY[format('INSERT INTO edited.turn_restriction (from_axis, to_axis, geom, kind) VALUES (%s, %s, %L, %L)', a.axis_id, (edits.axis()).axis_id,
+                          ST_AsEWKT(CASE WHEN edits.chance(0.5) THEN ST_StartPoint(a.geom) ELSE ST_EndPoint(a.geom) END), edits.one_of('no', 'only'))];
+    WHEN 'limit' THEN
+      RETURN ARRAY[format('INSERT INTO edited.section_limit_override (axis_id, abscissa, which) VALUES (%s, %s, %L)', a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('start', 'end'))];
+    WHEN 'kerb point' THEN
+      place := ST_LineInterpolatePoint(a.geom, edits.between(0, 1));
+      RETURN ARRAY[format('INSERT INTO edited.kerb_point_override (axis_id, geom) VALUES (%s, %L)', a.axis_id, ST_AsEWKT(ST_Translate(place, edits.between(1, 6), edits.between(1, 6))))];
+    WHEN 'corner' THEN
+      SELECT n.geom, e.axis_id AS axis_a, f.axis_id AS axis_b INTO other FROM edited.corner c JOIN edited.node n USING (node_id) JOIN edited.edge e ON e.edge_id = c.edge_a JOIN edited.edge f ON f.edge_id = c.edge_b
+        ORDER BY e.axis_id, e.start_abscissa, end_a, f.axis_id, f.start_abscissa, end_b OFFSET floor(random() * (SELECT count(*) FROM edited.corner)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('INSERT INTO edited.corner_override (geom, axis_a, axis_b, radius) VALUES (%L, %s, %s, %s)', ST_AsEWKT(other.geom), other.axis_a, other.axis_b, edits.one_of('0', '1.5', '9', '40'))];
+      END IF;
+    WHEN 'no override' THEN
+      RETURN ARRAY[format('DELETE FROM edited.%I WHERE %s = %s', t, k, a.axis_id)]
+        FROM (VALUES ('transition_override', 'axis_id'), ('lane_override', 'axis_id'), ('interconnection_override', 'axis_in'), ('turn_restriction', 'from_axis'),
+                      ('section_limit_override', 'axis_id'), ('kerb_point_override', 'axis_id'), ('corner_override', 'axis_a')) v(t, k) OFFSET floor(random() * 7) LIMIT 1;
+    WHEN 'paused' THEN
+      -- As an importer: what it changed is generated by itself.
+      RETURN ARRAY[$q$SET LOCAL streetgen.live = 'off'$q$, format('UPDATE edited.axis SET width = %s WHERE axis_id = %s', edits.between(3, 20), a.axis_id), 'SET LOCAL streetgen.live TO DEFAULT',
+                   format($q$SELECT FROM streetgen.generate('edited', ARRAY[%s])$q$, a.axis_id)];
+  END CASE;
+  RETURN '{}';
+END $$;
+
+-- A grid that is not one: places jittered, streets missing, ends that miss each other by centimetres, levels, a ring: rows to insert.
+CREATE FUNCTION edits.grid() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  spacing float8 := edits.between(25, 90);
+  many integer := 2 + floor(random() * 3);
+  rows text[] := '{}';
+  pair record;
+BEGIN
+  DROP TABLE IF EXISTS place;
+  CREATE TEMPORARY TABLE place ON COMMIT DROP AS
+    SELECT x, y, ST_SetSRID(ST_Point(650000 + spacing * x + edits.between(-0.3, 0.3) * spacing, 6860000 + spacing * y + edits.between(-0.3, 0.3) * spacing), 2154) AS geom
+    FROM generate_series(0, many) x, generate_series(0, many) y;
+  FOR pair IN SELECT a.geom AS a, b.geom AS b FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1), (a.x + 1, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y LOOP
+    CONTINUE WHEN edits.chance(0.3);
+    rows := rows || edits.drawn_row(cardinality(rows) + 1, CASE
+      WHEN edits.chance(0.15) THEN ST_MakeLine(ST_Translate(pair.a, edits.between(-0.3, 0.3), edits.between(-0.3, 0.3)), pair.b)
+      WHEN edits.chance(0.2) THEN ST_MakeLine(ARRAY[pair.a, ST_Translate(ST_Centroid(ST_MakeLine(pair.a, pair.b)), edits.between(-9, 9), edits.between(-9, 9)), pair.b])
+      WHEN edits.chance(0.05) THEN ST_MakeLine(ARRAY[pair.a, ST_Translate(pair.a, 20, 5), ST_Translate(pair.a, 8, 22), pair.a])
+      ELSE ST_MakeLine(pair.a, pair.b) END);
+  END LOOP;
+  RETURN rows;
+END $$;
+
+-- The axes of a model about a random one of them, moved near the origin of the others.
+CREATE FUNCTION edits.window(model name) RETURNS SETOF edited.axis LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  RETURN QUERY EXECUTE format('SELECT a.* FROM %1$I.axis a, (SELECT ST_StartPoint(geom) AS geom FROM %1$I.axis ORDER BY axis_id OFFSET floor(random() * (SELECT count(*) FROM %1$I.axis)) LIMIT 1) c
+    WHERE ST_DWithin(a.geom, c.geom, %2$s) ORDER BY axis_id', model, edits.between(60, 160));
+END $$;
+
+-- Makes the model that is edited what a script begins with.
+CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  input regclass;
+BEGIN
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+    EXECUTE format('DELETE FROM %s', input);
+  END LOOP;
+  PERFORM streetgen.set('edited', name, wanted) FROM (SELECT name, coalesce(split_part(chosen, '=', 2), d.value) AS wanted FROM streetgen._default_setting() d
+    LEFT JOIN unnest(script.settings) chosen ON split_part(chosen, '=', 1) = name) w JOIN edited.setting s USING (name) WHERE s.value <> wanted;
+  INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
+END $$;
+
+-- Executes a statement; what the model refuses leaves it as it was.
+CREATE FUNCTION edits.execute(statement text) RETURNS boolean LANGUAGE plpgsql VOLATILE AS $$
+BEGIN
+  EXECUTE statement;
+  RETURN true;
+EXCEPTION WHEN check_violation OR unique_violation OR invalid_parameter_value THEN
+  RETURN false;
+END $$;
+
+-- Runs a script; NULL or what is wrong at its end.
+CREATE FUNCTION edits.run(script edits.script) RETURNS text LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  statement text;
+BEGIN
+  PERFORM edits.begin(script);
+  FOREACH statement IN ARRAY script.statements LOOP
+    PERFORM edits.execute(statement);
+  END LOOP;
+  RETURN test.difference('edited', 'scratch');
+EXCEPTION WHEN OTHERS THEN
+  RETURN format('%s: %s', SQLSTATE, SQLERRM);
+END $$;
+
+-- The script of a seed, executed as it is drawn. Every fourth town of its own grows axis by axis.
+CREATE FUNCTION edits.drawn_script(seed integer) RETURNS edits.script LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  script edits.script := ('{}', '{}', '{}');
+  source text;
+  rows text[];
+  edit text[];
+  statement text;
+BEGIN
+  PERFORM setseed((seed::bigint * 7919 % 1000003) / 1000003.0);
+  script.settings := ARRAY['crossing=' || edits.one_of('over', 'split'), 'short_axis=' || edits.one_of('reduce', 'follow'), 'dead_end=' || edits.one_of('flat', 'round'),
+                           'u_turn=' || edits.one_of('true', 'false'), 'trajectory=' || edits.one_of('bezier', 'arcs'), 'reach=' || edits.one_of('60', '60', '25', '120'), 'edge_line=' || edits.one_of('none', 'solid')];
+  PERFORM edits.begin(script);
+  source := edits.one_of(VARIADIC ARRAY(SELECT NULL UNION ALL SELECT NULL UNION ALL (SELECT name FROM edits.town ORDER BY name)));
+  IF source IS NULL THEN
+    rows := edits.grid();
+    IF seed % 4 = 0 THEN
+      script.statements := ARRAY(SELECT edits.inserted(row) FROM unnest(rows) row);
+    ELSE
+      EXECUTE edits.inserted(array_to_string(rows, ', '));
+      script.axes := ARRAY(SELECT a::text FROM edited.axis a ORDER BY axis_id);
+    END IF;
+    FOREACH statement IN ARRAY script.statements LOOP
+      EXECUTE statement;
+    END LOOP;
+  ELSE
+    SELECT array_agg(a::text) INTO script.axes FROM edits.window(source) a;
+    INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
+  END IF;
+  FOR i IN 1 .. 2 + floor(random() * 9) LOOP
+    edit := edits.edit();
+    FOREACH statement IN ARRAY edit LOOP
+      EXIT WHEN NOT edits.execute(statement);
+      script.statements := script.statements || statement;
+    END LOOP;
+  END LOOP;
+  RETURN script;
+END $$;
+
+CREATE TABLE edits.failure (seed integer, what text, script edits.script);
+
+-- Takes out of the script of a failure whatever it does not need to fail.
+CREATE PROCEDURE edits.reduce(failed integer) LANGUAGE plpgsql AS $$
+DECLARE
+  script edits.script;
+  smaller edits.script;
+  differs text;
+  shrank boolean := true;
+  part record;
+BEGIN
+  SELECT (f.script).* INTO script FROM edits.failure f WHERE seed = failed;
+  WHILE shrank LOOP
+    shrank := false;
+    FOR part IN SELECT what, i FROM (VALUES ('statement', 1, cardinality(script.statements)), ('axis', 2, cardinality(script.axes)), ('setting', 3, cardinality(script.settings))) v(what, place, many),
+                generate_series(many, 1, -1) i ORDER BY place, i DESC LOOP
+      smaller := script;
+      CASE part.what
+        WHEN 'statement' THEN smaller.statements := script.statements[: part.i - 1] || script.statements[part.i + 1 :];
+        WHEN 'axis' THEN smaller.axes := script.axes[: part.i - 1] || script.axes[part.i + 1 :];
+        WHEN 'setting' THEN smaller.settings := script.settings[: part.i - 1] || script.settings[part.i + 1 :];
+      END CASE;
+      differs := edits.run(smaller);
+      IF differs IS NOT NULL THEN
+        script := smaller;
+        shrank := true;
+        UPDATE edits.failure f SET script = smaller, what = differs WHERE seed = failed;
+      END IF;
+    END LOOP;
+  END LOOP;
+END $$;
+
+-- A script as SQL.
+CREATE FUNCTION edits.told(script edits.script) RETURNS text LANGUAGE sql STABLE AS $$
+  SELECT string_agg(line, E';\n' ORDER BY place, i) || ';' FROM (
+    SELECT 1 AS place, i, format('SELECT streetgen.set(''edited'', %L, %L)', split_part(s, '=', 1), split_part(s, '=', 2)) AS line FROM unnest(script.settings) WITH ORDINALITY v(s, i)
+    UNION ALL SELECT 2, 0, 'INSERT INTO edited.axis (axis_id, geom, width, width_end, lane_count, direction, speed, importance, level, kind, radius, kind_forward, turn_forward) VALUES '
+      || string_agg(format('(%s, %L, %s, %s, %s, %L, %s, %s, %s, %L, %s, %L, %L)', a.axis_id, ST_AsEWKT(a.geom), coalesce(a.width::text, 'NULL'), coalesce(a.width_end::text, 'NULL'), coalesce(a.lane_count::text, 'NULL'),
+          a.direction, coalesce(a.speed::text, 'NULL'), coalesce(a.importance::text, 'NULL'), a.level, a.kind, coalesce(a.radius::text, 'NULL'), a.kind_forward, a.turn_forward), E',\n  ')
+      FROM unnest(script.axes) row, LATERAL (SELECT (row::edited.axis).*) a
+    UNION ALL SELECT 3, i, s FROM unnest(script.statements) WITH ORDINALITY v(s, i)) l $$;
+
+-- So many scripts from a seed on; each that fails is a row of edits.failure.
+CREATE PROCEDURE edits.scripts(many integer, seed integer) LANGUAGE plpgsql AS $$
+DECLARE
+  script edits.script;
+  what text;
+BEGIN
+  FOR i IN seed .. seed + many - 1 LOOP
+    BEGIN
+      script := ('{}', '{}', '{}');
+      script := edits.drawn_script(i);
+      what := test.difference('edited', 'scratch');
+    EXCEPTION WHEN OTHERS THEN
+      what := format('%s: %s', SQLSTATE, SQLERRM);
+    END;
+    IF what IS NOT NULL THEN
+      INSERT INTO edits.failure VALUES (i, what, script);
+    END IF;
+    COMMIT;
+  END LOOP;
+END $$;
