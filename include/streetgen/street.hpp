@@ -50,6 +50,16 @@ struct StreetSettings {
   double max_arc_distance = 60;  // metres from the node to an arc's centre
   double radius_minimal = 0.15;  // metres, the kerb stone's radius
   double reach = 60;             // metres along the network: how far a corner follows its axes
+  // What a corner between nearly parallel kerbs may pave from their crossing on, and the width of
+  // ground between them that stays ground. The paper has no bound.
+  double follow_length = 10;         // metres along the kerbs; may be infinite
+  double follow_area = 20;           // square metres; may be infinite
+  double median_width_minimal = 0.5;  // metres, positive
+  // The ground in a face between axes that is smaller than this stays ground where it has room for
+  // a disc of 1 m: the face's corners are noses where their fillets would take that. 0: nowhere, as
+  // the paper has it.
+  double island_area = 1000;         // square metres
+  double island_nose_radius = 0.75;  // metres
   ShortAxis short_axis = ShortAxis::reduce;
   // Where two axes of different width meet and neither wants its own; where both do, that of the
   // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
@@ -97,6 +107,7 @@ enum class Method {
   radius_reduced,   // the wanted radius does not fit the axes: the largest that does
   radius_minimal,   // the arc's centre lay beyond max_arc_distance
   followed,         // an axis is too short: the arc touches the next one in its direction
+  nose,             // of a median or an island: the largest radius that paves no more than it may
   no_arc,           // no candidate (one axis within the other, nearly straight)
   crossed_limits,   // the limits of the edge would cross: both at their meeting
   transition,       // a change of width

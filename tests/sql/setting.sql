@@ -15,7 +15,7 @@ CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
     ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
     ('speed_by_importance', ''), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
-    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function');
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area');
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
 DECLARE
@@ -40,6 +40,7 @@ SELECT (test.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
 SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT test.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
 SELECT 'and generate goes on as before', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town')) AND pg_temp.untouched();
 SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s WHERE name = 'tolerance')::text = (SELECT d FROM streetgen._default_setting() d WHERE name = 'tolerance')::text;
+SELECT 'what a corner may close has no bound where it is NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name IN ('follow_length', 'follow_area')$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 SELECT 'max_width_per_lane may be NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 
 -- The border proves again what the core cannot bear.
@@ -50,6 +51,9 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"tolerance": null}', '22023', 'setting tolerance has no value'), ('{"crossing": null}', '22023', 'setting crossing has no value'),
         ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
         ('{"transition_length": "NaN"}', '22023', 'transition_length is nan'), ('{"max_hole_area": "NaN"}', '22023', 'max_hole_area is nan'),
+        ('{"follow_length": "NaN"}', '22023', 'follow_length is nan'), ('{"follow_area": "-1"}', '22023', 'follow_area is -1'),
+        ('{"median_width_minimal": "0"}', '22023', 'median_width_minimal is 0'), ('{"island_area": "wide"}', '22023', 'island_area is "wide"'),
+        ('{"island_nose_radius": "0"}', '22023', 'island_nose_radius is 0'),
         ('{"crossing": "under"}', '22023', 'unknown crossing "under", expected over or split'),
         ('{"transition_kind": "both"}', '22023', 'unknown transition_kind "both", expected symmetric or left or right'),
         ('{"reach": "NaN"}', '22023', 'reach is nan'), ('{"short_axis": "wait"}', '22023', 'unknown short_axis "wait", expected reduce or follow'),

@@ -124,7 +124,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('corner', 'radius', 'radius used, metres; 0 without an arc'),
     ('corner', 'arc', 'arc of the kerb, from the border of a to the border of b'),
     ('corner', 'method', 'hypothesis: the wanted radius; radius_reduced: the largest that fits the axes; followed: '
-        'an axis is too short, the arc touches the next one in its direction; radius_minimal: its centre lay beyond '
+        'an axis is too short, the arc touches the next one in its direction; nose: the end of a median or of a '
+        'traffic island, see follow_length and island_area; radius_minimal: its centre lay beyond '
         'max_arc_distance; no_arc: none fits; transition: the width changes instead; by_hand'),
     ('intersection', 'node_id', 'key: the node'),
     ('intersection', 'level', 'level of most of its edges'),

@@ -16,6 +16,19 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('short_axis', 'reduce', NULL,
         'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow '
         '(the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
+    ('follow_length', '10', 'm',
+        'a corner between nearly parallel kerbs, or one that follows its streets, closes the ground between no '
+        'farther than this from the crossing of the kerbs; NULL: however far, as the paper has it', 0, 1000, NULL),
+    ('follow_area', '20', 'm2', 'nor does such a corner close more ground than this; NULL: however much', 0, 100000,
+        NULL),
+    ('median_width_minimal', '0.5', 'm',
+        'such a corner becomes the nose of a median where the ground between the kerbs is this wide', 0.02, 100,
+        NULL),
+    ('island_area', '1000', 'm2',
+        'in a face smaller than this between axes of one level, no longer about than twice the reach, ground with '
+        'room for a disc of 1 m stays: its corners become noses where their arcs would leave none; 0: nowhere, as '
+        'the paper has it', 0, 100000, NULL),
+    ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm',
         'wanted radius by importance; an entry holds up to the next one, the first also before itself; null: no arc; '
         'empty: turning_radius', NULL, NULL, NULL),
@@ -103,7 +116,7 @@ BEGIN
             HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
     END IF;
     IF value IS NULL THEN
-        IF setting IN ('max_width_per_lane', 'radius_function') THEN RETURN; END IF;
+        IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area') THEN RETURN; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);

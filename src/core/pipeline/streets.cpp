@@ -53,6 +53,8 @@ const char* method_name(Method method) noexcept {
       return "radius_minimal";
     case Method::followed:
       return "followed";
+    case Method::nose:
+      return "nose";
     case Method::no_arc:
       return "no_arc";
     case Method::crossed_limits:

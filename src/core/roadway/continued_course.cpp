@@ -99,7 +99,7 @@ Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
                         std::vector<int>& looked_at) {
   const auto& edges = layout.streets.network.edges;
   const Arm& own = layout.arm(end);
-  Course course{{own.line, own.half_start, 0, length(own.line)}};
+  Course course = course_of(own);
   if (widens(own)) return course;
   EdgeEnd last = end;
   bool unbroken = true;  // nothing left between, on the side of the kerb

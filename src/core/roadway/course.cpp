@@ -23,6 +23,8 @@ Kerb kerb_of(const CoursePiece& piece, double from, double to, int side) {
 
 }  // namespace
 
+Course course_of(const Arm& arm) { return {{arm.line, arm.half_start, 0, length(arm.line)}}; }
+
 Line walked(const Course& course, double until) {
   Line line;
   for (const CoursePiece& piece : course) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/offset.hpp"
+#include "roadway/arm.hpp"
 #include "streetgen/corner.hpp"
 
 namespace streetgen {
@@ -17,6 +18,9 @@ struct CoursePiece {
 };
 
 using Course = std::vector<CoursePiece>;  // starts at the node
+
+// Of an arm alone, as wide as at its node.
+Course course_of(const Arm& arm);
 
 // As of two axes: the left border of a, the right one of b.
 std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius);

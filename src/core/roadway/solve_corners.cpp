@@ -5,7 +5,9 @@
 
 #include "geometry/polyline.hpp"
 #include "roadway/continued_course.hpp"
+#include "roadway/island.hpp"
 #include "roadway/node_corner.hpp"
+#include "roadway/nose.hpp"
 #include "roadway/width_transition.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -36,30 +38,78 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
   const CornerWish wish{radius, settings.max_arc_distance, settings.radius_minimal, by_hand};
   SolvedCorner solved = solve_corner(arms, i, wish);
-  const bool reduced = solved.method == Method::radius_reduced;
-  if (solved.method != Method::no_arc && !(reduced && settings.short_axis == ShortAxis::follow))
-    return solved;
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
-  if (!may_follow(arm_a, arm_b)) return solved;
-  const auto followed =
-      follow_corner(arm_a, arm_b, continued_course(layout, a, +1, junction.followed),
-                    continued_course(layout, b, -1, junction.followed), wish);
-  return followed && (!reduced || followed->gap.corner.radius >= radius) ? *followed : solved;
+  // By hand, a corner is as it is wanted.
+  const auto ended = [&](const SolvedCorner& corner, const Course& on_a, const Course& on_b) {
+    if (by_hand || !ends_a_median(corner)) return corner;
+    return nose(on_a, on_b, corner, wish, settings).value_or(corner);
+  };
+  const bool reduced = solved.method == Method::radius_reduced;
+  const bool follows =
+      solved.method == Method::no_arc || (reduced && settings.short_axis == ShortAxis::follow);
+  if (follows && may_follow(arm_a, arm_b)) {
+    const Course on_a = continued_course(layout, a, +1, junction.followed);
+    const Course on_b = continued_course(layout, b, -1, junction.followed);
+    const auto followed = follow_corner(arm_a, arm_b, on_a, on_b, wish);
+    if (followed && (!reduced || followed->gap.corner.radius >= radius))
+      return ended(*followed, on_a, on_b);
+  }
+  return ended(solved, course_of(arm_a), course_of(arm_b));
 }
 
-void append_corner(Layout& layout, int node, std::size_t i, const RadiiByHand& by_hand) {
-  Junction& junction = layout.junctions[node];
-  const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
-  const auto put = by_hand.find({node, i});
-  const bool decided = put != by_hand.end();
-  const double radius = decided ? put->second
-                                : wanted_radius(layout.axis_of(a.edge), layout.axis_of(b.edge),
-                                                layout.settings.radius_rule);
-  SolvedCorner solved = solve(layout, junction, i, radius, decided);
-  if (decided && solved.gap.corner.radius == radius) solved.method = Method::by_hand;
+double wanted_at(const Layout& layout, const CornerPlace& at) {
+  const Junction& junction = layout.junctions[at.node];
+  return wanted_radius(layout.axis_of(junction.ends[at.gap].edge),
+                       layout.axis_of(junction.next(at.gap).edge), layout.settings.radius_rule);
+}
+
+// As the axes want them.
+SolvedCorners solve_all(Layout& layout) {
+  SolvedCorners solved(layout.junctions.size());
+  for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
+    Junction& junction = layout.junctions[n];
+    if (junction.dead_end()) continue;
+    poll_cancel();
+    tell_progress("corners", n, layout.junctions.size());
+    for (std::size_t i = 0; i < junction.ends.size(); ++i)
+      solved[n].push_back(solve(layout, junction, i, wanted_at(layout, {n, i}), false));
+  }
+  return solved;
+}
+
+// On an island that its fillets would swallow each corner is a nose.
+void keep_islands(Layout& layout, SolvedCorners& solved) {
+  const double radius = layout.settings.island_nose_radius;
+  for (const CornerPlace& at : swallowed_islands(layout, solved)) {
+    Junction& junction = layout.junctions[at.node];
+    if (junction.dead_end()) continue;
+    SolvedCorner& corner = solved[at.node][at.gap];
+    if (corner.gap.corner.radius <= radius) continue;
+    const SolvedCorner nose = solve(layout, junction, at.gap, radius, false);
+    if (nose.gap.corner.radius <= 0) continue;
+    corner = nose;
+    corner.method = Method::nose;
+  }
+}
+
+// A corner by hand has no part in what becomes of the others.
+void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
+  for (const auto& [at, radius] : by_hand) {
+    const auto& [node, i] = at;
+    if (layout.junctions[node].dead_end()) continue;
+    SolvedCorner& corner = solved[node][i] = solve(layout, layout.junctions[node], i, radius, true);
+    if (corner.gap.corner.radius == radius) corner.method = Method::by_hand;
+  }
+}
+
+void append_corner(Layout& layout, const CornerPlace& at, double radius_wanted,
+                   SolvedCorner& solved) {
+  Junction& junction = layout.junctions[at.node];
+  const EdgeEnd &a = junction.ends[at.gap], &b = junction.next(at.gap);
   widen_limits(layout.arm(a), layout.arm(b), solved);
-  Corner corner{node, a.edge, a.at_start, b.edge, b.at_start, radius, 0, {}, {}, solved.method};
+  Corner corner{at.node,       a.edge, a.at_start, b.edge, b.at_start,
+                radius_wanted, 0,      {},         {},     solved.method};
   if (solved.gap.corner.radius > 0) {
     corner.radius = solved.gap.corner.radius;
     corner.centre = solved.gap.corner.centre;
@@ -113,12 +163,17 @@ void make_transition(Layout& layout, const Junction& junction) {
 
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   choose_transitions(layout);
+  SolvedCorners solved = solve_all(layout);
+  if (layout.settings.island_area > 0) keep_islands(layout, solved);
+  solve_by_hand(layout, by_hand, solved);
   for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
     Junction& junction = layout.junctions[n];
     if (junction.dead_end()) continue;
-    poll_cancel();
-    tell_progress("corners", n, layout.junctions.size());
-    for (std::size_t i = 0; i < junction.ends.size(); ++i) append_corner(layout, n, i, by_hand);
+    for (std::size_t i = 0; i < junction.ends.size(); ++i) {
+      const auto put = by_hand.find({n, i});
+      const double wanted = put != by_hand.end() ? put->second : wanted_at(layout, {n, i});
+      append_corner(layout, {n, i}, wanted, solved[n][i]);
+    }
     if (junction.ends.size() == 2) {
       if (junction.transition) make_transition(layout, junction);
       continue;

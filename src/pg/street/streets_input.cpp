@@ -1,6 +1,7 @@
 #include "street/streets_input.hpp"
 
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <string>
 #include <unordered_set>
@@ -109,6 +110,11 @@ class Settings {
     return in_range(value, low, high, "setting " + std::string(name));
   }
 
+  // Of a setting that may be NULL.
+  double measure_or_unbounded(const char* name) const {
+    return values_.count(name) == 0 ? std::numeric_limits<double>::infinity() : measure(name, 0, 1e6);
+  }
+
   template <class Meaning>
   Meaning choice(const char* name,
                  std::initializer_list<std::pair<const char*, Meaning>> words) const {
@@ -142,6 +148,11 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.max_hole_area = given.measure("max_hole_area");
   settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
   settings.reach = given.measure("reach");
+  settings.follow_length = given.measure_or_unbounded("follow_length");
+  settings.follow_area = given.measure_or_unbounded("follow_area");
+  settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);
+  settings.island_area = given.measure("island_area", 0, 1e6);
+  settings.island_nose_radius = given.measure("island_nose_radius", 1e-6);
   settings.short_axis = given.choice<ShortAxis>(
       "short_axis", {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
   return settings;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
@@ -42,6 +43,13 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
   EXPECT_FALSE(PreparedSurface(town.intersections[0].surface).holds({6.6, 6.6, 0}));
 }
 
+// However far, as the paper has it.
+StreetSettings far_followed() {
+  StreetSettings settings;
+  settings.follow_length = settings.follow_area = std::numeric_limits<double>::infinity();
+  return settings;
+}
+
 // A link of 3 m between kerbs at 5 m, and the street that goes on from it with a bend.
 TEST(Streets, AnAxisIsFollowedWithinABendOfSixtyDegrees) {
   constexpr double degree = M_PI / 180;
@@ -51,7 +59,7 @@ TEST(Streets, AnAxisIsFollowedWithinABendOfSixtyDegrees) {
                     {2, {{0, 0, 0}, {0, 100, 0}}, 0, 10, 10, 5, 3},
                     {3, {{3, 0, 0}, far}, 0, 10, 10, 5, 3},
                     {4, {{3, 0, 0}, {3, -80, 0}}, 0, 10, 10, 5, 3}},
-                   {});
+                   far_followed());
   };
   const auto followed_to = [](const Streets& town, const Point& centre) {
     const Corner* corner = corner_of(town, 1, 2, 0);
