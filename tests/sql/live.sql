@@ -471,7 +471,7 @@ SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
 -- The same where a corner beyond a short street follows the one that turns: neither street of it comes near the edit.
-SELECT streetgen.create_model('led', 2154), streetgen.set('led', 'short_axis', 'follow') \g /dev/null
+SELECT streetgen.create_model('led', 2154), streetgen.set('led', 'short_axis', 'follow'), streetgen.set('led', 'follow_length', NULL), streetgen.set('led', 'follow_area', NULL) \g /dev/null
 INSERT INTO led.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
   (1, 'LINESTRING(0 -100, 0 0)'), (2, 'LINESTRING(0 0, 155 0)'), (3, 'LINESTRING(155 0, 163 0)'), (4, 'LINESTRING(155 0, 155 -100)'),
   (5, 'LINESTRING(163 0, 163 100)'), (6, 'LINESTRING(163 0, 263 -40)')) a(axis_id, line);

@@ -23,6 +23,7 @@ struct Junction {
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]; none at a dead end
   std::optional<Transition> transition;
   int along = 0;              // index in ends: the axis that the transition is seen along
+  bool straight = false;      // two edges go on so straight that nothing lies between them
   std::vector<int> followed;  // further nodes that a corner looked at
 
   const EdgeEnd& next(std::size_t i) const { return ends[(i + 1) % ends.size()]; }

@@ -12,6 +12,27 @@ namespace {
 
 constexpr double least_section = 1e-3;  // metres between two limits that did not cross
 
+// A limit by hand parts the edges of a straight junction again.
+void part_by_hand(Layout& layout, const LimitsByHand& by_hand) {
+  for (Junction& junction : layout.junctions)
+    for (const EdgeEnd& end : junction.ends)
+      if (by_hand[slot(end)]) junction.straight = false;
+}
+
+// Across the mean direction of both edges of a straight junction, else across the arm's own.
+Line border_of(const Layout& layout, int e, bool at_start) {
+  const Arm& arm = layout.arm({e, at_start});
+  const Edge& edge = layout.streets.network.edges[e];
+  const Junction& junction = layout.junctions[at_start ? edge.from_node : edge.to_node];
+  if (!junction.straight || arm.limit > 0) return border_across(arm, arm.limit);
+  const EdgeEnd& first = junction.ends[0];
+  const Arm &a = layout.arm(first), &b = layout.arm(junction.ends[1]);
+  const Point along = unit(unit(a.line[1] - a.line[0]) - unit(b.line[1] - b.line[0]));
+  const Point node = planar(a.line.front()), across = left_normal(along) * a.half_start;
+  const bool is_first = slot(first) == slot({e, at_start});
+  return is_first ? Line{node + across, node - across} : Line{node - across, node + across};
+}
+
 void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
   Arm &start = layout.arms[2 * e], &end = layout.arms[2 * e + 1];
   const auto &put_start = by_hand[2 * e], &put_end = by_hand[2 * e + 1];
@@ -38,8 +59,13 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
       end.limit = clear_end;
     }
   }
-  start.border = border_across(start, start.limit);
-  end.border = crossed ? Line{start.border[1], start.border[0]} : border_across(end, end.limit);
+  start.border = border_of(layout, e, true);
+  end.border = border_of(layout, e, false);
+  // Limits that cross meet in one border line, that of a straight junction where one lies there.
+  if (crossed && end.limit > 0)
+    end.border = {start.border[1], start.border[0]};
+  else if (crossed)
+    start.border = {end.border[1], end.border[0]};
   for (const bool at_start : {true, false}) {
     SectionLimit limit;
     limit.edge = e;
@@ -73,6 +99,7 @@ void join_borders(Layout& layout) {
 
 void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
   layout.streets.limits.reserve(layout.arms.size());
+  part_by_hand(layout, by_hand);
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
   join_borders(layout);
   for (SectionLimit& limit : layout.streets.limits) {

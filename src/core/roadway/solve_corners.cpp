@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/continued_course.hpp"
 #include "roadway/island.hpp"
 #include "roadway/node_corner.hpp"
@@ -159,6 +160,25 @@ void make_transition(Layout& layout, const Junction& junction) {
   }
 }
 
+// Square metres: less between two edges that go on straight is no intersection.
+constexpr double least_intersection = 0.01;
+
+// Whether two arms of one width leave in nearly opposite directions, with no arc between.
+bool goes_straight_on(const Arm& a, const Arm& b, const std::vector<Gap>& gaps) {
+  if (std::abs(a.half_start - b.half_start) > same_width) return false;
+  if (gaps[0].corner.radius > 0 || gaps[1].corner.radius > 0) return false;
+  const Point from = unit(a.line[1] - a.line[0]), to = unit(b.line[1] - b.line[0]);
+  const double turn = std::abs(std::atan2(cross(from, to), -dot(from, to)));
+  // Two wedges that end on the bisector, one on each side.
+  return a.half_start * a.half_start * turn < least_intersection;
+}
+
+// The border lines of both edges are one, across the node.
+void meet_straight(Layout& layout, Junction& junction) {
+  junction.straight = true;
+  for (const EdgeEnd& end : junction.ends) layout.arm(end).limit = 0;
+}
+
 }  // namespace
 
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
@@ -175,7 +195,11 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
       append_corner(layout, {n, i}, wanted, solved[n][i]);
     }
     if (junction.ends.size() == 2) {
-      if (junction.transition) make_transition(layout, junction);
+      if (junction.transition)
+        make_transition(layout, junction);
+      else if (goes_straight_on(layout.arm(junction.ends[0]), layout.arm(junction.ends[1]),
+                                junction.gaps))
+        meet_straight(layout, junction);
       continue;
     }
     for (const EdgeEnd& end : junction.ends) {

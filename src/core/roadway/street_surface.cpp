@@ -35,7 +35,7 @@ Surface section_of(Geos& geos, const Layout& layout, int e) {
 
 Surface intersection_of(Geos& geos, const Layout& layout, int node) {
   const Junction& junction = layout.junctions[node];
-  if (junction.dead_end()) return {};
+  if (junction.dead_end() || junction.straight) return {};
   const std::vector<Arm> arms = layout.arms_of(node);
   Surface surface = junction.transition ? transition_of(geos, junction, arms)
                                         : surface_of(build_intersection(geos, arms, junction.gaps));
