@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,8 +21,13 @@ enum class TransitionKind { symmetric, left, right };
 
 struct Transition {
   TransitionKind kind = TransitionKind::symmetric;
-  double length = 5;  // metres
+  std::optional<double> length{};  // metres; none: as the taper ratio has it
 };
+
+// Metres along the street for each metre that a kerb moves sideways, by speed, km/h.  An entry
+// holds up to the next one, the first also before itself; without one, 10.  1:10 is common within
+// towns, 1:20 to 1:40 outside.
+using TaperRatio = std::map<double, double>;
 
 struct StreetAxis {
   std::int64_t axis_id = 0;
@@ -52,8 +58,8 @@ struct StreetSettings {
   double reach = 60;             // metres along the network: how far a corner follows its axes
   // What a corner between nearly parallel kerbs may pave from their crossing on, and the width of
   // ground between them that stays ground. The paper has no bound.
-  double follow_length = 10;         // metres along the kerbs; may be infinite
-  double follow_area = 20;           // square metres; may be infinite
+  double follow_length = 10;          // metres along the kerbs; may be infinite
+  double follow_area = 20;            // square metres; may be infinite
   double median_width_minimal = 0.5;  // metres, positive
   // The ground in a face between axes that is smaller than this stays ground where it has room for
   // a disc of 1 m: the face's corners are noses where their fillets would take that. 0: nowhere, as
@@ -65,6 +71,7 @@ struct StreetSettings {
   // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
   // axis_id.
   Transition transition;
+  TaperRatio taper_ratio{{0, 10}, {70, 20}, {90, 30}, {110, 40}};
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres

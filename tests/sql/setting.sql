@@ -14,8 +14,8 @@ CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('tolerance', 'NaN'), ('tolerance', '0'), ('tolerance', 'Infinity'), ('tolerance', 'wide'), ('tolerance', '1e400'), ('crossing', 'under'),
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
     ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
-    ('speed_by_importance', ''), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
-    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area');
+    ('speed_by_importance', ''), ('taper_ratio', '{}'), ('taper_ratio', '{"fast": 3}'), ('taper_ratio', '{"50": null}'), ('taper_ratio', '{"50": "NaN"}'), ('taper_ratio', '10'), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area', 'transition_length');
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
 DECLARE
@@ -51,6 +51,7 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"tolerance": null}', '22023', 'setting tolerance has no value'), ('{"crossing": null}', '22023', 'setting crossing has no value'),
         ('{"max_arc_distance": "-1"}', '22023', 'max_arc_distance is -1'), ('{"radius_minimal": "1e300"}', '22023', 'radius_minimal is 1e+300'),
         ('{"transition_length": "NaN"}', '22023', 'transition_length is nan'), ('{"max_hole_area": "NaN"}', '22023', 'max_hole_area is nan'),
+        ('{"taper_ratio": "{\"0\": \"NaN\"}"}', '22023', 'taper_ratio'), ('{"taper_ratio": "10"}', '22023', 'taper_ratio is no JSON object'), ('{"taper_ratio": "{\"0\": -1}"}', '22023', 'taper_ratio is -1'),
         ('{"follow_length": "NaN"}', '22023', 'follow_length is nan'), ('{"follow_area": "-1"}', '22023', 'follow_area is -1'),
         ('{"median_width_minimal": "0"}', '22023', 'median_width_minimal is 0'), ('{"island_area": "wide"}', '22023', 'island_area is "wide"'),
         ('{"island_nose_radius": "0"}', '22023', 'island_nose_radius is 0'),

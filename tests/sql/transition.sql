@@ -26,6 +26,20 @@ BEGIN
   PERFORM streetgen.generate('town');
   RETURN pg_temp.kerbs(length);
 END $$;
+-- By speed, 60 km/h for the width of 10 m: 1:10, and each kerb moves 2 m sideways.
+CREATE FUNCTION pg_temp.limits() RETURNS text LANGUAGE sql AS $$
+  SELECT array_agg(round(ST_X(l.geom)::numeric, 6) ORDER BY ST_X(l.geom)) FROM town.section_limit l WHERE ST_X(geom) BETWEEN 50 AND 150 $$;
+DO $$ BEGIN PERFORM streetgen.set('town', 'transition_length', NULL); PERFORM streetgen.generate('town'); END $$;
+SELECT 'without a length it is the taper of the speed', pg_temp.limits() = '{90.000000,110.000000}';
+UPDATE town.axis SET speed = CASE axis_id WHEN 1 THEN 70 ELSE 90 END WHERE axis_id < 3;
+DO $$ BEGIN PERFORM streetgen.generate('town'); END $$;
+SELECT 'the faster street decides', pg_temp.limits() = '{70.000000,130.000000}';
+DO $$ BEGIN PERFORM streetgen.set('town', 'taper_ratio', '{"50": 3, "90": 25}'); PERFORM streetgen.generate('town'); END $$;
+SELECT 'the ratio is a setting', pg_temp.limits() = '{75.000000,125.000000}';
+DO $$ BEGIN PERFORM streetgen.set('town', 'taper_ratio', '{"0": 100}'); PERFORM streetgen.generate('town'); END $$;
+SELECT 'it takes no more than 0.4 of an edge', pg_temp.limits() = '{60.000000,140.000000}';
+UPDATE town.axis SET speed = NULL;
+DO $$ BEGIN PERFORM streetgen.set('town', 'transition_length', '8'); PERFORM streetgen.generate('town'); END $$;
 SELECT 'symmetric: both kerbs are linear' AS name, pg_temp.kerbs(8) = 'linear linear' AS holds;
 SELECT 'limits lie half a length from the node', (SELECT array_agg(round(ST_X(l.geom)::numeric, 6) ORDER BY ST_X(l.geom)) = '{96,104}' FROM town.section_limit l WHERE ST_X(geom) BETWEEN 50 AND 150);
 DO $$ BEGIN PERFORM streetgen.set('town', 'transition_kind', 'left'); PERFORM streetgen.generate('town'); END $$;

@@ -40,7 +40,10 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         '(width float8, speed float8, importance integer, lane_count integer, kind text) returning float8, with its '
             'schema; '
         'NULL: none', NULL, NULL, NULL),
-    ('transition_length', '5', 'm', 'length of a change of width', 0, 200, NULL),
+    ('transition_length', NULL, 'm', 'length of a change of width; NULL: by taper_ratio', 0, 200, NULL),
+    ('taper_ratio', '{"0": 10, "70": 20, "90": 30, "110": 40}', NULL,
+        'metres along the street for each metre that a kerb moves sideways at a change of width, by speed in km/h; '
+        'an entry holds up to the next one', NULL, NULL, NULL),
     ('transition_kind', 'symmetric', NULL,
         'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, '
         'left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
@@ -116,7 +119,8 @@ BEGIN
             HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
     END IF;
     IF value IS NULL THEN
-        IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area') THEN RETURN; END IF;
+        IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area',
+            'transition_length') THEN RETURN; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
@@ -140,6 +144,14 @@ BEGIN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
         expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit) || '.';
+    ELSIF setting = 'taper_ratio' THEN
+        expected := 'Expected a JSON object of speed (0 to 999 km/h) to ratio (0 to 100), such as {"0": 10, "60": 20}.';
+        BEGIN
+            SELECT count(*) > 0 AND bool_and(e.key ~ '^\d{1,3}$' AND coalesce(e.value::float8 BETWEEN 0 AND 100, false))
+                INTO holds FROM jsonb_each_text(value::jsonb) e;
+        EXCEPTION WHEN data_exception THEN
+            holds := false;
+        END;
     ELSE
         expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
         BEGIN

@@ -56,8 +56,8 @@ Taper taper_of(const Layout& layout, const Junction& junction, const EdgeEnd& ne
   if (!junction.transition) return {};
   const int in = next.edge == junction.ends[0].edge ? 1 : 0;
   const Arm& last = layout.arm(junction.ends[in]);
-  Taper taper{transition_limit(last, *junction.transition),
-              transition_limit(layout.arm(next), *junction.transition)};
+  Taper taper{transition_limit(last, *junction.transition->length),
+              transition_limit(layout.arm(next), *junction.transition->length)};
   // The limits of an edge that is followed cross.
   if (first) taper.before *= length(last.line) / (length(last.line) + taper.before);
   const int seen = in == junction.transition_from() ? side : -side;

@@ -21,7 +21,7 @@ inline int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 
 struct Junction {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]; none at a dead end
-  std::optional<Transition> transition;
+  std::optional<Transition> transition;  // its length is known
   int along = 0;              // index in ends: the axis that the transition is seen along
   bool straight = false;      // two edges go on so straight that nothing lies between them
   std::vector<int> followed;  // further nodes that a corner looked at

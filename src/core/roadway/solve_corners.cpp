@@ -136,6 +136,12 @@ void choose_transition(const Layout& layout, Junction& junction) {
     junction.transition = own;
     junction.along = i;
   }
+  if (junction.transition->length) return;
+  const EdgeEnd &a = junction.ends[0], &b = junction.ends[1];
+  junction.transition->length =
+      taper_length(layout.arm(a), layout.arm(b),
+                   std::max(layout.axis_of(a.edge).speed, layout.axis_of(b.edge).speed),
+                   layout.settings.taper_ratio);
 }
 
 void choose_transitions(Layout& layout) {
@@ -156,7 +162,7 @@ void make_transition(Layout& layout, const Junction& junction) {
   }
   for (const EdgeEnd& end : junction.ends) {
     Arm& arm = layout.arm(end);
-    arm.limit = transition_limit(arm, *junction.transition);
+    arm.limit = transition_limit(arm, *junction.transition->length);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -14,8 +15,15 @@ bool changes_width(const Arm& a, const Arm& b) {
          std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
 
-double transition_limit(const Arm& arm, const Transition& transition) {
-  return std::min(transition.length / 2, 0.4 * length(arm.line));
+double taper_length(const Arm& a, const Arm& b, double speed, const TaperRatio& ratio) {
+  const double sideways = std::abs(a.half_start - b.half_start);
+  if (ratio.empty()) return 10 * sideways;
+  const auto after = ratio.upper_bound(speed);
+  return sideways * (after == ratio.begin() ? after : std::prev(after))->second;
+}
+
+double transition_limit(const Arm& arm, double wanted) {
+  return std::min(wanted / 2, 0.4 * length(arm.line));
 }
 
 double step_length(double limit_a, double limit_b) { return std::min({0.5, limit_a, limit_b}); }

@@ -13,8 +13,11 @@ constexpr double widest_bend = M_PI / 3;  // beyond it no axis goes on from anot
 // Two axes of different width that go on from one another.
 bool changes_width(const Arm& a, const Arm& b);
 
-// How far from its node it is wanted to reach on an arm.
-double transition_limit(const Arm& arm, const Transition& transition);
+// Metres that a change of width wants where its length is not said.
+double taper_length(const Arm& a, const Arm& b, double speed, const TaperRatio& ratio);
+
+// How far from its node a transition of that length is wanted to reach on an arm.
+double transition_limit(const Arm& arm, double length);
 
 // The length on which a kerb steps that does not change linearly.
 double step_length(double limit_a, double limit_b);

@@ -150,7 +150,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   const Rows transitions = rows(fcinfo, 3, "transitions");
   call->transitions = {transitions.count, column(transitions, "axis_id", INT8OID),
                        column(transitions, "which", TEXTOID), column(transitions, "kind", TEXTOID),
-                       column(transitions, "length", FLOAT8OID)};
+                       column_or_null(transitions, "length", FLOAT8OID)};
 
   const Rows limits = rows(fcinfo, 4, "section limits");
   call->limits = {limits.count, column(limits, "axis_id", INT8OID),

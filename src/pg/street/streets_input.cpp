@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -45,9 +46,11 @@ std::map<std::pair<std::int64_t, bool>, Transition> transitions_of(const Streets
   for (int i = 0; i < rows.count; ++i) {
     const std::int64_t axis_id = DatumGetInt64(rows.axis_id.values[i]);
     const bool start = is_start(rows.which.values[i], "transition end");
-    const double length = in_range(DatumGetFloat8(rows.length.values[i]), 0, 1000,
-                                   "transition length of axis " + std::to_string(axis_id));
-    transitions[{axis_id, start}] = {transition_kind_of(text_of(rows.kind.values[i])), length};
+    Transition& own = transitions[{axis_id, start}];
+    own = {transition_kind_of(text_of(rows.kind.values[i]))};
+    if (!rows.length.nulls[i])
+      own.length = in_range(DatumGetFloat8(rows.length.values[i]), 0, 1000,
+                            "transition length of axis " + std::to_string(axis_id));
   }
   return transitions;
 }
@@ -110,9 +113,40 @@ class Settings {
     return in_range(value, low, high, "setting " + std::string(name));
   }
 
-  // Of a setting that may be NULL.
+  // Whether a setting that may be NULL is not.
+  bool is_given(const char* name) const { return values_.count(name) > 0; }
+
   double measure_or_unbounded(const char* name) const {
-    return values_.count(name) == 0 ? std::numeric_limits<double>::infinity() : measure(name, 0, 1e6);
+    return is_given(name) ? measure(name, 0, 1e6) : std::numeric_limits<double>::infinity();
+  }
+
+  // Of a JSON object of number to number, such as {"0": 10, "60": 20}.
+  std::map<double, double> steps(const char* name) const {
+    const std::string what = "setting " + std::string(name);
+    std::map<double, double> steps;
+    std::istringstream text(word(name));
+    char mark = 0;
+    const auto expect = [&](char wanted) {
+      if (!(text >> mark) || mark != wanted)
+        throw Error(ErrorKind::invalid_input, what + " is no JSON object of number to number");
+    };
+    const auto number = [&] {
+      double value = 0;
+      if (!(text >> value))
+        throw Error(ErrorKind::invalid_input, what + " is no JSON object of number to number");
+      return in_range(value, 0, 1000, what);
+    };
+    expect('{');
+    do {
+      expect('"');
+      const double from = number();
+      expect('"');
+      expect(':');
+      steps[from] = number();
+    } while (text >> mark && mark == ',');
+    if (mark != '}')
+      throw Error(ErrorKind::invalid_input, what + " is no JSON object of number to number");
+    return steps;
   }
 
   template <class Meaning>
@@ -139,8 +173,10 @@ StreetSettings street_settings_of(const Settings& given) {
       given.choice<Crossing>("crossing", {{"over", Crossing::over}, {"split", Crossing::split}});
   settings.max_arc_distance = given.measure("max_arc_distance");
   settings.radius_minimal = given.measure("radius_minimal");
-  settings.transition = {transition_kind_of(given.word("transition_kind")),
-                         given.measure("transition_length")};
+  settings.transition = {transition_kind_of(given.word("transition_kind"))};
+  if (given.is_given("transition_length"))
+    settings.transition.length = given.measure("transition_length");
+  settings.taper_ratio = given.steps("taper_ratio");
   settings.radius_rule = given.choice<RadiusRule>(
       "radius_rule",
       {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
