@@ -32,7 +32,9 @@ WHERE constant AND r > 0 AND sine IS NOT NULL AND o_a BETWEEN 0 AND length_a AND
   AND ST_Distance(centre, ST_StartPoint(line_a)) < (SELECT value::float8 FROM :"model".setting WHERE name = 'max_arc_distance')
   AND ST_Distance(ST_LineInterpolatePoint(line_a, s_a / length_a), ST_Translate(ST_StartPoint(line_a), s_a * sin(azimuth_a), s_a * cos(azimuth_a))) < 1e-4
   AND ST_Distance(ST_LineInterpolatePoint(line_b, s_b / length_b), ST_Translate(ST_StartPoint(line_b), s_b * sin(azimuth_b), s_b * cos(azimuth_b))) < 1e-4
-  AND ST_Distance(centre, line_a) > half_a + r - 1e-6 AND ST_Distance(centre, line_b) > half_b + r - 1e-6; -- touching no bend before that
+  AND ST_Distance(centre, line_a) > half_a + r - 1e-6 AND ST_Distance(centre, line_b) > half_b + r - 1e-6 -- touching no bend before that
+  -- The corner of an island is none of two lines alone.
+  AND NOT EXISTS (SELECT FROM :"model".corner k WHERE (k.node_id, k.edge_a, k.end_a, k.edge_b, k.end_b) = (p.node_id, p.edge_a, p.end_a, p.edge_b, p.end_b) AND k.method = 'nose');
 
 INSERT INTO finding
 SELECT 'arc', 'node', node_id, degrees(phi), ST_StartPoint(line_a)

@@ -43,7 +43,7 @@ SELECT 'kerbs | ' || :'model', (SELECT count(*) FROM lawful),
     (SELECT count(*) FROM departure), coalesce((SELECT round((100 * max(departure))::numeric, 2)::text FROM departure), '-'),
     (SELECT count(*) FROM filled), coalesce((SELECT round(sum(ST_Area(filled))::numeric, 2)::text FROM filled), '-') || ' |';
 SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 * c.count / total, 0), 2)::text, ' | ' ORDER BY i)
-        FROM unnest(ARRAY['hypothesis', 'radius_reduced', 'radius_minimal', 'followed', 'no_arc']) WITH ORDINALITY AS m(method, i) LEFT JOIN (SELECT method, count(*) FROM :"model".corner GROUP BY method) c USING (method)),
+        FROM unnest(ARRAY['hypothesis', 'radius_reduced', 'radius_minimal', 'followed', 'nose', 'no_arc']) WITH ORDINALITY AS m(method, i) LEFT JOIN (SELECT method, count(*) FROM :"model".corner GROUP BY method) c USING (method)),
     (SELECT coalesce(round(100.0 * count(measure) / nullif(below, 0), 2)::text, '-') || ' | ' || coalesce(round(100.0 * count(measure) FILTER (WHERE measure <> 'no arc: no ground between') / nullif(below, 0), 2)::text, '-')
         FROM (SELECT count(*) AS below FROM pair WHERE phi < radians(160)) b LEFT JOIN finding ON measure LIKE 'no arc:%' GROUP BY below),
     (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = 'no arc: ' || reason)::text, ' | ' ORDER BY i)
