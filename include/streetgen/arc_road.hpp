@@ -88,7 +88,7 @@ class ArcRoad {
   // The road at an offset; none where nothing is left. Exact where the road is flat: straight
   // pieces and arcs about the same centres, and what an inner bend turns over is cut out as of
   // kerbs. In space it bends where the road does, at the heights of the bends. There it lies
-  // within |offset| slope (1 + 4 tan(angle / 2)) of the true place beside the road, for the
+  // within |offset| slope (1 + tan(angle / 2)) of the true place beside the road, for the
   // greatest slope (rise / run, below 0.2) and the sharpest bend of the line it was fitted to
   // (angle in the plan). An inner bend in space that is tighter than the offset is refused.
   std::optional<ArcRoad> offset(double axis_offset) const;

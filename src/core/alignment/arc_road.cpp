@@ -30,6 +30,14 @@ void refuse_gap(const Point& from, const Point& to, double least, std::size_t nu
                                               " m from the end of the one before it");
 }
 
+// Of an arc between ends as they are stored: only its own rounding moves the middle.
+Point middle_of(const RoadPiece& piece, const Point& end) {
+  const double half = std::sin(piece.angle() / 4);
+  const Point outward = piece.towards_centre(piece.length / 2) * -1;
+  const Point chord = end - piece.origin;
+  return piece.origin + (chord * 0.5 + outward * (2 * piece.radius * half * half));
+}
+
 }  // namespace
 
 RoadBuilder::RoadBuilder(double least) : body_(std::make_shared<ArcRoad::Body>()), least_(least) {}
@@ -97,7 +105,8 @@ CurvedLine ArcRoad::curve() const {
   for (std::size_t i = 0; i < body_->pieces.size(); ++i) {
     const RoadPiece& piece = body_->pieces[i];
     const Point end = i + 1 < body_->pieces.size() ? body_->pieces[i + 1].origin : body_->end;
-    curve.push_back({{piece.origin, piece.point(piece.length / 2), end}, piece.curved()});
+    const Point middle = piece.curved() ? middle_of(piece, end) : Point{};
+    curve.push_back({{piece.origin, middle, end}, piece.curved()});
   }
   return curve;
 }

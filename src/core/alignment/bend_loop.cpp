@@ -14,9 +14,9 @@ namespace {
 
 class Cutting {
  public:
-  Cutting(const std::vector<BorderPiece>& border, const std::vector<RoadPiece>& road,
-          double offset)
-      : border_(border), road_(road), reach_(std::abs(offset) * (1 - 1e-9)) {
+  Cutting(const std::vector<BorderPiece>& border, const std::vector<RoadPiece>& road, double offset,
+          double slack)
+      : border_(border), road_(road), reach_(std::abs(offset) * (1 - 1e-9)), slack_(slack) {
     turned_before_.push_back(0);
     for (const BorderPiece& piece : border)
       turned_before_.push_back(turned_before_.back() + (piece.turned_over ? 1 : 0));
@@ -28,13 +28,10 @@ class Cutting {
       return std::move(parts_);
     }
     prepare();
-    std::size_t first = 0, last = border_.size();
-    while (first < last && border_[first].turned_over) ++first;
-    while (last > first && border_[last - 1].turned_over) --last;
     double from = 0;
-    for (std::size_t i = first; i < last;) {
+    for (std::size_t i = 0; i < border_.size();) {
       poll_cancel();
-      if (const auto loop = loop_from(i, from, last)) {
+      if (const auto loop = loop_from(i, from)) {
         if (loop->at > from) parts_.push_back({i, from, loop->at});
         i = loop->next;
         from = loop->again;
@@ -43,8 +40,8 @@ class Cutting {
         from = 0;
       }
     }
-    if (first > 0) trim_start();
-    if (last < border_.size()) trim_end();
+    trim_start();
+    trim_end();
     return std::move(parts_);
   }
 
@@ -67,19 +64,26 @@ class Cutting {
   void keep(std::size_t i, double from) { parts_.push_back({i, from, border_[i].piece.length}); }
 
   // The longest loop that begins on piece i behind `from`.
-  std::optional<Loop> loop_from(std::size_t i, double from, std::size_t last) const {
+  std::optional<Loop> loop_from(std::size_t i, double from) const {
     const std::vector<int> near = border_index_.near(boxes_[i], 0);
     for (auto other = near.rbegin(); other != near.rend(); ++other) {
       const std::size_t j = *other;
       if (*other <= static_cast<int>(i) + 1) break;
-      if (j >= last || turned_before_[j] == turned_before_[i + 1]) continue;
+      if (turned_before_[j] == turned_before_[i + 1]) continue;
       std::vector<PieceCrossing> places = crossings(border_[i].piece, border_[j].piece);
       std::sort(places.begin(), places.end(),
                 [](const PieceCrossing& a, const PieceCrossing& b) { return a.b > b.b; });
       for (const PieceCrossing& place : places)
-        if (place.a >= from && turned_over(i, j)) return Loop{place.a, j, place.b};
+        if (place.a >= from && far_enough_at(i, j, place.a) && turned_over(i, j))
+          return Loop{place.a, j, place.b};
     }
     return {};
+  }
+
+  // The border goes through where a loop begins and ends.
+  bool far_enough_at(std::size_t i, std::size_t j, double at) const {
+    return !road_index_.comes_within(road_, border_[i].piece.point(at), reach_ - slack_,
+                                     border_[i].of, border_[j].of);
   }
 
   bool turned_over(std::size_t i, std::size_t j) const {
@@ -92,47 +96,55 @@ class Cutting {
     return true;
   }
 
-  // Where a part leaves the disc about an end of the road, metres along its piece, ascending.
-  std::vector<double> leaves(const BorderPart& part, const Point& end) const {
-    RoadPiece circle;
-    circle.radius = reach_;
-    circle.origin = end + Point{reach_, 0, 0};
-    circle.forward = {0, 1, 0};
-    circle.inward = {-1, 0, 0};
-    circle.length = 2 * M_PI * reach_;
-    std::vector<double> found;
-    for (const PieceCrossing& place : crossings(border_[part.index].piece, circle))
-      if (place.a > part.from && place.a < part.to) found.push_back(place.a);
-    std::sort(found.begin(), found.end());
-    return found;
+  bool too_near(const BorderPart& part, double at) const {
+    return road_index_.comes_within(road_, border_[part.index].piece.point(at), reach_, 0,
+                                    road_.size());
+  }
+
+  // Between a place of the part that is too near and one that is not: where it is far enough.
+  double far_enough(const BorderPart& part, double near, double far) const {
+    for (int step = 0; step < 60; ++step) {
+      const double middle = (near + far) / 2;
+      (too_near(part, middle) ? near : far) = middle;
+    }
+    return far;
+  }
+
+  // What of the parts, in this order, is the loop that an end of the road leaves open: all up to
+  // the last piece that is turned over.
+  template <class Parts>
+  std::size_t open_loop(Parts part, Parts end) const {
+    std::size_t seen = 0, open = 0;
+    for (; part != end && too_near(*part, (part->from + part->to) / 2); ++part) {
+      ++seen;
+      if (border_[part->index].turned_over) open = seen;
+    }
+    return open;
   }
 
   void trim_start() {
-    const Point start = road_.front().origin;
-    std::size_t gone = 0;
-    for (; gone < parts_.size(); ++gone) {
-      const RoadPiece& piece = border_[parts_[gone].index].piece;
-      const std::vector<double> places = leaves(parts_[gone], start);
-      if (!places.empty()) parts_[gone].from = places.back();
-      if (!places.empty() || distance(piece.point(parts_[gone].from), start) >= reach_) break;
-    }
+    std::size_t gone = open_loop(parts_.begin(), parts_.end());
+    if (gone == 0) return;
+    while (gone < parts_.size() && too_near(parts_[gone], parts_[gone].to)) ++gone;
     parts_.erase(parts_.begin(), parts_.begin() + gone);
+    if (parts_.empty()) return;
+    BorderPart& part = parts_.front();
+    if (too_near(part, part.from)) part.from = far_enough(part, part.from, part.to);
   }
 
   void trim_end() {
-    const Point end = road_.back().end();
-    while (!parts_.empty()) {
-      const RoadPiece& piece = border_[parts_.back().index].piece;
-      const std::vector<double> places = leaves(parts_.back(), end);
-      if (!places.empty()) parts_.back().to = places.front();
-      if (!places.empty() || distance(piece.point(parts_.back().to), end) >= reach_) break;
-      parts_.pop_back();
-    }
+    const std::size_t gone = open_loop(parts_.rbegin(), parts_.rend());
+    if (gone == 0) return;
+    parts_.resize(parts_.size() - gone);
+    while (!parts_.empty() && too_near(parts_.back(), parts_.back().from)) parts_.pop_back();
+    if (parts_.empty()) return;
+    BorderPart& part = parts_.back();
+    if (too_near(part, part.to)) part.to = far_enough(part, part.to, part.from);
   }
 
   const std::vector<BorderPiece>& border_;
   const std::vector<RoadPiece>& road_;
-  double reach_;
+  double reach_, slack_;
   std::vector<std::size_t> turned_before_;  // how many of the pieces before each
   std::vector<BorderPart> parts_;
   std::vector<Box> boxes_;
@@ -143,8 +155,9 @@ class Cutting {
 }  // namespace
 
 std::vector<BorderPart> without_bend_loops(const std::vector<BorderPiece>& border,
-                                           const std::vector<RoadPiece>& road, double offset) {
-  return Cutting(border, road, offset).parts();
+                                           const std::vector<RoadPiece>& road, double offset,
+                                           double slack) {
+  return Cutting(border, road, offset, slack).parts();
 }
 
 }  // namespace streetgen

@@ -22,8 +22,10 @@ struct BorderPart {
 };
 
 // A loop goes out whose pieces all lie nearer to their part of the road than the offset and one of
-// which is turned over; so does what is turned over at the ends. All in one plane.
+// which is turned over; so does what is turned over at the ends. All in one plane. Where a border
+// of chords crosses itself it may lie nearer than the offset by `slack`.
 std::vector<BorderPart> without_bend_loops(const std::vector<BorderPiece>& border,
-                                           const std::vector<RoadPiece>& road, double offset);
+                                           const std::vector<RoadPiece>& road, double offset,
+                                           double slack = 0);
 
 }  // namespace streetgen

@@ -47,8 +47,7 @@ class Growth {
         if (radii_[stop.place / 2] == unsettled) settle(stop.place / 2, stop.radius, next);
       } else if (wants_more(stop.place / 2) && full_at(stop.place / 2) <= stop.radius) {
         const std::size_t segment = stop.place / 2;
-        if (segment > 0 && radii_[segment - 1] == unsettled)
-          settle(segment - 1, stop.radius, next);
+        if (segment > 0 && radii_[segment - 1] == unsettled) settle(segment - 1, stop.radius, next);
         if (segment < bends_.size() && radii_[segment] == unsettled)
           settle(segment, stop.radius, next);
       }

@@ -116,9 +116,8 @@ class Fitting {
 
   void refuse_misfit() const {
     const auto taken = [&](std::size_t bend) {
-      return bend < bends_.size() && bends_[bend].fixed
-                 ? *bends_[bend].fixed * bends_[bend].tangent
-                 : 0;
+      return bend < bends_.size() && bends_[bend].fixed ? *bends_[bend].fixed * bends_[bend].tangent
+                                                        : 0;
     };
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
       const double before = i > 0 ? taken(i - 1) : 0, after = taken(i);

@@ -88,8 +88,9 @@ class Stations {
 };
 
 // A point for each station: beside it, or where the border meets itself.
-Line border_of(const std::vector<Station>& stations, double offset) {
+Line border_of(const std::vector<Station>& stations, double offset, double tolerance) {
   Line points;
+  points.reserve(stations.size());
   for (const Station& station : stations) points.push_back(station.place + station.left * offset);
   std::vector<RoadPiece> road;
   std::vector<BorderPiece> border;
@@ -100,7 +101,7 @@ Line border_of(const std::vector<Station>& stations, double offset) {
     border.push_back({straight_piece(planar(points[i]), planar(points[i + 1])), i,
                       dot(step, along) < -rounding * norm(along)});
   }
-  const std::vector<BorderPart> parts = without_bend_loops(border, road, offset);
+  const std::vector<BorderPart> parts = without_bend_loops(border, road, offset, 2 * tolerance);
   if (parts.empty()) return points;
   const auto place = [&](const BorderPart& part, double at) {
     const RoadPiece& piece = border[part.index].piece;
@@ -120,6 +121,8 @@ Line border_of(const std::vector<Station>& stations, double offset) {
       parts.back().index + 1 < border.size())
     for (std::size_t i = std::max(next, parts.back().index + 1); i < points.size(); ++i)
       points[i] = end;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (space::distance(points[i - 1], points[i]) <= same_place) points[i] = points[i - 1];
   return points;
 }
 
@@ -129,8 +132,8 @@ std::vector<Triangle> road_mesh(const ArcRoad::Body& road, double offset_left, d
                                 double tolerance) {
   const double reach = std::max(std::abs(offset_left), std::abs(offset_right));
   const Stations stations(road, reach, tolerance);
-  const Line left = border_of(stations.all(), offset_left);
-  const Line right = border_of(stations.all(), offset_right);
+  const Line left = border_of(stations.all(), offset_left, tolerance);
+  const Line right = border_of(stations.all(), offset_right, tolerance);
   std::vector<Triangle> triangles;
   triangles.reserve(2 * left.size());
   const auto differ = [](const Point& a, const Point& b) { return !same(a, b) || a.z != b.z; };

@@ -114,8 +114,7 @@ std::optional<ArcRoad> flat_offset(const ArcRoad::Body& road, double axis_offset
   const std::vector<BorderPiece> border = raw_border(road.pieces, axis_offset);
   const std::vector<BorderPart> parts = without_bend_loops(border, road.pieces, axis_offset);
   RoadBuilder built(rounding);
-  for (const BorderPart& part : parts)
-    built.add(border[part.index].piece.part(part.from, part.to));
+  for (const BorderPart& part : parts) built.add(border[part.index].piece.part(part.from, part.to));
   if (built.empty()) return {};
   return built.built(border[parts.back().index].piece.point(parts.back().to));
 }
@@ -125,7 +124,8 @@ ArcRoad offset_in_space(const ArcRoad::Body& road, double axis_offset) {
   const std::vector<RoadCorner> corners = corners_of(pieces);
   const Point last = pieces.back().direction(pieces.back().length);
   Line line{pieces.front().origin + leftwards(pieces.front().forward) * axis_offset};
-  for (const RoadCorner& corner : corners) line.push_back(corner.place + corner.aside * axis_offset);
+  for (const RoadCorner& corner : corners)
+    line.push_back(corner.place + corner.aside * axis_offset);
   line.push_back(road.end + leftwards(last) * axis_offset);
   std::vector<double> lengths;
   std::vector<Bend> bends;

@@ -64,7 +64,7 @@ Point RoadPiece::centre() const { return origin + inward * radius; }
 Point RoadPiece::point(double at) const {
   if (!curved()) return origin + forward * at;
   const double angle = at / radius, half = std::sin(angle / 2);
-  return origin + forward * (radius * std::sin(angle)) + inward * (2 * radius * half * half);
+  return origin + (forward * (radius * std::sin(angle)) + inward * (2 * radius * half * half));
 }
 
 Point RoadPiece::direction(double at) const {
@@ -138,9 +138,8 @@ RoadPiece arc_piece(const Arc& arc) {
   const Point aside = space::cross(axis, along);
   piece.forward = along * std::cos(first) - aside * std::sin(first);
   piece.inward = space::cross(axis, piece.forward);
-  piece.radius = first + second < M_PI / 2
-                     ? space::norm(whole) / (2 * std::sin(first + second))
-                     : space::norm(half) / (2 * std::sin(first));
+  piece.radius = first + second < M_PI / 2 ? space::norm(whole) / (2 * std::sin(first + second))
+                                           : space::norm(half) / (2 * std::sin(first));
   piece.length = 2 * (first + second) * piece.radius;
   return piece;
 }

@@ -48,7 +48,8 @@ class PieceIndex {
   PieceIndex() = default;
   explicit PieceIndex(const std::vector<RoadPiece>& pieces);
   // The piece that is nearest, and metres along it.
-  std::pair<std::size_t, double> nearest(const std::vector<RoadPiece>& pieces, const Point& p) const;
+  std::pair<std::size_t, double> nearest(const std::vector<RoadPiece>& pieces,
+                                         const Point& p) const;
   // Whether one of the pieces from first to last comes nearer to p than `reach`.
   bool comes_within(const std::vector<RoadPiece>& pieces, const Point& p, double reach,
                     std::size_t first, std::size_t last) const;

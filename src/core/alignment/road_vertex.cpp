@@ -117,8 +117,9 @@ RoadVertices road_vertices(const Line& line) {
   RoadVertices all;
   if (!line.empty()) all = without_repeats(line, near);
   if (all.points.size() < 2)
-    throw Error(ErrorKind::invalid_input, "the line has no length: its " +
-                                              std::to_string(line.size()) + " points are one place");
+    throw Error(
+        ErrorKind::invalid_input,
+        "the line has no length: its " + std::to_string(line.size()) + " points are one place");
   for (std::size_t i = 0; i + 1 < all.points.size(); ++i) {
     if (i % between_polls == 0) poll_cancel();
     refuse_vertical(all.points[i], all.points[i + 1], "vertex", all.numbers[i] + 1);

@@ -89,7 +89,8 @@ TEST(FitRadii, AreThoseOfTheDefinition) {
     const std::vector<double> found = fit_radii(problem.lengths, problem.bends);
     const std::vector<double> expected = radii_by_bisection(problem.lengths, problem.bends);
     for (std::size_t k = 0; k < found.size(); ++k)
-      ASSERT_NEAR(found[k], expected[k], 1e-9 * expected[k] + 1e-12) << "line " << i << " bend " << k;
+      ASSERT_NEAR(found[k], expected[k], 1e-9 * expected[k] + 1e-12)
+          << "line " << i << " bend " << k;
   }
 }
 
@@ -102,8 +103,8 @@ TEST(FitRadii, TheSmallestIsTheClosedForm) {
     double smallest = std::min(problem.lengths.front() / problem.bends.front().tangent,
                                problem.lengths.back() / problem.bends.back().tangent);
     for (std::size_t k = 1; k < n; ++k)
-      smallest = std::min(smallest, problem.lengths[k] / (problem.bends[k - 1].tangent +
-                                                          problem.bends[k].tangent));
+      smallest = std::min(
+          smallest, problem.lengths[k] / (problem.bends[k - 1].tangent + problem.bends[k].tangent));
     const std::vector<double> found = fit_radii(problem.lengths, problem.bends);
     ASSERT_NEAR(*std::min_element(found.begin(), found.end()), smallest, 1e-9 * smallest);
   }
@@ -123,8 +124,8 @@ TEST(FitRadii, OfARoadAreThoseOfItsPolyline) {
       problem.lengths.push_back(space::distance(line[k], line[k + 1]));
       if (k == 0) continue;
       const double turn = angle_between(line[k] - line[k - 1], line[k + 1] - line[k]);
-      problem.bends.push_back({std::tan(turn / 2),
-                               std::min(300.0, 2 / (1 / std::cos(turn / 2) - 1)), fit.radii[k]});
+      problem.bends.push_back(
+          {std::tan(turn / 2), std::min(300.0, 2 / (1 / std::cos(turn / 2) - 1)), fit.radii[k]});
     }
     bool fits = true;
     for (const std::size_t k : {3u, 4u})

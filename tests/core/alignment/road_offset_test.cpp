@@ -92,7 +92,8 @@ TEST(RoadOffset, IsExactBesideBendsThatAreWider) {
       for (const ArcRoad::Stretch& s : stretches) {
         const double at = s.start_abscissa;
         if (at == 0) continue;
-        ASSERT_LT(angle_between(other.at(std::nextafter(at, 0)).forward, other.at(at).forward), 1e-9);
+        ASSERT_LT(angle_between(other.at(std::nextafter(at, 0)).forward, other.at(at).forward),
+                  1e-9);
       }
     }
   }
@@ -138,8 +139,7 @@ TEST(RoadOffset, GoesRoundSharpBends) {
 
 TEST(RoadOffset, InSpaceKeepsToItsBound) {
   std::mt19937 random(3);
-  double worst = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const double slope = 0.02 * (1 + i % 9);
     const Line line = random_line(random, {7, 1.5, slope});
     const ArcRoad road = ArcRoad::fit(line);
@@ -157,17 +157,14 @@ TEST(RoadOffset, InSpaceKeepsToItsBound) {
         const RoadPlace before = other.at(std::nextafter(s.start_abscissa, 0));
         ASSERT_LT(angle_between(before.forward, other.at(s.start_abscissa).forward), 1e-9);
       }
-    const double bound = std::abs(offset) * slope * (1 + 4 * std::tan(sharpest / 2));
+    const double bound = std::abs(offset) * slope * (1 + std::tan(sharpest / 2));
     for (int k = 0; k <= 100; ++k) {
       const RoadPlace place = road.at(road.length() * k / 100);
       const Point beside = place.point - place.right * offset;
       const double away = other.locate(beside).distance;
       ASSERT_LE(away, bound + 1e-9) << i << " at " << k;
-      worst = std::max(worst, away / bound);
     }
   }
-  RecordProperty("share_of_bound", std::to_string(worst));
-  std::printf("share of the bound: %.3f\n", worst);
 }
 
 TEST(RoadLine, LeavesTheRoadByNoMoreThanTheTolerance) {
@@ -179,8 +176,8 @@ TEST(RoadLine, LeavesTheRoadByNoMoreThanTheTolerance) {
       double farthest = 0;
       for (std::size_t k = 1; k < line.size(); ++k)
         for (const double share : {0.25, 0.5, 0.75})
-          farthest = std::max(
-              farthest, road.locate(line[k - 1] + (line[k] - line[k - 1]) * share).distance);
+          farthest = std::max(farthest,
+                              road.locate(line[k - 1] + (line[k] - line[k - 1]) * share).distance);
       ASSERT_LE(farthest, tolerance * (1 + 1e-9));
     }
   }
