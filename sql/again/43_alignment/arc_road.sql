@@ -150,8 +150,8 @@ CREATE OR REPLACE FUNCTION streetgen.arc_road_line(road geometry, tolerance floa
     AS $$ SELECT streetgen._arc_road_line(road::bytea, tolerance)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_road_line(geometry, float8) IS
     'A road (as of arc_road_length) as a LINESTRING in its direction: equal chords of each arc that leave it by at '
-    'most the tolerance, 0.001 to 10 m. Bad geometry or numbers: 22023. GIS data to functional road models, 6.4.1. NULL for '
-    'NULL.';
+    'most the tolerance, 0.001 to 10 m. Bad geometry or numbers: 22023. GIS data to functional road models, 6.4.1. NULL '
+    'for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_mesh(bytea, float8, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_mesh';
