@@ -162,7 +162,7 @@ void give(const ArcRows& rows, ReturnSetInfo* result) {
 Datum row_datum(FunctionCallInfo fcinfo, Datum* values) {
   TupleDesc described;
   if (get_call_result_type(fcinfo, nullptr, &described) != TYPEFUNC_COMPOSITE)
-    ereport(ERROR, (errcode(ERRCODE_DATATYPE_MISMATCH), errmsg("the function gives no row")));
+    elog(ERROR, "the function gives no row");
   bool nulls[8] = {false};
   return HeapTupleGetDatum(heap_form_tuple(BlessTupleDesc(described), values, nulls));
 }

@@ -16,8 +16,8 @@ COMMENT ON FUNCTION streetgen.arc_road(geometry, float8, float8, float8[]) IS
     'metres; NULL: as far as it likes. radii: one for each point, metres, which comes before cap and shift; NULL: '
     'free. A bend straight back stays sharp. Of a LINESTRING Z each arc goes through its three points in space, which '
     'PostGIS takes for an arc of the plan: ask it by these functions. Bad geometry or numbers, radii of another '
-    'length or that do not fit, a vertical piece: 22023. GIS data to functional road models, 6.2. NULL for a line or '
-    'cap that is NULL.';
+    'length or that do not fit, a vertical piece: 22023. GIS data to functional road models, 6.2. NULL for NULL, but '
+    'for shift and radii.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_arcs(bytea, float8, float8, float8[])
     RETURNS TABLE(vertex integer, centre bytea, radius float8, angle float8, start_abscissa float8,
@@ -40,8 +40,8 @@ COMMENT ON FUNCTION streetgen.arc_road_arcs(geometry, float8, float8, float8[]) 
     '(degrees), metres along the road where the arc starts and ends, unit vector from the centre to the start '
     '(x, y, z), orientation (left, right; straight on a crest or in a sag) and unit normal of its plane (up on left '
     'bends). The arc is centre + radius (cos t start_direction + sin t normal x start_direction). Bad geometry or '
-    'numbers: 22023. GIS data to functional road models, 6.1, where (12) starts elsewhere. No row for a line or cap '
-    'that is NULL.';
+    'numbers: 22023. GIS data to functional road models, 6.1, where (12) starts elsewhere. NULL for NULL, but for '
+    'shift and radii: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_length(bytea) RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_length';
@@ -70,7 +70,7 @@ COMMENT ON FUNCTION streetgen.arc_road_point(geometry, float8, float8) IS
     'there: unit vectors (x, y, z) forward, to the right (horizontal) and up (their normal); heading in degrees '
     'clockwise from the y axis, as ST_Azimuth; curvature in the plan, 1/m, and the steering angle of a car of that '
     'wheelbase (0.01 to 100 m), degrees, both positive on left bends. Bad geometry or numbers: 22023. GIS data to '
-    'functional road models, 6.1. No row for NULL.';
+    'functional road models, 6.1. NULL for NULL: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_locate(bytea, bytea, OUT metres float8, OUT axis_offset float8,
     OUT distance float8)
@@ -85,7 +85,7 @@ COMMENT ON FUNCTION streetgen.arc_road_locate(geometry, geometry) IS
     'Where a point (POINT) lies by a road (as of arc_road_length): metres along it of the nearest place, the first of '
     'equal ones; how far to the left of the road there (negative: to the right); its distance, which is more beyond an '
     'end, or above. A road with heights needs a point with one; a flat one asks for none. Bad geometry, another SRID: '
-    '22023. No row for NULL.';
+    '22023. NULL for NULL: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_distance(bytea, bytea, bytea) RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_distance';
@@ -139,7 +139,7 @@ CREATE OR REPLACE FUNCTION streetgen.arc_road_speed_profile(road geometry, frict
 COMMENT ON FUNCTION streetgen.arc_road_speed_profile(geometry, float8, float8, float8) IS
     'The pieces of a road (as of arc_road_length) in their order: metres along it where each starts and ends, its '
     'radius and arc_road_speed_limit there, km/h, with the other arguments; both NULL where it is straight. Bad '
-    'geometry or numbers: 22023. No row for NULL.';
+    'geometry or numbers: 22023. NULL for NULL: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_line(bytea, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_line';
@@ -150,8 +150,8 @@ CREATE OR REPLACE FUNCTION streetgen.arc_road_line(road geometry, tolerance floa
     AS $$ SELECT streetgen._arc_road_line(road::bytea, tolerance)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_road_line(geometry, float8) IS
     'A road (as of arc_road_length) as a LINESTRING in its direction: equal chords of each arc that leave it by at '
-    'most the tolerance, 0.001 to 10 m. Bad geometry or numbers: 22023. GIS data to functional road models, 6.4.1. NULL '
-    'for NULL.';
+    'most the tolerance, 0.001 to 10 m. Bad geometry or numbers: 22023. GIS data to functional road models, 6.4.1. '
+    'NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road_mesh(bytea, float8, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_mesh';
