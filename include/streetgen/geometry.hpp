@@ -39,4 +39,7 @@ struct RingPiece {
 };
 using CurvedRing = std::vector<RingPiece>;
 
+// The same of a line: each piece starts where the one before it ends.
+using CurvedLine = std::vector<RingPiece>;
+
 }  // namespace streetgen

@@ -4,6 +4,7 @@
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "streetgen/clean.hpp"
 #include "streetgen/corner.hpp"
 #include "streetgen/lane.hpp"
@@ -20,30 +21,8 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-std::string_view take_bytes(FunctionCallInfo fcinfo, int argument) {
-  return bytes_of(PointerGetDatum(PG_GETARG_BYTEA_PP(argument)));
-}
-
 double width_of(double value, const char* name) { return in_range(value, 1e-3, 200, name); }
 double radius_of(double value, const char* name) { return in_range(value, 0, 1000, name); }
-
-// The result of a primitive: EWKB, or nothing (NULL).
-struct Result {
-  bool present = false;
-  std::string wkb;
-};
-
-template <class Work>
-Datum geometry_result(FunctionCallInfo fcinfo, Work work) {
-  Slot<Result>* slot = make_slot<Result>(CurrentMemoryContext);
-  const Outcome outcome = compute([&] {
-    slot->value = new Result;
-    work(*slot->value);
-  });
-  report(outcome);
-  if (!slot->value->present) PG_RETURN_NULL();
-  return bytes_datum(slot->value->wkb);
-}
 
 struct Pair {
   ReadLine a, b;
@@ -91,7 +70,7 @@ using namespace streetgen::pg;
 STREETGEN_FUNCTION(streetgen_arc_centre) {
   const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
   const double wa = PG_GETARG_FLOAT8(2), wb = PG_GETARG_FLOAT8(3), r = PG_GETARG_FLOAT8(4);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const Pair pair = read_pair(a, b);
     const auto centre = arc_centre(pair.a.line, pair.b.line, width_of(wa, "width_a"),
                                    width_of(wb, "width_b"), radius_of(r, "radius"));
@@ -102,7 +81,7 @@ STREETGEN_FUNCTION(streetgen_arc_centre) {
 STREETGEN_FUNCTION(streetgen_corner_arc) {
   const std::string_view a = take_bytes(fcinfo, 0), b = take_bytes(fcinfo, 1);
   const double wa = PG_GETARG_FLOAT8(2), wb = PG_GETARG_FLOAT8(3), r = PG_GETARG_FLOAT8(4);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const Pair pair = read_pair(a, b);
     const auto corner = corner_arc(pair.a.line, pair.b.line, width_of(wa, "width_a"),
                                    width_of(wb, "width_b"), radius_of(r, "radius"));
@@ -130,7 +109,7 @@ STREETGEN_FUNCTION(streetgen_max_corner_radius) {
 STREETGEN_FUNCTION(streetgen_border_line) {
   const std::string_view axis = take_bytes(fcinfo, 0);
   const double abscissa = PG_GETARG_FLOAT8(1), width = PG_GETARG_FLOAT8(2);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const ReadLine read = read_line(axis, "axis");
     result = {true, write_line(border_line(read.line, finite(abscissa, "abscissa"),
                                            width_of(width, "width")),
@@ -141,7 +120,7 @@ STREETGEN_FUNCTION(streetgen_border_line) {
 STREETGEN_FUNCTION(streetgen_section_surface) {
   const std::string_view axis = take_bytes(fcinfo, 0);
   const double width = PG_GETARG_FLOAT8(1), start = PG_GETARG_FLOAT8(2), end = PG_GETARG_FLOAT8(3);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const ReadLine read = read_line(axis, "axis");
     result = {true, write_polygon(section_surface(read.line, width_of(width, "width"),
                                                   finite(start, "start_abscissa"),
@@ -153,7 +132,7 @@ STREETGEN_FUNCTION(streetgen_section_surface) {
 STREETGEN_FUNCTION(streetgen_offset_line) {
   const std::string_view axis = take_bytes(fcinfo, 0);
   const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const ReadLine read = read_line(axis, "axis");
     in_range(start, -200, 200, "axis_offset");
     in_range(end, -200, 200, "offset_end");
@@ -173,7 +152,7 @@ STREETGEN_FUNCTION(streetgen_intersection_surface) {
   }
   const Numbers widths = take_numbers(fcinfo, 1), radii = take_numbers(fcinfo, 2);
   const bool curved = PG_GETARG_BOOL(3);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     std::vector<Line> lines;
     int srid = 0;
     for (int i = 0; i < count; ++i) {
@@ -197,7 +176,7 @@ STREETGEN_FUNCTION(streetgen_variable_buffer) {
   const Numbers radii = take_numbers(fcinfo, 1);
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   const char* ends = text_to_cstring(PG_GETARG_TEXT_PP(3));
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const ReadLine read = read_line(line, "line");
     const Side which = word_of<Side>(
         side, "side", {{"both", Side::both}, {"left", Side::left}, {"right", Side::right}});
@@ -229,7 +208,7 @@ STREETGEN_FUNCTION(streetgen_clean) {
   int count;
   deconstruct_array(PG_GETARG_ARRAYTYPE_P(1), BOOLOID, 1, true, 'c', &keep, &nulls, &count);
   const double epsilon = PG_GETARG_FLOAT8(2), r_min = PG_GETARG_FLOAT8(3);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     const ReadLine read = read_line(line, "line");
     std::vector<bool> kept;
     for (int i = 0; i < count; ++i) kept.push_back(!nulls[i] && DatumGetBool(keep[i]));
@@ -244,7 +223,7 @@ STREETGEN_FUNCTION(streetgen_interconnection) {
                          at = take_bytes(fcinfo, 2);
   const char* rule = text_to_cstring(PG_GETARG_TEXT_PP(3));
   const double tolerance = PG_GETARG_FLOAT8(4);
-  return geometry_result(fcinfo, [&](Result& result) {
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
     enum class Rule { bezier, arcs, control };
     const Rule wanted = word_of<Rule>(
         rule, "rule", {{"bezier", Rule::bezier}, {"arcs", Rule::arcs}, {"control", Rule::control}});

@@ -39,7 +39,8 @@ INSERT INTO long_call SELECT primitive || ', ' || kind, format('SELECT streetgen
   ('arc_centre', 'arc_centre(geom, turned, 7, 6, 5)'), ('corner_arc', 'corner_arc(geom, turned, 7, 6, 5)'), ('max_corner_radius', 'max_corner_radius(geom, turned, 7, 6)'),
   ('border_line', 'border_line(geom, 1e9, 7)'), ('section_surface', 'section_surface(geom, 7, 10, 1e9)'), ('clean', 'clean(geom, ''{}'', 0.3, 3)'),
   ('intersection_surface', 'intersection_surface(ARRAY[geom, turned], ''{7,6}'', ''{5,5}'')'),
-  ('variable_buffer', 'variable_buffer(geom, array_fill(3.5::float8, ARRAY[ST_NPoints(geom)]))')) v(primitive, call);
+  ('variable_buffer', 'variable_buffer(geom, array_fill(3.5::float8, ARRAY[ST_NPoints(geom)]))'), ('arc_road', 'arc_road(geom)'),
+  ('arc_road_offset', 'arc_road_offset(streetgen.arc_road(geom), 15)'), ('arc_road_mesh', 'arc_road_mesh(streetgen.arc_road(geom), 15, -15, 0.001)')) v(primitive, call);
 INSERT INTO long_call VALUES
   ('import_axes, long lines', 'SELECT streetgen.import_axes(''imported'', ''long_line'', ''{"source_ref": "kind"}'')'),
   ('import_axes, town', 'SELECT streetgen.import_axes(''imported'', ''street'', ''{"source_ref": "id"}'')'),

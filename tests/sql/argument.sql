@@ -20,7 +20,9 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('radius_by_importance', 'text', '''{"3": 5}'''), ('kinds', 'text', '''general|cycle'''), ('list', 'text', '''general'''), ('cycle_lane_width', 'float8', '1.5'), ('parking_lane_width', 'float8', '2'), ('open', 'boolean', 'true'), ('listed', 'boolean', 'false'),
     ('stated', 'integer', '1'), ('against', 'integer', '1'), ('driving', 'integer', '2'), ('buses', 'text', '''|designated'''), ('bus', 'boolean', 'true'), ('driving_side', 'text', '''right'''), ('near_cycle', 'boolean', 'true'), ('far_cycle', 'boolean', 'false'),
     ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
-    ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true');
+    ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
+    ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
+    ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3');
 
 CREATE TABLE given AS
 SELECT p.oid, p.oid::regprocedure::text AS signature, p.proname AS function, p.prokind, p.proretset, coalesce(obj_description(p.oid, 'pg_proc'), '') AS said_of_it, i AS place, p.proargnames[i] AS name, g.value

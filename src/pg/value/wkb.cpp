@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "streetgen/error.hpp"
 
@@ -18,7 +19,9 @@ enum Type : std::uint32_t {
   multi_polygon_type = 6,
   circular_type = 8,
   compound_type = 9,
-  curve_polygon_type = 10
+  curve_polygon_type = 10,
+  tin_type = 16,
+  triangle_type = 17
 };
 constexpr std::uint32_t z_flag = 0x80000000, m_flag = 0x40000000, srid_flag = 0x20000000;
 
@@ -134,14 +137,57 @@ Point read_vertex(Reader& reader, bool has_z, std::uint32_t number) {
   return p;
 }
 
+// The points of one part of a curve.
+Line read_points(Reader& reader, bool has_z) {
+  const auto count = reader.take<std::uint32_t>();
+  if (count > reader.left() / 16) reader.refuse("is cut off");
+  Line points;
+  for (std::uint32_t i = 0; i < count; ++i) points.push_back(read_vertex(reader, has_z, i + 1));
+  return points;
+}
+
+void append_part(Reader& reader, const Head& head, CurvedLine& curve) {
+  const Line points = read_points(reader, head.has_z);
+  if (head.type == line_type)
+    for (std::size_t i = 1; i < points.size(); ++i)
+      curve.push_back({{points[i - 1], {}, points[i]}, false});
+  else if (points.size() % 2 == 0 && !points.empty())
+    reader.refuse("has an arc of two points");
+  else
+    for (std::size_t i = 2; i < points.size(); i += 2)
+      curve.push_back({{points[i - 2], points[i - 1], points[i]}, true});
+}
+
 }  // namespace
+
+ReadCurve read_curve(std::string_view wkb, const std::string& what) {
+  Reader reader(wkb, what);
+  const Head head = read_head(reader);
+  ReadCurve read{{}, head.srid, head.has_z};
+  if (head.type == line_type || head.type == circular_type) {
+    append_part(reader, head, read.curve);
+  } else if (head.type == compound_type) {
+    const auto parts = reader.take<std::uint32_t>();
+    for (std::uint32_t i = 0; i < parts; ++i) {
+      const Head part = read_head(reader);
+      if (part.type != line_type && part.type != circular_type)
+        reader.refuse(std::string("has a part that is a ") + type_name(part.type));
+      append_part(reader, part, read.curve);
+    }
+  } else {
+    reader.refuse(std::string("is a ") + type_name(head.type) +
+                  ", expected a COMPOUNDCURVE or a LINESTRING");
+  }
+  if (read.curve.empty()) reader.refuse(std::string("is an empty ") + type_name(head.type));
+  return read;
+}
 
 ReadPoint read_point(std::string_view wkb, const std::string& what) {
   Reader reader(wkb, what);
   const Head head = read_head(reader);
   if (head.type != point_type)
     reader.refuse(std::string("is a ") + type_name(head.type) + ", expected a POINT");
-  return {read_vertex(reader, head.has_z, 1), head.srid};
+  return {read_vertex(reader, head.has_z, 1), head.srid, head.has_z};
 }
 
 ReadLine read_line(std::string_view wkb, const std::string& what) {
@@ -244,6 +290,41 @@ std::string write_curved(const CurvedRing& ring, Form form) {
     writer.head(piece.curved ? circular_type : line_type, form, false);
     writer.put(piece.curved ? Line{piece.arc.start, piece.arc.middle, piece.arc.end}
                             : Line{piece.arc.start, piece.arc.end});
+  }
+  return writer.take();
+}
+
+std::string write_curve(const CurvedLine& curve, Form form) {
+  // Straight pieces that follow each other are one LINESTRING.
+  std::vector<Line> parts;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const Arc& arc = curve[i].arc;
+    if (curve[i].curved)
+      parts.push_back({arc.start, arc.middle, arc.end});
+    else if (i > 0 && !curve[i - 1].curved)
+      parts.back().push_back(arc.end);
+    else
+      parts.push_back({arc.start, arc.end});
+  }
+  Writer writer(compound_type, form, 3 * curve.size(), 1 + parts.size());
+  writer.put<std::uint32_t>(parts.size());
+  std::size_t piece = 0;
+  for (const Line& part : parts) {
+    const bool curved = curve[piece].curved;
+    writer.head(curved ? circular_type : line_type, form, false);
+    writer.put(part);
+    piece += curved ? 1 : part.size() - 1;
+  }
+  return writer.take();
+}
+
+std::string write_tin(const std::vector<std::array<Point, 3>>& triangles, int srid) {
+  const Form form{srid, true};
+  Writer writer(tin_type, form, 4 * triangles.size(), 1 + 2 * triangles.size());
+  writer.put<std::uint32_t>(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    writer.head(triangle_type, form, false);
+    writer.put(Polygon{{a, b, c, a}});
   }
   return writer.take();
 }

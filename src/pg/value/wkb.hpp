@@ -1,8 +1,10 @@
 // Geometries as EWKB, the form of PostGIS' casts to and from bytea.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "streetgen/geometry.hpp"
 
@@ -21,10 +23,20 @@ ReadLine read_line(std::string_view wkb, const std::string& what);
 struct ReadPoint {
   Point point;
   int srid = 0;
+  bool has_z = false;
 };
 
 // A POINT that is not empty, refused as a line is.
 ReadPoint read_point(std::string_view wkb, const std::string& what);
+
+struct ReadCurve {
+  CurvedLine curve;
+  int srid = 0;
+  bool has_z = false;
+};
+
+// A COMPOUNDCURVE, CIRCULARSTRING or LINESTRING that is not empty, refused as a line is.
+ReadCurve read_curve(std::string_view wkb, const std::string& what);
 
 // A MULTIPOLYGON in the plane, refused as a line is.
 MultiPolygon read_surface(std::string_view wkb, const std::string& what);
@@ -39,5 +51,7 @@ std::string write_arc(const Arc& arc, Form form);             // CIRCULARSTRING
 std::string write_surface(const MultiPolygon& s, Form form);  // MULTIPOLYGON
 std::string write_polygon(const MultiPolygon& s, Form form);  // POLYGON where there is one part
 std::string write_curved(const CurvedRing& ring, Form form);  // CURVEPOLYGON
+std::string write_curve(const CurvedLine& curve, Form form);  // COMPOUNDCURVE
+std::string write_tin(const std::vector<std::array<Point, 3>>& triangles, int srid);  // TIN Z
 
 }  // namespace streetgen::pg

@@ -1,0 +1,31 @@
+// What an inner bend turns over beside a road: the loops of raw borders.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "alignment/road_piece.hpp"
+
+namespace streetgen {
+
+// A piece of a border before loops are cut out.
+struct BorderPiece {
+  RoadPiece piece;
+  std::size_t of = 0;        // the piece of the road that it lies beside
+  bool turned_over = false;  // an inner bend that is tighter than the offset made it
+};
+
+// What stays of a border, in order: each part starts where the one before it ends.
+struct BorderPart {
+  std::size_t index;  // of the piece
+  double from, to;    // metres along it
+};
+
+// A loop goes out whose pieces all lie nearer to their part of the road than the offset and one of
+// which is turned over; so does what is turned over at the ends. All in one plane. Where a border
+// of chords crosses itself it may lie nearer than the offset by `slack`.
+std::vector<BorderPart> without_bend_loops(const std::vector<BorderPiece>& border,
+                                           const std::vector<RoadPiece>& road, double offset,
+                                           double slack = 0);
+
+}  // namespace streetgen
