@@ -48,11 +48,18 @@ enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axe
 // An axis may be too short for the wanted radius: the first remedy, before the other one.
 enum class ShortAxis { reduce, follow };
 
+// How the polyline of an edge becomes a line of straight pieces and arcs.
+struct Smoothing {
+  double shift = 0.5;       // metres by which the line may leave a point of the polyline, positive
+  double tolerance = 0.01;  // metres by which chords may leave an arc, positive
+};
+
 // The model's settings that the geometry needs, each with the name of its setting.  Measures are
 // finite and not negative, tolerance is positive.
 struct StreetSettings {
   double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
+  std::optional<Smoothing> smoothing{};  // none: edges are polylines
   double max_arc_distance = 60;  // metres from the node to an arc's centre
   double radius_minimal = 0.15;  // metres, the kerb stone's radius
   double reach = 60;             // metres along the network: how far a corner follows its axes

@@ -6,6 +6,7 @@
 
 #include "geometry/polyline.hpp"
 #include "roadway/node_corner.hpp"
+#include "roadway/smooth_edges.hpp"
 
 namespace streetgen {
 
@@ -18,6 +19,7 @@ Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted)
     by_id.emplace(axis.axis_id, &axis);
   }
   streets.network = network(lines, settings.tolerance, settings.crossing);
+  if (settings.smoothing) smooth_edges(streets.network, *settings.smoothing);
   for (const Edge& edge : streets.network.edges) axes.push_back(by_id.at(edge.axis_id));
   streets.roadways.reserve(axes.size());
   arms.reserve(2 * axes.size());

@@ -171,6 +171,9 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.tolerance = given.measure("tolerance", 1e-6);
   settings.crossing =
       given.choice<Crossing>("crossing", {{"over", Crossing::over}, {"split", Crossing::split}});
+  if (given.choice<bool>("smoothing", {{"none", false}, {"arcs", true}}))
+    settings.smoothing = Smoothing{given.measure("smoothing_shift", 1e-6),
+                                   given.measure("smoothing_tolerance", 1e-6)};
   settings.max_arc_distance = given.measure("max_arc_distance");
   settings.radius_minimal = given.measure("radius_minimal");
   settings.transition = {transition_kind_of(given.word("transition_kind"))};

@@ -130,6 +130,7 @@ StreetSettings random_settings(Random& random) {
   settings.tolerance = random.of(std::vector<double>{0.5, 0.5, 0.01, 2});
   settings.crossing = random.one_in(2) ? Crossing::split : Crossing::over;
   settings.short_axis = random.one_in(3) ? ShortAxis::follow : ShortAxis::reduce;
+  if (random.one_in(4)) settings.smoothing = Smoothing{random.between(0.01, 3), 0.01};
   settings.radius_rule =
       random.of(std::vector<RadiusRule>{RadiusRule::min, RadiusRule::max, RadiusRule::mean});
   settings.transition.kind = random.of(std::vector<TransitionKind>{
