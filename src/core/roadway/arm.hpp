@@ -20,6 +20,7 @@ struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
   double angle = 0;  // counter-clockwise about the node, radians; over pi outside a bend
+  bool tapers = false;  // the kerb goes on from one limit to the other as the width changes
   Polygon beyond{};  // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 

@@ -151,6 +151,24 @@ void choose_transitions(Layout& layout) {
       choose_transition(layout, junction);
 }
 
+// The kerb of a street that goes on nearly straight, on the side where no other street leaves.
+bool tapers(const Arm& a, const Arm& b, const Gap& gap) {
+  constexpr double nearly_straight = 20 * M_PI / 180;
+  return gap.corner.radius <= 0 && std::abs(gap.angle - M_PI) < nearly_straight &&
+         std::abs(a.half_start - b.half_start) > same_width;
+}
+
+void make_tapers(Layout& layout, Junction& junction) {
+  const std::size_t count = junction.ends.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Gap& gap = junction.gaps[i];
+    if (!tapers(layout.arm(junction.ends[i]), layout.arm(junction.next(i)), gap)) continue;
+    gap.tapers = true;
+    gap.meets = false;
+    layout.streets.corners[layout.streets.corners.size() - count + i].method = Method::transition;
+  }
+}
+
 // Its two corners have no arc.
 void make_transition(Layout& layout, const Junction& junction) {
   auto& corners = layout.streets.corners;
@@ -208,6 +226,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
         meet_straight(layout, junction);
       continue;
     }
+    if (!layout.settings.transition.length) make_tapers(layout, junction);
     for (const EdgeEnd& end : junction.ends) {
       Arm& arm = layout.arm(end);
       arm.limit = std::max(arm.limit, least_limit(arm));

@@ -76,8 +76,21 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
+// From the limit of a through the node to that of b, linear between both half widths.
+Kerb tapering_kerb(const Arm& a, const Arm& b) {
+  Line line = substring(a.line, a.limit, 0);
+  const Line on = substring(b.line, 0, b.limit);
+  line.insert(line.end(), on.begin() + 1, on.end());
+  line = distinct(planar(std::move(line)));
+  return kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
+}
+
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
+  if (gap.tapers) {
+    outline.follow(tapering_kerb(a, b), false, false);
+    return;
+  }
   if (!gap.meets) {
     outline.follow(a, a.limit, 0, +1, false, true);
     if (rounds(a, b, gap))
@@ -264,10 +277,13 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
     return at != arm && next != arm && !goes_on(arms, gaps, arm, at) &&
            !goes_on(arms, gaps, arm, next);
   };
-  const auto lines_at = [](const Arm& arm, double abscissa) {
-    const Line border = border_across(arm, abscissa);
+  // In the place of a kerb that tapers the axis alone.
+  const auto lines_at = [&](std::size_t k, double abscissa) {
+    const Line border = border_across(arms[k], abscissa);
     const Point across = unit(border[1] - border[0]) * inwards;
-    return std::array{border[0] + across, (border[0] + border[1]) * 0.5, border[1] - across};
+    const Point axis = (border[0] + border[1]) * 0.5;
+    const bool left = gaps[k].tapers, right = gaps[(k + gaps.size() - 1) % gaps.size()].tapers;
+    return std::array{left ? axis : border[0] + across, axis, right ? axis : border[1] - across};
   };
   std::vector<double> cuts;
   // Straight lines that cross nothing are inside where their ends are.
@@ -287,11 +303,11 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
       return std::clamp(abscissa, margin, arm.limit - margin);
     };
     if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
-        covers_whole(lines_at(arm, clamped(0)), lines_at(arm, clamped(arm.limit))))
+        covers_whole(lines_at(k, clamped(0)), lines_at(k, clamped(arm.limit))))
       continue;
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
     for (int i = 0; i <= steps; ++i)
-      for (const Point& p : lines_at(arm, clamped(arm.limit * i / steps)))
+      for (const Point& p : lines_at(k, clamped(arm.limit * i / steps)))
         if (!held(k, p)) return false;
   }
   return true;
