@@ -87,6 +87,18 @@ class Stations {
   std::vector<Station> stations_;
 };
 
+// What still runs back is a loop that the chords leave open: it becomes its middle.
+void shut_steps_back(const std::vector<BorderPiece>& border, Line& points) {
+  for (std::size_t first = 0; first < border.size(); ++first) {
+    std::size_t last = first;
+    while (last < border.size() && border[last].turned_over) ++last;
+    if (last == first) continue;
+    const Point middle = (points[first] + points[last]) * 0.5;
+    for (std::size_t i = first; i <= last; ++i) points[i] = middle;
+    first = last;
+  }
+}
+
 // A point for each station: beside it, or where the border meets itself.
 Line border_of(const std::vector<Station>& stations, double offset, double tolerance) {
   Line points;
@@ -121,6 +133,7 @@ Line border_of(const std::vector<Station>& stations, double offset, double toler
       parts.back().index + 1 < border.size())
     for (std::size_t i = std::max(next, parts.back().index + 1); i < points.size(); ++i)
       points[i] = end;
+  shut_steps_back(border, points);
   for (std::size_t i = 1; i < points.size(); ++i)
     if (space::distance(points[i - 1], points[i]) <= same_place) points[i] = points[i - 1];
   return points;
