@@ -1,4 +1,5 @@
-// Arc roads from SQL: a line becomes a road, and roads are asked. Geometries cross as EWKB.
+// Arc roads from SQL: a line becomes a road, and roads are asked. Lines cross as EWKB; roads and
+// points come as PostGIS stores them, so that a query that asks a road again only compares bytes.
 #include "streetgen/arc_road.hpp"
 
 #include <cmath>
@@ -9,10 +10,11 @@
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
+#include "frame/varlena.hpp"
+#include "value/stored.hpp"
 #include "value/wkb.hpp"
 
 extern "C" {
-#include <access/htup_details.h>
 #include <catalog/pg_type.h>
 #include <funcapi.h>
 #include <utils/array.h>
@@ -62,7 +64,7 @@ std::string_view take_road(FunctionCallInfo fcinfo) {
 
 const PreparedRoad& road_of(std::string_view bytes) {
   if (prepared == nullptr || prepared->bytes != bytes) {
-    const ReadCurve read = read_curve(bytes, "road");
+    const ReadCurve read = read_curve(wkb_of_stored(bytes), "road");
     auto* next =
         new PreparedRoad{std::string(bytes), ArcRoad::along(read.curve), read.srid, read.has_z};
     delete std::exchange(prepared, next);
@@ -71,7 +73,7 @@ const PreparedRoad& road_of(std::string_view bytes) {
 }
 
 Point point_on(const PreparedRoad& prepared_road, std::string_view bytes, const char* name) {
-  const ReadPoint read = read_point(bytes, name);
+  const ReadPoint read = read_point(wkb_of_stored(bytes), name);
   if (read.srid != prepared_road.srid)
     throw Error(ErrorKind::invalid_input, std::string(name) + " has SRID " +
                                               std::to_string(read.srid) + ", road " +
@@ -158,13 +160,18 @@ void give(const ArcRows& rows, ReturnSetInfo* result) {
   }
 }
 
-// A row of the type that the function was declared with.
-Datum row_datum(FunctionCallInfo fcinfo, Datum* values) {
-  TupleDesc described;
-  if (get_call_result_type(fcinfo, nullptr, &described) != TYPEFUNC_COMPOSITE)
-    elog(ERROR, "the function gives no row");
+// A geometry in the current memory context.
+Datum geometry_datum(const Stored& stored) {
+  void* out = palloc(VARSIZE(stored.get()));
+  memcpy(out, stored.get(), VARSIZE(stored.get()));
+  return PointerGetDatum(out);
+}
+
+// The one row of a function.
+void give_row(FunctionCallInfo fcinfo, Datum* values) {
   bool nulls[8] = {false};
-  return HeapTupleGetDatum(heap_form_tuple(BlessTupleDesc(described), values, nulls));
+  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+  tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
 }
 
 // Degrees clockwise from the y axis, 0 to 360.
@@ -221,28 +228,31 @@ STREETGEN_FUNCTION(streetgen_arc_road_length) {
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_point) {
+  InitMaterializedSRF(fcinfo, 0);
   const std::string_view road = take_road(fcinfo);
   const double metres = PG_GETARG_FLOAT8(1), wheelbase = PG_GETARG_FLOAT8(2);
   RoadPlace place;
-  Slot<std::string>* slot = make_slot<std::string>(CurrentMemoryContext);
+  Slot<Stored>* slot = make_slot<Stored>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     in_range(wheelbase, 0.01, 100, "wheelbase");
     const PreparedRoad& asked = road_of(road);
     place = asked.road.at(finite(metres, "metres"));
-    slot->value = new std::string(write_point(place.point, {asked.srid, asked.has_z}));
+    slot->value = new Stored(stored_point(place.point, {asked.srid, asked.has_z}));
   });
   report(outcome);
-  Datum values[7] = {bytes_datum(*slot->value),
+  Datum values[7] = {geometry_datum(*slot->value),
                      vector_datum(place.forward),
                      vector_datum(place.right),
                      vector_datum(place.up),
                      Float8GetDatum(azimuth_of(place.heading)),
                      Float8GetDatum(place.curvature),
                      Float8GetDatum(std::atan(wheelbase * place.curvature) * to_degrees)};
-  return row_datum(fcinfo, values);
+  give_row(fcinfo, values);
+  PG_RETURN_NULL();
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_locate) {
+  InitMaterializedSRF(fcinfo, 0);
   const std::string_view road = take_road(fcinfo), point = take_bytes(fcinfo, 1);
   RoadFoot foot;
   const Outcome outcome = compute([&] {
@@ -252,7 +262,8 @@ STREETGEN_FUNCTION(streetgen_arc_road_locate) {
   report(outcome);
   Datum values[3] = {Float8GetDatum(foot.abscissa), Float8GetDatum(foot.offset),
                      Float8GetDatum(foot.distance)};
-  return row_datum(fcinfo, values);
+  give_row(fcinfo, values);
+  PG_RETURN_NULL();
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_distance) {

@@ -1,4 +1,4 @@
--- Arc roads, usable alone. A private twin of each takes and gives EWKB.
+-- Arc roads, usable alone. Private twins take lines and give geometries as EWKB; roads come as PostGIS stores them.
 
 CREATE OR REPLACE FUNCTION streetgen._arc_road(bytea, float8, float8, float8[]) RETURNS bytea
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road';
@@ -43,28 +43,16 @@ COMMENT ON FUNCTION streetgen.arc_road_arcs(geometry, float8, float8, float8[]) 
     'numbers: 22023. GIS data to functional road models, 6.1, where (12) starts elsewhere. NULL for NULL, but for '
     'shift and radii: no row.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_length(bytea) RETURNS float8
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_length';
-COMMENT ON FUNCTION streetgen._arc_road_length(bytea) IS 'EWKB twin of streetgen.arc_road_length';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_length(road geometry) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
-    SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._arc_road_length(road::bytea) $$;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_length';
 COMMENT ON FUNCTION streetgen.arc_road_length(geometry) IS
     'Length of a road in metres, in closed form. The road is what arc_road gives, or another COMPOUNDCURVE, '
     'CIRCULARSTRING or LINESTRING, taken as it is; of one with heights in space. Bad geometry: 22023. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_point(bytea, float8, float8, OUT geom bytea, OUT forward float8[],
-    OUT rightward float8[], OUT upward float8[], OUT heading float8, OUT curvature float8, OUT steering_angle float8)
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_point';
-COMMENT ON FUNCTION streetgen._arc_road_point(bytea, float8, float8) IS 'EWKB twin of streetgen.arc_road_point';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_point(road geometry, metres float8, wheelbase float8 DEFAULT 2.7)
     RETURNS TABLE(geom geometry, forward float8[], rightward float8[], upward float8[], heading float8,
         curvature float8, steering_angle float8)
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1
-    SET search_path = pg_catalog, public
-    AS $$ SELECT p.geom::geometry, p.forward, p.rightward, p.upward, p.heading, p.curvature, p.steering_angle
-          FROM streetgen._arc_road_point(road::bytea, metres, wheelbase) p $$;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_arc_road_point';
 COMMENT ON FUNCTION streetgen.arc_road_point(geometry, float8, float8) IS
     'The place (POINT) at a number of metres along a road (as of arc_road_length; clamped to it) and how a car stands '
     'there: unit vectors (x, y, z) forward, to the right (horizontal) and up (their normal); heading in degrees '
@@ -72,39 +60,29 @@ COMMENT ON FUNCTION streetgen.arc_road_point(geometry, float8, float8) IS
     'wheelbase (0.01 to 100 m), degrees, both positive on left bends. Bad geometry or numbers: 22023. GIS data to '
     'functional road models, 6.1. NULL for NULL: no row.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_locate(bytea, bytea, OUT metres float8, OUT axis_offset float8,
-    OUT distance float8)
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_locate';
-COMMENT ON FUNCTION streetgen._arc_road_locate(bytea, bytea) IS 'EWKB twin of streetgen.arc_road_locate';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_locate(road geometry, point geometry)
     RETURNS TABLE(metres float8, axis_offset float8, distance float8)
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1
-    SET search_path = pg_catalog, public
-    AS $$ SELECT l.metres, l.axis_offset, l.distance FROM streetgen._arc_road_locate(road::bytea, point::bytea) l $$;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_arc_road_locate';
 COMMENT ON FUNCTION streetgen.arc_road_locate(geometry, geometry) IS
     'Where a point (POINT) lies by a road (as of arc_road_length): metres along it of the nearest place, the first of '
     'equal ones; how far to the left of the road there (negative: to the right); its distance, which is more beyond an '
     'end, or above. A road with heights needs a point with one; a flat one asks for none. Bad geometry, another SRID: '
     '22023. NULL for NULL: no row.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_distance(bytea, bytea, bytea) RETURNS float8
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_distance';
-COMMENT ON FUNCTION streetgen._arc_road_distance(bytea, bytea, bytea) IS 'EWKB twin of streetgen.arc_road_distance';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_distance(road geometry, a geometry, b geometry) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
-    SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._arc_road_distance(road::bytea, a::bytea, b::bytea) $$;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_distance';
 COMMENT ON FUNCTION streetgen.arc_road_distance(geometry, geometry, geometry) IS
     'Metres along a road (as of arc_road_length) from the place that is nearest to a to that nearest to b (POINT '
     'both); negative where b comes before a. Bad geometry, another SRID: 22023. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_offset(bytea, float8) RETURNS bytea
+CREATE OR REPLACE FUNCTION streetgen._arc_road_offset(geometry, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_offset';
-COMMENT ON FUNCTION streetgen._arc_road_offset(bytea, float8) IS 'EWKB twin of streetgen.arc_road_offset';
+COMMENT ON FUNCTION streetgen._arc_road_offset(geometry, float8) IS
+    'Twin of streetgen.arc_road_offset that gives EWKB';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_offset(road geometry, axis_offset float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._arc_road_offset(road::bytea, axis_offset)::geometry $$;
+    AS $$ SELECT streetgen._arc_road_offset(road, axis_offset)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_road_offset(geometry, float8) IS
     'The road (COMPOUNDCURVE, in its direction) at an offset of a road (as of arc_road_length), metres to its left '
     '(negative: to the right, up to 200). Of a flat road it is exact: the radius of a left bend less the offset, that '
@@ -123,11 +101,11 @@ COMMENT ON FUNCTION streetgen.arc_road_speed_limit(float8, float8, float8, float
     'road; superelevation: rise / run across the road, -0.2 to 0.2, positive where it leans into the bend. A number '
     'out of its range: 22023. GIS data to functional road models, equation 7. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_stretches(bytea)
+CREATE OR REPLACE FUNCTION streetgen._arc_road_stretches(geometry)
     RETURNS TABLE(start_abscissa float8, end_abscissa float8, radius float8)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 20 AS 'MODULE_PATHNAME', 'streetgen_arc_road_stretches';
-COMMENT ON FUNCTION streetgen._arc_road_stretches(bytea) IS
-    'The pieces of a road (EWKB): metres along it where each starts and ends, its radius (NULL: straight).';
+COMMENT ON FUNCTION streetgen._arc_road_stretches(geometry) IS
+    'The pieces of a road: metres along it where each starts and ends, its radius (NULL: straight).';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_speed_profile(road geometry, friction float8 DEFAULT 0.7,
     superelevation float8 DEFAULT 0, safety float8 DEFAULT 1)
     RETURNS TABLE(start_abscissa float8, end_abscissa float8, radius float8, speed_limit float8)
@@ -135,32 +113,34 @@ CREATE OR REPLACE FUNCTION streetgen.arc_road_speed_profile(road geometry, frict
     SET search_path = pg_catalog, public
     AS $$ SELECT s.start_abscissa, s.end_abscissa, s.radius,
         streetgen.arc_road_speed_limit(s.radius, friction, superelevation, safety)
-          FROM streetgen._arc_road_stretches(road::bytea) s ORDER BY 1 $$;
+          FROM streetgen._arc_road_stretches(road) s ORDER BY 1 $$;
 COMMENT ON FUNCTION streetgen.arc_road_speed_profile(geometry, float8, float8, float8) IS
     'The pieces of a road (as of arc_road_length) in their order: metres along it where each starts and ends, its '
     'radius and arc_road_speed_limit there, km/h, with the other arguments; both NULL where it is straight. Bad '
     'geometry or numbers: 22023. NULL for NULL: no row.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_line(bytea, float8) RETURNS bytea
+CREATE OR REPLACE FUNCTION streetgen._arc_road_line(geometry, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_line';
-COMMENT ON FUNCTION streetgen._arc_road_line(bytea, float8) IS 'EWKB twin of streetgen.arc_road_line';
+COMMENT ON FUNCTION streetgen._arc_road_line(geometry, float8) IS
+    'Twin of streetgen.arc_road_line that gives EWKB';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_line(road geometry, tolerance float8 DEFAULT 0.05) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._arc_road_line(road::bytea, tolerance)::geometry $$;
+    AS $$ SELECT streetgen._arc_road_line(road, tolerance)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_road_line(geometry, float8) IS
     'A road (as of arc_road_length) as a LINESTRING in its direction: equal chords of each arc that leave it by at '
     'most the tolerance, 0.001 to 10 m. Bad geometry or numbers: 22023. GIS data to functional road models, 6.4.1. '
     'NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._arc_road_mesh(bytea, float8, float8, float8) RETURNS bytea
+CREATE OR REPLACE FUNCTION streetgen._arc_road_mesh(geometry, float8, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_arc_road_mesh';
-COMMENT ON FUNCTION streetgen._arc_road_mesh(bytea, float8, float8, float8) IS 'EWKB twin of streetgen.arc_road_mesh';
+COMMENT ON FUNCTION streetgen._arc_road_mesh(geometry, float8, float8, float8) IS
+    'Twin of streetgen.arc_road_mesh that gives EWKB';
 CREATE OR REPLACE FUNCTION streetgen.arc_road_mesh(road geometry, offset_left float8, offset_right float8,
     tolerance float8 DEFAULT 0.05) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100
     SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._arc_road_mesh(road::bytea, offset_left, offset_right, tolerance)::geometry $$;
+    AS $$ SELECT streetgen._arc_road_mesh(road, offset_left, offset_right, tolerance)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_road_mesh(geometry, float8, float8, float8) IS
     'The surface (TIN Z, counter-clockwise from above) between two offsets of a road (as of arc_road_length), metres '
     'to its left, up to 200 to either side, offset_left the greater one: a strip along the road whose borders have the '

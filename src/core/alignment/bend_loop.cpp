@@ -12,6 +12,8 @@ namespace streetgen {
 
 namespace {
 
+constexpr std::size_t between_polls = 64;
+
 class Cutting {
  public:
   Cutting(const std::vector<BorderPiece>& border, const std::vector<RoadPiece>& road, double offset,
@@ -86,12 +88,19 @@ class Cutting {
                                      border_[i].of, border_[j].of);
   }
 
+  bool middle_too_near(std::size_t k, std::size_t i, std::size_t j) const {
+    const RoadPiece& piece = border_[k].piece;
+    return road_index_.comes_within(road_, piece.point(piece.length / 2), reach_, border_[i].of,
+                                    border_[j].of);
+  }
+
+  // Places that mostly tell are asked first.
   bool turned_over(std::size_t i, std::size_t j) const {
-    for (std::size_t k = i + 1; k < j; ++k) {
-      const RoadPiece& piece = border_[k].piece;
-      if (!road_index_.comes_within(road_, piece.point(piece.length / 2), reach_, border_[i].of,
-                                    border_[j].of))
-        return false;
+    for (const std::size_t k : {i + 1, j - 1, (i + j) / 2})
+      if (!middle_too_near(k, i, j)) return false;
+    for (std::size_t k = i + 2; k + 1 < j; ++k) {
+      if (k % between_polls == 0) poll_cancel();
+      if (!middle_too_near(k, i, j)) return false;
     }
     return true;
   }

@@ -34,8 +34,11 @@ class Growth {
       if (bends_[i].fixed) radii_[i] = *bends_[i].fixed;
     std::vector<Stop> stops;
     stops.reserve(2 * bends_.size() + 1);
+    // A bound beyond what its shorter segment holds stops nothing.
     for (std::size_t i = 0; i < bends_.size(); ++i)
-      if (radii_[i] == unsettled) stops.push_back({bends_[i].bound, 2 * i + 1});
+      if (radii_[i] == unsettled &&
+          bends_[i].bound * bends_[i].tangent <= std::min(lengths_[i], lengths_[i + 1]))
+        stops.push_back({bends_[i].bound, 2 * i + 1});
     for (std::size_t i = 0; i < lengths_.size(); ++i)
       if (wants_more(i)) stops.push_back({full_at(i), 2 * i});
     std::priority_queue<Stop> next({}, std::move(stops));

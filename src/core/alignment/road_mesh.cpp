@@ -18,22 +18,23 @@ struct Station {
   Point left;
 };
 
-constexpr std::size_t most_chords = 1 << 16;  // of one arc
+constexpr int most_halvings = 10;  // of a step in space, where the road comes near the vertical
 
 class Stations {
  public:
   Stations(const ArcRoad::Body& road, double reach, double tolerance)
-      : reach_(reach), tolerance_(tolerance), flat_(road.flat) {
+      : reach_(reach), tolerance_(tolerance) {
     for (std::size_t i = 0; i < road.pieces.size(); ++i) {
       poll_cancel();
       const RoadPiece& piece = road.pieces[i];
       if (i > 0) turn_to(piece.forward);
       add(piece.origin, piece.forward);
-      const std::size_t count = chords_of(piece);
-      for (std::size_t k = 1; k <= count; ++k) {
-        const double at = piece.length * k / count;
-        add(piece.point(at), piece.direction(at));
-      }
+      const double reached = piece.radius + reach_;
+      const std::size_t count =
+          piece.curved() ? chord_count(piece.angle(), reached, tolerance_) : 1;
+      for (std::size_t k = 1; k <= count; ++k)
+        add_step(piece, piece.length * (k - 1) / count, piece.length * k / count,
+                 road.flat ? 0 : most_halvings);
     }
   }
   const std::vector<Station>& all() const { return stations_; }
@@ -61,31 +62,43 @@ class Stations {
     }
   }
 
-  std::size_t chords_of(const RoadPiece& piece) const {
-    if (!piece.curved()) return 1;
-    std::size_t count = chord_count(piece.angle(), piece.radius + reach_, tolerance_);
-    while (!flat_ && count < most_chords && leaves(piece, count)) count *= 2;
-    return count;
+  // In space a border may leave its chord by more than the arc does: then the step is halved.
+  void add_step(const RoadPiece& piece, double from, double to, int halvings) {
+    const double middle = (from + to) / 2;
+    if (halvings > 0 && piece.curved() && leaves(piece, from, middle, to)) {
+      add_step(piece, from, middle, halvings - 1);
+      add_step(piece, middle, to, halvings - 1);
+    } else {
+      add(piece.point(to), piece.direction(to));
+    }
   }
 
-  // Whether a border in space leaves its chords by more than the tolerance.
-  bool leaves(const RoadPiece& piece, std::size_t count) const {
-    const auto border = [&](double k, double offset) {
-      const double at = piece.length * k / count;
-      return piece.point(at) + leftwards(piece.direction(at)) * offset;
-    };
-    for (std::size_t k = 0; k < count; ++k)
-      for (const double offset : {-reach_, reach_}) {
-        const Point chord = (border(k, offset) + border(k + 1, offset)) * 0.5;
-        if (space::distance(border(k + 0.5, offset), chord) > tolerance_) return true;
-      }
+  bool leaves(const RoadPiece& piece, double from, double middle, double to) const {
+    for (const double offset : {-reach_, reach_}) {
+      const auto border = [&](double at) {
+        return piece.point(at) + leftwards(piece.direction(at)) * offset;
+      };
+      const Point chord = (border(from) + border(to)) * 0.5;
+      if (space::distance(border(middle), chord) > tolerance_) return true;
+    }
     return false;
   }
 
   double reach_, tolerance_;
-  bool flat_;
   std::vector<Station> stations_;
 };
+
+// What still runs back is a loop that the chords leave open: it becomes its middle.
+void shut_steps_back(const std::vector<BorderPiece>& border, Line& points) {
+  for (std::size_t first = 0; first < border.size(); ++first) {
+    std::size_t last = first;
+    while (last < border.size() && border[last].turned_over) ++last;
+    if (last == first) continue;
+    const Point middle = (points[first] + points[last]) * 0.5;
+    for (std::size_t i = first; i <= last; ++i) points[i] = middle;
+    first = last;
+  }
+}
 
 // A point for each station: beside it, or where the border meets itself.
 Line border_of(const std::vector<Station>& stations, double offset, double tolerance) {
@@ -121,6 +134,7 @@ Line border_of(const std::vector<Station>& stations, double offset, double toler
       parts.back().index + 1 < border.size())
     for (std::size_t i = std::max(next, parts.back().index + 1); i < points.size(); ++i)
       points[i] = end;
+  shut_steps_back(border, points);
   for (std::size_t i = 1; i < points.size(); ++i)
     if (space::distance(points[i - 1], points[i]) <= same_place) points[i] = points[i - 1];
   return points;

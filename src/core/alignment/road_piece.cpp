@@ -90,6 +90,11 @@ Box RoadPiece::box() const {
   Box box = box_of(origin, end());
   if (!curved()) return box;
   const double whole = angle();
+  if (whole < 2) {
+    // The arc lies in the triangle of its chord and its tangents, which is found sooner.
+    box.add(origin + forward * (radius * std::tan(whole / 2)));
+    return box;
+  }
   // Where the direction has no part along x, or along y.
   for (const double first : {std::atan2(-forward.x, inward.x), std::atan2(-forward.y, inward.y)})
     for (double at = first < 0 ? first + M_PI : first; at < whole; at += M_PI)

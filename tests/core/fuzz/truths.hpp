@@ -43,6 +43,9 @@ Faults interconnection_faults(const Made& made);
 // The constructions that are usable alone, on random lines and numbers in their range.
 Faults primitive_faults(std::uint64_t seed);
 
+// Arc roads of such lines: finite, without gaps, their places found on them.
+Faults alignment_faults(std::uint64_t seed);
+
 // The door for geometries: what is not finite is refused, broken bytes too.
 Faults door_faults(std::uint64_t seed);
 
