@@ -71,7 +71,8 @@ CROSS JOIN LATERAL (SELECT streetgen.max_corner_radius(line_a, line_b, 2 * half_
 WHERE method = 'no_arc' AND phi < radians(160);
 
 -- Flat buffers of the axes (cut where a transition begins), and the corners' fillets: the ground between two borders and their arc.
-CREATE TEMPORARY TABLE change AS SELECT node_id FROM pair WHERE degree = 2 GROUP BY node_id HAVING bool_or(abs(half_a - half_b) > 0.005);
+CREATE TEMPORARY TABLE change AS SELECT node_id FROM pair WHERE degree = 2 GROUP BY node_id HAVING bool_or(abs(half_a - half_b) > 0.005)
+  UNION SELECT node_id FROM :"model".corner WHERE method = 'transition';
 CREATE TEMPORARY TABLE axis_buffer AS
 SELECT axis_id, ST_Buffer(ST_MakeLine(line ORDER BY start_abscissa), min(half), 'endcap=flat join=round quad_segs=16') AS buffer
 FROM (SELECT axis_id, start_abscissa, width / 2 AS half, ST_LineSubstring(line,

@@ -94,6 +94,30 @@ void keep_islands(Layout& layout, SolvedCorners& solved) {
   }
 }
 
+// Whether a street goes on nearly straight with another width, on the side where none leaves.
+bool tapers(const Arm& a, const Arm& b, double angle) {
+  constexpr double nearly_straight = 20 * M_PI / 180;
+  return std::abs(angle - M_PI) < nearly_straight &&
+         std::abs(a.half_start - b.half_start) > same_width;
+}
+
+// Where three edges and more meet, the kerb of such a street needs no arc.
+void make_tapers(const Layout& layout, SolvedCorners& solved) {
+  for (std::size_t n = 0; n < solved.size(); ++n) {
+    const Junction& junction = layout.junctions[n];
+    if (junction.ends.size() < 3) continue;
+    for (std::size_t i = 0; i < solved[n].size(); ++i) {
+      SolvedCorner& corner = solved[n][i];
+      const double angle = corner.gap.angle;
+      if (!tapers(layout.arm(junction.ends[i]), layout.arm(junction.next(i)), angle)) continue;
+      corner = {};
+      corner.method = Method::transition;
+      corner.gap.angle = angle;
+      corner.gap.tapers = true;
+    }
+  }
+}
+
 // A corner by hand has no part in what becomes of the others.
 void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
   for (const auto& [at, radius] : by_hand) {
@@ -151,24 +175,6 @@ void choose_transitions(Layout& layout) {
       choose_transition(layout, junction);
 }
 
-// The kerb of a street that goes on nearly straight, on the side where no other street leaves.
-bool tapers(const Arm& a, const Arm& b, const Gap& gap) {
-  constexpr double nearly_straight = 20 * M_PI / 180;
-  return gap.corner.radius <= 0 && std::abs(gap.angle - M_PI) < nearly_straight &&
-         std::abs(a.half_start - b.half_start) > same_width;
-}
-
-void make_tapers(Layout& layout, Junction& junction) {
-  const std::size_t count = junction.ends.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    Gap& gap = junction.gaps[i];
-    if (!tapers(layout.arm(junction.ends[i]), layout.arm(junction.next(i)), gap)) continue;
-    gap.tapers = true;
-    gap.meets = false;
-    layout.streets.corners[layout.streets.corners.size() - count + i].method = Method::transition;
-  }
-}
-
 // Its two corners have no arc.
 void make_transition(Layout& layout, const Junction& junction) {
   auto& corners = layout.streets.corners;
@@ -209,6 +215,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   choose_transitions(layout);
   SolvedCorners solved = solve_all(layout);
   if (layout.settings.island_area > 0) keep_islands(layout, solved);
+  if (!layout.settings.transition.length) make_tapers(layout, solved);
   solve_by_hand(layout, by_hand, solved);
   for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
     Junction& junction = layout.junctions[n];
@@ -226,7 +233,6 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
         meet_straight(layout, junction);
       continue;
     }
-    if (!layout.settings.transition.length) make_tapers(layout, junction);
     for (const EdgeEnd& end : junction.ends) {
       Arm& arm = layout.arm(end);
       arm.limit = std::max(arm.limit, least_limit(arm));

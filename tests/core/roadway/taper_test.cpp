@@ -1,0 +1,81 @@
+// Kerbs of a street that goes on with another width, at nodes of any degree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+namespace {
+
+// A street goes on east from 6 m to 10 m wide, where a side street leaves north.
+Streets widening(const StreetSettings& settings) {
+  return streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 6, 6, 6, 3},
+                  {2, {{0, 0, 0}, {100, 0, 0}}, 0, 10, 10, 6, 3},
+                  {3, {{0, 0, 0}, {0, 80, 0}}, 0, 6, 6, 6, 3}},
+                 settings);
+}
+
+// How far south the roadway reaches at an abscissa.
+double kerb_at(const Streets& town, double x) {
+  const auto roadway = [&](double y) {
+    const auto held = [&](const auto& surfaces) {
+      return std::any_of(surfaces.begin(), surfaces.end(), [&](const auto& one) {
+        return PreparedSurface(one.surface).holds({x, -y, 0});
+      });
+    };
+    return held(town.sections) || held(town.intersections);
+  };
+  double inside = 1, outside = 12;
+  while (outside - inside > 1e-6) {
+    const double middle = (inside + outside) / 2;
+    (roadway(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+TEST(Taper, HasNoStepWhereASideStreetLeaves) {
+  const Streets town = widening({});
+  const double west = -town.network.edges[0].line.back().x + (100 - town.limits[1].abscissa),
+               east = town.limits[2].abscissa;
+  ASSERT_GT(west, 5);
+  ASSERT_GT(east, 5);
+  for (double x = -west; x <= east; x += 0.37)
+    EXPECT_NEAR(kerb_at(town, x), 3 + 2 * (x + west) / (west + east), 2e-6) << x;
+  EXPECT_NEAR(kerb_at(town, -west - 0.1), 3, 1e-5);
+  EXPECT_NEAR(kerb_at(town, east + 0.1), 5, 1e-5);
+  EXPECT_EQ(town.intersections[0].method, Method::hypothesis);
+  EXPECT_EQ(std::count_if(town.corners.begin(), town.corners.end(),
+                          [](const Corner& c) { return c.method == Method::transition; }),
+            1);
+}
+
+TEST(Taper, IsNoneWhereTheLengthIsANumber) {
+  StreetSettings settings;
+  settings.transition.length = 5;
+  for (const Corner& corner : widening(settings).corners)
+    EXPECT_NE(corner.method, Method::transition);
+}
+
+TEST(Taper, IsLongerWhereStreetsAreFast) {
+  const auto length_at = [](double speed) {
+    const auto axis = [&](int id, double from, double to, double width) {
+      StreetAxis axis{id, {{from, 0, 0}, {to, 0, 0}}, 0, width, width, 6, 3};
+      axis.speed = speed;
+      return axis;
+    };
+    const Streets town = streets({axis(1, -200, 0, 6), axis(2, 0, 200, 8)}, {});
+    return town.limits[2].abscissa + 200 - town.limits[1].abscissa;
+  };
+  // Each kerb moves 1 m sideways.
+  EXPECT_NEAR(length_at(50), 10, 1e-9);
+  EXPECT_NEAR(length_at(70), 20, 1e-9);
+  EXPECT_NEAR(length_at(90), 30, 1e-9);
+  EXPECT_NEAR(length_at(130), 40, 1e-9);
+}
+
+}  // namespace
+}  // namespace streetgen
