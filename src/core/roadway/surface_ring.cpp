@@ -76,13 +76,15 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
-// From the limit of a through the node to that of b, linear between both half widths.
+// From the limit of a through the node to that of b, linear between both half widths; straight
+// where the bend between needs more than a limit leaves.
 Kerb tapering_kerb(const Arm& a, const Arm& b) {
   Line line = substring(a.line, a.limit, 0);
   const Line on = substring(b.line, 0, b.limit);
   line.insert(line.end(), on.begin() + 1, on.end());
   line = distinct(planar(std::move(line)));
-  return kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
+  Kerb kerb = kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
+  return kerb.whole ? kerb : Kerb{{a.border[0], b.border[1]}};
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
@@ -285,6 +287,10 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
     const bool left = gaps[k].tapers, right = gaps[(k + gaps.size() - 1) % gaps.size()].tapers;
     return std::array{left ? axis : border[0] + across, axis, right ? axis : border[1] - across};
   };
+  // Inside a bend a kerb point before the limit may lie behind the border line, in the section.
+  const auto behind_border = [](const Arm& arm, const Point& p) {
+    return dot(p - arm.border[0], left_normal(arm.border[1] - arm.border[0])) > 0;
+  };
   std::vector<double> cuts;
   // Straight lines that cross nothing are inside where their ends are.
   const auto covers_whole = [&](const auto& first, const auto& last) {
@@ -308,7 +314,7 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
     for (int i = 0; i <= steps; ++i)
       for (const Point& p : lines_at(k, clamped(arm.limit * i / steps)))
-        if (!held(k, p)) return false;
+        if (!behind_border(arm, p) && !held(k, p)) return false;
   }
   return true;
 }
