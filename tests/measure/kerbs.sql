@@ -76,7 +76,7 @@ CREATE TEMPORARY TABLE change AS SELECT node_id FROM pair WHERE degree = 2 GROUP
 CREATE TEMPORARY TABLE axis_buffer AS
 SELECT axis_id, ST_Buffer(ST_MakeLine(line ORDER BY start_abscissa), min(half), 'endcap=flat join=round quad_segs=16') AS buffer
 FROM (SELECT axis_id, start_abscissa, width / 2 AS half, ST_LineSubstring(line,
-             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = from_node) THEN first / length ELSE 0 END,
+             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = from_node) THEN least(first, last) / length ELSE 0 END,
              CASE WHEN EXISTS (SELECT FROM change WHERE node_id = to_node) THEN last / length ELSE 1 END) AS line
       FROM (SELECT e.*, ST_Force2D(e.geom) AS line, ST_Length(ST_Force2D(e.geom)) AS length, a.abscissa AS first, b.abscissa AS last
             FROM :"model".edge e JOIN :"model".section_limit a ON a.edge_id = e.edge_id AND a.which = 'start' JOIN :"model".section_limit b ON b.edge_id = e.edge_id AND b.which = 'end'
