@@ -53,6 +53,13 @@ class Owners {
     give_rows();
   }
 
+  std::map<int, MultiPolygon> beyond_reach() {
+    std::map<int, MultiPolygon> settled;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (claims_[i].wanted && outer(i)) settled.emplace(i, std::move(surfaces_[i].ground));
+    return settled;
+  }
+
  private:
   // Whether it was not built yet.
   bool build(int i) {
@@ -353,6 +360,10 @@ class Owners {
 
 }  // namespace
 
-void settle_owners(Layout& layout, const Affected& moved) { Owners(layout, moved).settle(); }
+std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved) {
+  Owners owners(layout, moved);
+  owners.settle();
+  return owners.beyond_reach();
+}
 
 }  // namespace streetgen

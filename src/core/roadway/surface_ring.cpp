@@ -27,7 +27,7 @@ struct Outline {
   void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
     follow(kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side), with_first, with_last);
   }
-  void follow(const Kerb& kerb, bool with_first, bool with_last) {
+  void follow(const KerbLine& kerb, bool with_first, bool with_last) {
     whole = whole && kerb.whole;
     for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
       ring.push_back(kerb.line[i]);

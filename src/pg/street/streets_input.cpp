@@ -147,6 +147,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
   settings.max_hole_area = given.measure("max_hole_area");
   settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
+  settings.kerb_stone_width = given.measure("kerb_stone_width");
   settings.reach = given.measure("reach");
   settings.follow_length = given.measure_or_unbounded("follow_length");
   settings.follow_area = given.measure_or_unbounded("follow_area");
@@ -308,11 +309,12 @@ Former former_of(const StreetsCall& call) {
 }
 
 Subjects subjects_of(const StreetsCall& call) {
-  Subjects subjects{false, false};
+  Subjects subjects{false, false, false};
   for (int i = 0; i < call.subjects.count; ++i) {
     const std::string_view word = call.subjects.words[i];
     subjects.lane = subjects.lane || word == "lane";
     subjects.interconnection = subjects.interconnection || word == "interconnection";
+    subjects.kerb = subjects.kerb || word == "kerb";
   }
   return subjects;
 }
