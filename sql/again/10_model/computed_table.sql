@@ -40,7 +40,7 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'lanes, the lines between them, and what is painted on them'),
     (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
         'paths from lane to lane at every node'),
-    (5, 'kerb', '{surface}'::text[], false, false, 'KERBCOST',
+    (5, 'kerb', '{surface}'::text[], false, false, 'a tenth of the processor time of a first run',
         'kerbs: the border of the roadway, and the strip of stones behind it') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
