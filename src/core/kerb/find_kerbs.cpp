@@ -87,7 +87,9 @@ class RoadwayBorder {
   void want_beside_changes() {
     if (std::all_of(wanted_.begin(), wanted_.end(), [](bool wanted) { return wanted; })) return;
     MovedBorder moved;
-    for (const FormerSurface* surface : moved_.given_up) moved.toggle(surface->ground);
+    for (const GivenUp& given_up : moved_.given_up)
+      given_up.of_changed ? moved.add(given_up.surface->ground)
+                          : moved.toggle(given_up.surface->ground);
     for (const Section& section : streets_.sections) toggle(moved, section.edge);
     for (const Intersection& intersection : streets_.intersections)
       toggle(moved, edges_ + intersection.node);
@@ -97,8 +99,10 @@ class RoadwayBorder {
         wanted_[i] = true;
   }
 
+  // On the same ground, the surface of a changed axis may lie on another level than before.
   void toggle(MovedBorder& moved, int i) const {
-    moved.toggle(*grounds_[i]);
+    const bool anew = i < edges_ ? layout_.axis_of(i).changed : moved_.nodes[i - edges_];
+    anew ? moved.add(*grounds_[i]) : moved.toggle(*grounds_[i]);
     if (former_of(i) != nullptr) moved.toggle(former_of(i)->ground);
   }
 

@@ -41,21 +41,19 @@ std::optional<Common> common(const Point& a, const Point& b, const Point& c, con
   return Common{first, last, from, to};
 }
 
-// What is shorter is the noise of two borders that were computed in two ways.
+// At the ends of what is free, shorter pieces are the noise of borders computed in two ways.
 void share_crumbs(BorderLoop& loop) {
   const auto shared = std::find_if(loop.begin(), loop.end(),
                                    [](const BorderPiece& piece) { return piece.shared; });
   if (shared == loop.end()) return;
   std::rotate(loop.begin(), shared, loop.end());
-  for (std::size_t first = 0; first < loop.size();) {
-    std::size_t last = first;
-    double size = 0;
-    for (; last < loop.size() && !loop[last].shared; ++last)
-      size += distance(loop[last].from, loop[last].to);
-    if (size <= 2 * same_place)
-      for (std::size_t i = first; i < last; ++i) loop[i].shared = true;
-    first = last + 1;
-  }
+  const auto is_crumb = [](const BorderPiece& piece) {
+    return !piece.shared && distance(piece.from, piece.to) <= 2 * same_place;
+  };
+  for (std::size_t i = 1; i < loop.size(); ++i)
+    if (loop[i - 1].shared && is_crumb(loop[i])) loop[i].shared = true;
+  for (std::size_t i = loop.size(); i-- > 0;)
+    if (loop[(i + 1) % loop.size()].shared && is_crumb(loop[i])) loop[i].shared = true;
 }
 
 }  // namespace
@@ -113,11 +111,18 @@ void FreeBorder::add_shared(std::size_t i, const Point& from, const Point& to, b
 void FreeBorder::share_with_claim(const MultiPolygon& neighbour) {
   share_with(neighbour, false);
   const PreparedSurface claim(neighbour);
+  std::vector<double> at;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
+    if (!claim.box().meets(boxes_[i], beyond_border)) continue;
     const auto [from, to] = side(i);
-    const Point beyond = left_normal(unit(to - from)) * beyond_border;
-    if (claim.box().meets(boxes_[i], beyond_border) && claim.holds((from + to) * 0.5 + beyond))
-      stretches_.push_back({i, 0, 1, from, to, false});
+    const Point along = to - from, beyond = left_normal(unit(along)) * beyond_border;
+    at = {0, 1};
+    claim.cut(from, to, at);
+    std::sort(at.begin(), at.end());
+    for (std::size_t k = 1; k < at.size(); ++k)
+      if (claim.holds(from + along * ((at[k - 1] + at[k]) / 2) + beyond))
+        stretches_.push_back(
+            {i, at[k - 1], at[k], from + along * at[k - 1], from + along * at[k], false});
   }
 }
 

@@ -16,12 +16,17 @@ void MovedBorder::toggle(const MultiPolygon& surface) {
       }
 }
 
+void MovedBorder::add(const MultiPolygon& surface) {
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon)
+      for (std::size_t i = 1; i < ring.size(); ++i) moved_.emplace_back(ring[i - 1], ring[i]);
+}
+
 void MovedBorder::settle() {
-  std::vector<Box> boxes;
-  for (const auto& [from_x, from_y, to_x, to_y] : sides_) {
+  for (const auto& [from_x, from_y, to_x, to_y] : sides_)
     moved_.push_back({{from_x, from_y, 0}, {to_x, to_y, 0}});
-    boxes.push_back(box_of(moved_.back().first, moved_.back().second));
-  }
+  std::vector<Box> boxes;
+  for (const auto& [from, to] : moved_) boxes.push_back(box_of(from, to));
   index_ = BoxIndex(boxes);
 }
 

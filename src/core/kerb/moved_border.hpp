@@ -15,6 +15,8 @@ namespace streetgen {
 class MovedBorder {
  public:
   void toggle(const MultiPolygon& surface);
+  // All its sides, whatever the others have.
+  void add(const MultiPolygon& surface);
   // After the last of them.
   void settle();
   // Whether a side of the surface lies along one that came or went.

@@ -134,7 +134,7 @@ class Owners {
       const std::vector<Extent>& extents = vicinity().extents();
       std::vector<Box> boxes;
       for (const Extent& extent : extents) boxes.push_back(extent.box);
-      for (const FormerSurface* given_up : given_up_) boxes.push_back(box_of(given_up->ground));
+      for (const GivenUp& given_up : given_up_) boxes.push_back(box_of(given_up.surface->ground));
       crowds_ = crowds(boxes, most_overlaps(), [&](int i, const Box& square) {
         return i >= static_cast<int>(extents.size()) || extents[i].meets({square, {square}}, 0);
       });
@@ -221,9 +221,9 @@ class Owners {
 
   // Who claims ground that was given up, wherever the ground lies that it was left.
   void ask_above_given_up() {
-    for (const FormerSurface* given_up : given_up_) {
-      if (given_up->ground.empty()) continue;
-      const PreparedSurface ground(given_up->ground);
+    for (const GivenUp& given_up : given_up_) {
+      if (given_up.surface->ground.empty()) continue;
+      const PreparedSurface ground(given_up.surface->ground);
       for (const int i : vicinity().near(ground.box())) {
         if (claims_[i].wanted || was_[i] == nullptr) continue;
         if (was_[i]->contested) build(i);
@@ -347,7 +347,7 @@ class Owners {
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<const FormerSurface*> was_;
-  const std::vector<const FormerSurface*>& given_up_;
+  const std::vector<GivenUp>& given_up_;
   const std::vector<Turned>& turned_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
