@@ -41,8 +41,8 @@ std::optional<Common> common(const Point& a, const Point& b, const Point& c, con
   return Common{first, last, from, to};
 }
 
-// At the ends of what is free, shorter pieces are the noise of borders computed in two ways.
-void share_crumbs(BorderLoop& loop) {
+// Where sharing begins and ends, shorter pieces are the noise of borders computed in two ways.
+void join_crumbs(BorderLoop& loop) {
   const auto shared = std::find_if(loop.begin(), loop.end(),
                                    [](const BorderPiece& piece) { return piece.shared; });
   if (shared == loop.end()) return;
@@ -51,7 +51,10 @@ void share_crumbs(BorderLoop& loop) {
     return !piece.shared && distance(piece.from, piece.to) <= 2 * same_place;
   };
   for (std::size_t i = 1; i < loop.size(); ++i)
-    if (loop[i - 1].shared && is_crumb(loop[i])) loop[i].shared = true;
+    if (is_crumb(loop[i])) {
+      loop[i].shared = loop[i - 1].shared;
+      loop[i].joins_level = loop[i - 1].joins_level;
+    }
   for (std::size_t i = loop.size(); i-- > 0;)
     if (loop[(i + 1) % loop.size()].shared && is_crumb(loop[i])) loop[i].shared = true;
 }
@@ -174,7 +177,7 @@ std::vector<BorderLoop> FreeBorder::loops() const {
       while (next != end && next->side == i) ++next;
       append_pieces(i, first, next, loop);
     }
-    share_crumbs(loop);
+    join_crumbs(loop);
     if (!loop.empty()) loops.push_back(std::move(loop));
   }
   return loops;

@@ -28,11 +28,10 @@ class SectionSides {
 
   // By the ends of both border lines, where the border passes each once and in their order.
   std::optional<std::vector<KerbSide>> between_borders(const BorderLoop& loop) const {
-    const std::array<Point, 4> places{start_.front(), end_.front(), end_.back(), start_.back()};
     std::array<std::size_t, 4> passed{};
     for (std::size_t k = 0; k < 4; ++k) {
       const auto here = [&](const BorderPiece& piece) {
-        return distance(piece.from, places[k]) <= same_place;
+        return distance(piece.from, begin_of(k)) <= same_place;
       };
       const auto found = std::find_if(loop.begin(), loop.end(), here);
       if (found == loop.end() || std::find_if(found + 1, loop.end(), here) != loop.end())
@@ -48,6 +47,19 @@ class SectionSides {
       sides[(passed[0] + i) % loop.size()] = walk[k];
     }
     return sides;
+  }
+
+  // Whether the side is there from its begin to its end, and nothing shares it.
+  bool whole(const BorderLoop& loop, const std::vector<KerbSide>& sides, KerbSide side) const {
+    const std::size_t k = std::find(walk.begin(), walk.end(), side) - walk.begin();
+    std::size_t i = 0;
+    while (i < loop.size() && distance(loop[i].from, begin_of(k)) > same_place) ++i;
+    for (std::size_t passed = 0; i < loop.size() && passed < loop.size(); ++passed) {
+      const BorderPiece& piece = loop[(i + passed) % loop.size()];
+      if (piece.shared || sides[(i + passed) % loop.size()] != side) return false;
+      if (distance(piece.to, begin_of((k + 1) % 4)) <= same_place) return true;
+    }
+    return false;
   }
 
   KerbSide by_place(const BorderPiece& piece) const {
@@ -67,6 +79,11 @@ class SectionSides {
   }
 
  private:
+  const Point& begin_of(std::size_t k) const {
+    const Line& border = k == 0 || k == 3 ? start_ : end_;
+    return k < 2 ? border.front() : border.back();
+  }
+
   KerbSide beside(std::size_t segment, const Point& p) const {
     const Point along = unit(line_[segment] - line_[segment - 1]);
     const Point from_start = p - line_[segment - 1], from_end = p - line_[segment];
@@ -82,28 +99,23 @@ class SectionSides {
   const Line &line_, &start_, &end_;
 };
 
-bool all_free(const BorderLoop& loop, const std::vector<KerbSide>& sides, KerbSide side) {
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    if (sides[i] == side && loop[i].shared) return false;
-  return true;
-}
-
 }  // namespace
 
 std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const BorderLoop& loop) {
   const SectionSides section(layout, edge);
-  const auto sides = section.between_borders(loop);
-  const bool whole_left = sides && all_free(loop, *sides, KerbSide::left),
-             whole_right = sides && all_free(loop, *sides, KerbSide::right);
+  const auto between = section.between_borders(loop);
+  std::vector<KerbSide> sides;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sides.push_back(between ? (*between)[i] : section.by_place(loop[i]));
+  std::array<bool, 4> whole{};
+  for (const KerbSide side : walk)
+    whole[static_cast<std::size_t>(side)] = section.whole(loop, sides, side);
   std::vector<KerbPlace> places;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    KerbPlace place{edge, sides ? (*sides)[i] : section.by_place(loop[i])};
-    const bool along = place.side == KerbSide::left || place.side == KerbSide::right;
-    if (loop[i].joins_level)
-      place.method = Method::level_change;
-    else if (along && !(place.side == KerbSide::left ? whole_left : whole_right))
-      place.method = Method::contested;
-    places.push_back(place);
+    const Method method = loop[i].joins_level                        ? Method::level_change
+                          : whole[static_cast<std::size_t>(sides[i])] ? Method::hypothesis
+                                                                      : Method::contested;
+    places.push_back({edge, sides[i], method});
   }
   return places;
 }
