@@ -45,6 +45,16 @@ class Owners {
     for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
   }
 
+  // What claims of one level cover their owners cover, but where another level takes of it.
+  void want_beyond_reach() {
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!outer(i) || !tiles_with_other_level(i)) continue;
+      const std::vector<int> near = vicinity().near(vicinity().extents()[i].box);
+      claims_[i].wanted =
+          std::any_of(near.begin(), near.end(), [&](int other) { return !outer(other); });
+    }
+  }
+
   void settle() {
     const std::vector<Hole> holes = build_what_matters();
     settle_ownership(geos_, claims_, disputes_);
@@ -272,6 +282,13 @@ class Owners {
       }
   }
 
+  bool tiles_with_other_level(int i) const {
+    if (i >= edges_) return claims_[i].joins_levels;
+    const Edge& edge = layout_.streets.network.edges[i];
+    return claims_[edges_ + edge.from_node].joins_levels ||
+           claims_[edges_ + edge.to_node].joins_levels;
+  }
+
   bool ask_around(const std::vector<Hole>& holes) {
     bool more = false;
     for (const Hole& hole : holes)
@@ -360,8 +377,9 @@ class Owners {
 
 }  // namespace
 
-std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved) {
+std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved, bool with_kerbs) {
   Owners owners(layout, moved);
+  if (with_kerbs) owners.want_beyond_reach();
   owners.settle();
   return owners.beyond_reach();
 }

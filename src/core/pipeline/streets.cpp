@@ -39,7 +39,7 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   check_limits(layout.streets);
   const Affected moved = find_affected(layout, former);
   stay_within(layout.streets, former);
-  const std::map<int, MultiPolygon> beyond_reach = settle_owners(layout, moved);
+  const std::map<int, MultiPolygon> beyond_reach = settle_owners(layout, moved, with_kerbs);
   check_surfaces(layout.streets);
   stay_within(layout.streets, former);
   if (with_kerbs) find_kerbs(layout, moved, beyond_reach);
