@@ -283,10 +283,11 @@ class Owners {
   }
 
   bool tiles_with_other_level(int i) const {
-    if (i >= edges_) return claims_[i].joins_levels;
-    const Edge& edge = layout_.streets.network.edges[i];
-    return claims_[edges_ + edge.from_node].joins_levels ||
-           claims_[edges_ + edge.to_node].joins_levels;
+    return std::any_of(claims_[i].edges.begin(), claims_[i].edges.end(), [&](int e) {
+      const Edge& edge = layout_.streets.network.edges[e];
+      return claims_[edges_ + edge.from_node].joins_levels ||
+             claims_[edges_ + edge.to_node].joins_levels;
+    });
   }
 
   bool ask_around(const std::vector<Hole>& holes) {
