@@ -1,4 +1,5 @@
-// Kerbs: the border of the roadway, as lines with the roadway on their right.  StreetGen paper, 2.5.
+// Kerbs: the border of the roadway, as lines with the roadway on their right.  StreetGen
+// paper, 2.5.
 //
 // The border of the roadway of each level, each metre once: what a surface shares with another one
 // of its level is none.  An exterior border is walked clockwise, that of a hole counter-clockwise.
@@ -29,9 +30,9 @@ struct Kerb {
   int node = -1;  // that it is the intersection of; -1: the kerb of a section
   int level = 0;
   KerbSide side = KerbSide::left;
-  int part = 1;               // from 1 on each side, in the direction of the kerbs
-  Line line;                  // at least two distinct points; closed where it goes all around
-  std::optional<Arc> curve;   // where it is the arc of its corner, or a piece of it
+  int part = 1;              // from 1 on each side, in the direction of the kerbs
+  Line line;                 // at least two distinct points; closed where it goes all around
+  std::optional<Arc> curve;  // where it is the arc of its corner, or a piece of it
   // That of the corner; contested where others take part of the side, and level_change where the
   // roadway goes on on another level.
   Method method = Method::hypothesis;

@@ -54,8 +54,8 @@ struct StreetSettings {
   double reach = 60;             // metres along the network: how far a corner follows its axes
   // What a corner between nearly parallel kerbs may pave from their crossing on, and the width of
   // ground between them that stays ground. The paper has no bound.
-  double follow_length = 10;         // metres along the kerbs; may be infinite
-  double follow_area = 20;           // square metres; may be infinite
+  double follow_length = 10;          // metres along the kerbs; may be infinite
+  double follow_area = 20;            // square metres; may be infinite
   double median_width_minimal = 0.5;  // metres, positive
   // The ground in a face between axes that is smaller than this stays ground where it has room for
   // a disc of 1 m: the face's corners are noses where their fillets would take that. 0: nowhere, as

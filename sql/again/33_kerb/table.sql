@@ -18,7 +18,6 @@ BEGIN
             UNIQUE (edge_id, side, part))$t$,
         $t$CREATE INDEX kerb_node ON %1$I.kerb (node_id) WHERE node_id IS NOT NULL$t$,
         $t$CREATE INDEX kerb_geom ON %1$I.kerb USING gist (geom)$t$,
-        $t$CREATE INDEX kerb_surface ON %1$I.kerb USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.kerb
             IS 'The border of the roadway of each level, each metre once, with the roadway on its right: of sections, '
             'where node_id is NULL, and of intersections. Where other surfaces take part of a side, it has several '

@@ -22,7 +22,8 @@ namespace {
 // One surface an edge, then one a node.
 class RoadwayBorder {
  public:
-  RoadwayBorder(Layout& layout, const Affected& moved, const std::map<int, MultiPolygon>& beyond_reach)
+  RoadwayBorder(Layout& layout, const Affected& moved,
+                const std::map<int, MultiPolygon>& beyond_reach)
       : layout_(layout),
         streets_(layout.streets),
         edges_(static_cast<int>(layout.axes.size())),
@@ -132,9 +133,9 @@ class RoadwayBorder {
     if (settled != beyond_reach_.end()) return settled->second;
     const auto [built, fresh] = built_.try_emplace(i);
     if (fresh)
-      built->second = (i < edges_ ? section_of(geos_, layout_, i)
-                                  : intersection_of(geos_, layout_, i - edges_))
-                          .ground;
+      built->second =
+          (i < edges_ ? section_of(geos_, layout_, i) : intersection_of(geos_, layout_, i - edges_))
+              .ground;
     return built->second;
   }
 
@@ -169,8 +170,9 @@ class RoadwayBorder {
     KerbRows rows(layout_, i < edges_ ? i : -1, i < edges_ ? -1 : i - edges_, level_of(i),
                   streets_.kerbs);
     for (const BorderLoop& loop : border.loops())
-      rows.append(loop, i < edges_ ? places_of_section(layout_, i, loop)
-                                   : places_of_intersection(layout_, i - edges_, corner_from_, loop));
+      rows.append(loop, i < edges_
+                            ? places_of_section(layout_, i, loop)
+                            : places_of_intersection(layout_, i - edges_, corner_from_, loop));
   }
 
   Layout& layout_;

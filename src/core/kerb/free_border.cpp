@@ -33,18 +33,19 @@ std::optional<Common> common(const Point& a, const Point& b, const Point& c, con
   }
   const double first = std::max(t, 0.0), last = std::min(u, 1.0);
   if ((last - first) * std::sqrt(square) <= same_place) return std::nullopt;
-  const auto on_other = [&](double share) { return at_t + (at_u - at_t) * ((share - t) / (u - t)); };
+  const auto on_other = [&](double share) {
+    return at_t + (at_u - at_t) * ((share - t) / (u - t));
+  };
   const Point from = on_other(first), to = on_other(last);
-  if (distance(from, a + along * first) > same_place ||
-      distance(to, a + along * last) > same_place)
+  if (distance(from, a + along * first) > same_place || distance(to, a + along * last) > same_place)
     return std::nullopt;
   return Common{first, last, from, to};
 }
 
 // Where sharing begins and ends, shorter pieces are the noise of borders computed in two ways.
 void join_crumbs(BorderLoop& loop) {
-  const auto shared = std::find_if(loop.begin(), loop.end(),
-                                   [](const BorderPiece& piece) { return piece.shared; });
+  const auto shared =
+      std::find_if(loop.begin(), loop.end(), [](const BorderPiece& piece) { return piece.shared; });
   if (shared == loop.end()) return;
   std::rotate(loop.begin(), shared, loop.end());
   const auto is_crumb = [](const BorderPiece& piece) {

@@ -15,7 +15,8 @@ namespace {
 Arc curve_of(const Corner& corner, const Line& line) {
   const Arc& arc = *corner.arc;
   Arc curve{line.front(), arc.middle, line.back()};
-  if (distance(line.front(), arc.end) <= same_place && distance(line.back(), arc.start) <= same_place)
+  if (distance(line.front(), arc.end) <= same_place &&
+      distance(line.back(), arc.start) <= same_place)
     return curve;
   const Point& centre = *corner.centre;
   curve.middle = line.size() > 2

@@ -36,8 +36,8 @@ class NodeCorners {
     const int whole = gap_between(loop[first].from, loop[at(count - 1)].to);
     for (std::size_t i = 0; i < count; ++i) {
       const BorderPiece& piece = loop[at(i)];
-      places[at(i)] = whole != none ? of_gap(whole, piece, true)
-                                    : of_gap(gap_beside(piece), piece, false);
+      places[at(i)] =
+          whole != none ? of_gap(whole, piece, true) : of_gap(gap_beside(piece), piece, false);
     }
   }
 
@@ -83,8 +83,8 @@ class NodeCorners {
     }
     const Line& stub = stubs_[nearest];
     const LinePosition at = position_at(stub, nearest_abscissa(middle, stub));
-    const bool left = cross(local_direction(stub, nearest_abscissa(middle, stub)),
-                            middle - at.point) > 0;
+    const bool left =
+        cross(local_direction(stub, nearest_abscissa(middle, stub)), middle - at.point) > 0;
     const int arms = static_cast<int>(stubs_.size());
     return left ? nearest : (nearest + arms - 1) % arms;
   }

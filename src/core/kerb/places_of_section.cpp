@@ -90,9 +90,8 @@ class SectionSides {
     if (segment == 1 && dot(from_start, along) < -same_place) return KerbSide::start;
     if (segment + 1 == line_.size() && dot(from_end, along) > 0) return KerbSide::end;
     // Beyond a vertex both of its segments are as near.
-    const Point direction = dot(from_end, along) > 0
-                                ? along + unit(line_[segment + 1] - line_[segment])
-                                : along;
+    const Point direction =
+        dot(from_end, along) > 0 ? along + unit(line_[segment + 1] - line_[segment]) : along;
     return cross(direction, from_end) > 0 ? KerbSide::left : KerbSide::right;
   }
 
@@ -112,7 +111,7 @@ std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const B
     whole[static_cast<std::size_t>(side)] = section.whole(loop, sides, side);
   std::vector<KerbPlace> places;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Method method = loop[i].joins_level                        ? Method::level_change
+    const Method method = loop[i].joins_level                         ? Method::level_change
                           : whole[static_cast<std::size_t>(sides[i])] ? Method::hypothesis
                                                                       : Method::contested;
     places.push_back({edge, sides[i], method});

@@ -18,11 +18,11 @@ bool fill_kerb(const ComputedStreets& computed, const Named& named, std::size_t 
     node = named.nodes[kerb.node];
   }
   if (kerb.curve) curve = Ewkb{write_arc(*kerb.curve, flat(computed))};
-  return edge > 0 && put(row, edge, std::move(node), kerb.level, name(kerb_side_name(kerb.side)),
-                         kerb.part, Geometry{stored_line(kerb.line, flat(computed))},
-                         std::move(curve),
-                         Geometry{stored_surface(stones_of(kerb), flat(computed))},
-                         name(method_name(kerb.method)));
+  return edge > 0 &&
+         put(row, edge, std::move(node), kerb.level, name(kerb_side_name(kerb.side)), kerb.part,
+             Geometry{stored_line(kerb.line, flat(computed))}, std::move(curve),
+             Geometry{stored_surface(stones_of(kerb), flat(computed))},
+             name(method_name(kerb.method)));
 }
 
 }  // namespace

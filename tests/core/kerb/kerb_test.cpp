@@ -127,10 +127,9 @@ void expect_border(const Streets& town, const std::string& what) {
             if (distance(ring[i], ring[i - 1]) < 1e-3) continue;
             for (const double share : {0.07, 0.31, 0.52, 0.76, 0.98}) {
               const Point place = ring[i - 1] + (ring[i] - ring[i - 1]) * share;
-              const bool goes_on =
-                  std::any_of(surfaces.begin(), surfaces.end(), [&](const MultiPolygon* other) {
-                    return inside(place + beyond, *other);
-                  });
+              const bool goes_on = std::any_of(
+                  surfaces.begin(), surfaces.end(),
+                  [&](const MultiPolygon* other) { return inside(place + beyond, *other); });
               EXPECT_EQ(kerbs_through(town, level, place), goes_on ? 0 : 1)
                   << what << ", level " << level << " at " << std::to_string(place.x) << " "
                   << std::to_string(place.y);
@@ -142,8 +141,8 @@ std::vector<StreetAxis> moved(std::vector<StreetAxis> axes, double turn, bool mi
   for (StreetAxis& axis : axes)
     for (Point& p : axis.line) {
       const double y = mirror ? -p.y : p.y;
-      p = Point{p.x * std::cos(turn) - y * std::sin(turn), p.x * std::sin(turn) + y * std::cos(turn),
-                0} +
+      p = Point{p.x * std::cos(turn) - y * std::sin(turn),
+                p.x * std::sin(turn) + y * std::cos(turn), 0} +
           by;
     }
   return axes;
@@ -175,9 +174,9 @@ TEST(Kerb, OfContestedGroundIsWhatBordersTheRoadway) {
 }
 
 TEST(Kerb, GoesAcrossWhereTheRoadwayGoesOnOnAnotherLevel) {
-  const Streets town = with_kerbs({axis(1, {{0, 0}, {50, 0}}, 6, 3),
-                                   axis(2, {{50, 0}, {100, 0}}, 6, 3),
-                                   axis(3, {{50, 0}, {50, 60}}, 6, 3, 1)});
+  const Streets town =
+      with_kerbs({axis(1, {{0, 0}, {50, 0}}, 6, 3), axis(2, {{50, 0}, {100, 0}}, 6, 3),
+                  axis(3, {{50, 0}, {50, 60}}, 6, 3, 1)});
   const std::map<std::string, int> sides = sides_of(town);
   EXPECT_EQ(sides.at("across_start"), 1);
   for (const Kerb& kerb : town.kerbs)
