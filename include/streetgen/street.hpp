@@ -154,6 +154,7 @@ struct Roadway {
 struct FormerSurface {
   MultiPolygon ground;
   bool contested = false;  // part of its ground belonged to another surface
+  int level = 0;
 };
 struct FormerLimit {
   double wanted_abscissa = 0;  // metres along the edge

@@ -89,8 +89,7 @@ class RoadwayBorder {
     if (std::all_of(wanted_.begin(), wanted_.end(), [](bool wanted) { return wanted; })) return;
     MovedBorder moved;
     for (const GivenUp& given_up : moved_.given_up)
-      given_up.of_changed ? moved.add(given_up.surface->ground)
-                          : moved.toggle(given_up.surface->ground);
+      moved.toggle(given_up.surface->ground, given_up.surface->level);
     for (const Section& section : streets_.sections) toggle(moved, section.edge);
     for (const Intersection& intersection : streets_.intersections)
       toggle(moved, edges_ + intersection.node);
@@ -100,11 +99,9 @@ class RoadwayBorder {
         wanted_[i] = true;
   }
 
-  // On the same ground, the surface of a changed axis may lie on another level than before.
   void toggle(MovedBorder& moved, int i) const {
-    const bool anew = i < edges_ ? layout_.axis_of(i).changed : moved_.nodes[i - edges_];
-    anew ? moved.add(*grounds_[i]) : moved.toggle(*grounds_[i]);
-    if (former_of(i) != nullptr) moved.toggle(former_of(i)->ground);
+    moved.toggle(*grounds_[i], level_of(i));
+    if (former_of(i) != nullptr) moved.toggle(former_of(i)->ground, former_of(i)->level);
   }
 
   // A kerb of an intersection names one of the edges there.

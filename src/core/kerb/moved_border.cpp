@@ -6,24 +6,18 @@
 
 namespace streetgen {
 
-void MovedBorder::toggle(const MultiPolygon& surface) {
+void MovedBorder::toggle(const MultiPolygon& surface, int level) {
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i) {
         const auto [side, came] =
-            sides_.insert({ring[i - 1].x, ring[i - 1].y, ring[i].x, ring[i].y});
+            sides_.insert({1.0 * level, ring[i - 1].x, ring[i - 1].y, ring[i].x, ring[i].y});
         if (!came) sides_.erase(side);
       }
 }
 
-void MovedBorder::add(const MultiPolygon& surface) {
-  for (const Polygon& polygon : surface)
-    for (const Ring& ring : polygon)
-      for (std::size_t i = 1; i < ring.size(); ++i) moved_.emplace_back(ring[i - 1], ring[i]);
-}
-
 void MovedBorder::settle() {
-  for (const auto& [from_x, from_y, to_x, to_y] : sides_)
+  for (const auto& [level, from_x, from_y, to_x, to_y] : sides_)
     moved_.push_back({{from_x, from_y, 0}, {to_x, to_y, 0}});
   std::vector<Box> boxes;
   for (const auto& [from, to] : moved_) boxes.push_back(box_of(from, to));

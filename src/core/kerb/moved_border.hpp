@@ -11,19 +11,17 @@
 
 namespace streetgen {
 
-// Surfaces before and after: a side that both have did not move.
+// Surfaces before and after: a side that both have on one level did not move.
 class MovedBorder {
  public:
-  void toggle(const MultiPolygon& surface);
-  // All its sides, whatever the others have.
-  void add(const MultiPolygon& surface);
+  void toggle(const MultiPolygon& surface, int level);
   // After the last of them.
   void settle();
   // Whether a side of the surface lies along one that came or went.
   bool lies_along(const MultiPolygon& surface) const;
 
  private:
-  std::set<std::array<double, 4>> sides_;
+  std::set<std::array<double, 5>> sides_;
   std::vector<std::pair<Point, Point>> moved_;
   BoxIndex index_;
 };

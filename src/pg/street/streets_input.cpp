@@ -112,7 +112,8 @@ class Settings {
 
   // Of a setting that may be NULL.
   double measure_or_unbounded(const char* name) const {
-    return values_.count(name) == 0 ? std::numeric_limits<double>::infinity() : measure(name, 0, 1e6);
+    return values_.count(name) == 0 ? std::numeric_limits<double>::infinity()
+                                    : measure(name, 0, 1e6);
   }
 
   template <class Meaning>
@@ -279,9 +280,10 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
   return settings;
 }
 
-FormerSurface former_surface(const Column& surface, const Column& contested, int row) {
+FormerSurface former_surface(const Column& surface, const Column& contested, const Column& level,
+                             int row) {
   return {read_surface(bytes_of(surface.values[row]), "a former surface"),
-          DatumGetBool(contested.values[row])};
+          DatumGetBool(contested.values[row]), DatumGetInt32(level.values[row])};
 }
 
 Former former_of(const StreetsCall& call) {
@@ -298,12 +300,12 @@ Former former_of(const StreetsCall& call) {
                             read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),
-                            former_surface(edges.surface, edges.contested, i)});
+                            former_surface(edges.surface, edges.contested, edges.level, i)});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)
     former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
-                            former_surface(nodes.surface, nodes.contested, i)});
+                            former_surface(nodes.surface, nodes.contested, nodes.level, i)});
   former.may_spread = call.may_spread;
   return former;
 }
