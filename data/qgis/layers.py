@@ -117,6 +117,8 @@ LAYERS = (
     Layer('streets', 'section_limit', 'section_limit_id', 'border_line', lambda: single(line(LIMIT, 0.4)), scale=2500),
     Layer('streets', 'corner', 'corner_id', 'arc',
           lambda: rules(('as wanted', "method IN ('hypothesis', 'by_hand')", line(ARC, 0.5)), ('otherwise', "method NOT IN ('hypothesis', 'by_hand')", line(HAND, 0.5))), scale=2500),
+    Layer('streets', 'kerb', 'kerb_id', 'geom',
+          lambda: rules(('kerb', "method <> 'level_change'", line(KERB, 0.3, 'MapUnit')), ('level change', "method = 'level_change'", line(LIMIT, 0.3, dash='1;1'))), scale=2500),
     Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),
     Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),
     Layer('streets', 'section', 'edge_id', 'surface', surface_by_method(ASPHALT)),

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "streetgen/geometry.hpp"
+#include "streetgen/kerb.hpp"
+#include "streetgen/method.hpp"
 #include "streetgen/network.hpp"
 
 namespace streetgen {
@@ -84,6 +86,7 @@ struct StreetSettings {
   double max_hole_area = 0.5;  // square metres
   // More surfaces that come into a square of 10 m of a fixed grid share the ground there by rank.
   int overlaps_maximal = 30;
+  double kerb_stone_width = 0.3;  // metres, positive: the strip behind a kerb
 };
 
 // By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.
@@ -114,23 +117,6 @@ struct StreetOverrides {
   std::vector<SectionLimitOverride> limits;
   std::vector<CornerOverride> corners;
 };
-
-// How a row came about; the words are those of the `method` columns.
-enum class Method {
-  hypothesis,       // as wanted
-  radius_reduced,   // the wanted radius does not fit the axes: the largest that does
-  radius_minimal,   // the arc's centre lay beyond max_arc_distance
-  followed,         // an axis is too short: the arc touches the next one in its direction
-  nose,             // of a median or an island: the largest radius that paves no more than it may
-  no_arc,           // no candidate (one axis within the other, nearly straight)
-  crossed_limits,   // the limits of the edge would cross: both at their meeting
-  transition,       // a change of width
-  contested,        // part of the ground belongs to another surface
-  crowded,          // very many surfaces claim part of the ground: it went by rank
-  robust_fallback,  // the ring was built by union, not piece by piece
-  by_hand,          // as an override says
-};
-const char* method_name(Method method) noexcept;
 
 // Counter-clockwise from edge a to edge b around the node.
 struct Corner {
@@ -182,6 +168,7 @@ struct Roadway {
 struct FormerSurface {
   MultiPolygon ground;
   bool contested = false;  // part of its ground belonged to another surface
+  int level = 0;
 };
 struct FormerLimit {
   double wanted_abscissa = 0;  // metres along the edge
@@ -234,6 +221,10 @@ struct Streets {
   std::vector<bool> spreads_to;
   std::vector<Section> sections;            // one per affected edge
   std::vector<Intersection> intersections;  // one per affected node of degree two and more
+  // Of the sections and intersections whose border a change can move: those that are affected, and
+  // those beside ground that changed.  Empty where kerbs are not wanted.
+  std::vector<Kerb> kerbs;
+  std::vector<bool> edges_with_kerbs, nodes_with_kerbs;  // those whose kerbs come out, if wanted
 };
 
 // Whether the two limits of the edge meet: it has no section.

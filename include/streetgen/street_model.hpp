@@ -13,6 +13,7 @@ namespace streetgen {
 struct Subjects {
   bool lane = true;             // lanes, separators and markings
   bool interconnection = true;  // needs lane
+  bool kerb = false;
 };
 
 struct StreetModelInput {

@@ -7,6 +7,7 @@ namespace streetgen {
 
 // Deterministic and independent of the order of `axes`.  Throws Error and ChangeSpreads.
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const StreetOverrides& overrides = {}, const Former& former = {});
+                const StreetOverrides& overrides = {}, const Former& former = {},
+                bool with_kerbs = false);
 
 }  // namespace streetgen

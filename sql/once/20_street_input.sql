@@ -82,7 +82,7 @@ COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS
 
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
-        border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean
+        border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean, level integer
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
@@ -97,11 +97,13 @@ COMMENT ON COLUMN streetgen.former_edge."end" IS 'limit at its end, m along the 
 COMMENT ON COLUMN streetgen.former_edge.border_end IS 'border line there, LINESTRING, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.surface IS 'its section, MULTIPOLYGON, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.contested IS 'did part of the section''s ground belong to another surface?';
+COMMENT ON COLUMN streetgen.former_edge.level IS 'level of the section';
 
-CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean);
+CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean, level integer);
 COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';
 COMMENT ON COLUMN streetgen.former_node.x IS 'abscissa in the plane';
 COMMENT ON COLUMN streetgen.former_node.y IS 'ordinate in the plane';
 COMMENT ON COLUMN streetgen.former_node.surface IS 'its intersection, MULTIPOLYGON, EWKB';
+COMMENT ON COLUMN streetgen.former_node.level IS 'level of the intersection';
 COMMENT ON COLUMN streetgen.former_node.contested IS
     'did part of the intersection''s ground belong to another surface?';

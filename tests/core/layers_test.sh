@@ -10,7 +10,7 @@ floors=(
   'network alignment virtual_city'
   'roadway'
   'ownership'
-  'traffic'
+  'kerb traffic'
   'pipeline'
 )
 

@@ -135,6 +135,22 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'overlaps_maximal share ground by rank; robust_fallback: a union of simple pieces, where its ring would not '
         'be simple; transition: a change of width'),
     ('intersection', 'contested_area', 'area left to other surfaces, square metres'),
+    ('kerb', 'kerb_id', 'key; kept while the side has a part of this number'),
+    ('kerb', 'edge_id', 'the edge of the section; of the corner of an intersection its edge_a in table corner'),
+    ('kerb', 'node_id', 'the node of the intersection; NULL: a kerb of the section'),
+    ('kerb', 'level', 'level of the roadway that it borders'),
+    ('kerb', 'side',
+        'of a section left, right, start or end, in the direction of the edge: the last two across it. Of an '
+        'intersection corner_at_start or corner_at_end, the corner from that end of the edge counter-clockwise, and '
+        'across_start or across_end, towards the section of an edge on another level'),
+    ('kerb', 'part', 'number from 1 on each side, in the direction of geom'),
+    ('kerb', 'geom', 'the border, with the roadway on its right: vertex for vertex that of the surfaces'),
+    ('kerb', 'curve', 'true arc where the kerb is that of its corner or a piece of it; else NULL'),
+    ('kerb', 'surface', 'strip of kerb stones behind it, as wide as setting kerb_stone_width'),
+    ('kerb', 'method',
+        'hypothesis; radius_reduced: of the corner; followed: of the corner; nose: of the corner; radius_minimal: of the '
+        'corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the side; '
+        'level_change: the roadway goes on there on another level; by_hand'),
     ('lane', 'lane_id', 'key; kept while the edge has a lane of this ordinality'),
     ('lane', 'edge_id', 'the edge'),
     ('lane', 'ordinality', 'number from 1, from the middle outwards, by setting lane_order'),

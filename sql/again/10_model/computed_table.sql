@@ -3,7 +3,7 @@
 CREATE OR REPLACE FUNCTION streetgen._computed_table()
     RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
         gone_each integer)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 11 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
     AS $$ VALUES
     (1, 'node', 'network', 'node_id', NULL, 'node', 1),
     (2, 'edge', 'network', 'edge_id', NULL, 'edge', 1),
@@ -17,7 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
     (10, 'interconnection', 'interconnection', 'interconnection_id', 'lane_in, lane_out, along_in, along_out',
         'interconnection',
         1),
-    (11, 'report', 'network', NULL, NULL, NULL, NULL) $$;
+    (11, 'kerb', 'kerb', 'kerb_id', 'edge_id, side, part', 'kerb', 1),
+    (12, 'report', 'network', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._computed_table() IS
     'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that '
         'the '
@@ -27,20 +28,23 @@ COMMENT ON FUNCTION streetgen._computed_table() IS
     'key is written by a part of the one statement of its own.';
 
 CREATE OR REPLACE FUNCTION streetgen._subject()
-    RETURNS TABLE(place integer, subject text, needs text[], always boolean, cost text, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    RETURNS TABLE(place integer, subject text, needs text[], always boolean, by_default boolean, cost text,
+        description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
-    (1, 'network', '{}'::text[], true, 'is part of every model',
+    (1, 'network', '{}'::text[], true, true, 'is part of every model',
         'nodes where axes meet or end, edges between them, and what the network step noticed'),
-    (2, 'surface', '{network}'::text[], true, 'is part of every model',
+    (2, 'surface', '{network}'::text[], true, true, 'is part of every model',
         'section limits, sections, corners and intersections: the roadway'),
-    (3, 'lane', '{surface}'::text[], false, 'with interconnection nearly half of the processor time of a first run',
+    (3, 'lane', '{surface}'::text[], false, true, 'with interconnection nearly half of the processor time of a first run',
         'lanes, the lines between them, and what is painted on them'),
-    (4, 'interconnection', '{lane}'::text[], false, 'with lane nearly half of the processor time of a first run',
-        'paths from lane to lane at every node') $$;
+    (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
+        'paths from lane to lane at every node'),
+    (5, 'kerb', '{surface}'::text[], false, false, 'a tenth of the processor time of a first run',
+        'kerbs: the border of the roadway, and the strip of stones behind it') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
-    'always: a model cannot do without it. For every other subject there are functions _make_<subject>_tables (model, '
+    'always: a model cannot do without it. by_default: a new model computes it unless told otherwise. For every other subject there are functions _make_<subject>_tables (model, '
     'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]
@@ -76,10 +80,10 @@ BEGIN
     RETURN ARRAY(
         WITH RECURSIVE wanted(subject, needs) AS (
             SELECT s.subject, s.needs FROM streetgen._subject() s
-            WHERE s.always OR s.subject = ANY (subjects) OR subjects IS NULL
+            WHERE s.always OR s.subject = ANY (subjects) OR subjects IS NULL AND s.by_default
             UNION SELECT s.subject, s.needs FROM wanted w JOIN streetgen._subject() s ON s.subject = ANY (w.needs))
         SELECT s.subject FROM streetgen._subject() s JOIN wanted w USING (subject) GROUP BY s.subject, s.place
         ORDER BY s.place);
 END $$;
 COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
-    'Subjects with all that they need and those of every model, in their order; NULL: all. Another word: 22023.';
+    'Subjects with all that they need and those of every model, in their order; NULL: those of a new model. Another word: 22023.';

@@ -54,6 +54,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
+    ('kerb_stone_width', '0.3', 'm', 'width of the strip of kerb stones behind a kerb', 0.01, 5, NULL),
     ('overlaps_maximal', '30', NULL,
         'where more surfaces come into a square of 10 m the first of them by rank owns each place', 1, 1000, NULL),
     ('max_width_per_lane', '5.5', 'm',

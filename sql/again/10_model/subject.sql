@@ -3,7 +3,7 @@
 CREATE OR REPLACE FUNCTION streetgen.subject(model name)
     RETURNS TABLE(subject text, wanted boolean, needs text[], needed_by text[], tables name[], cost text,
         description text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$
 DECLARE
     computed text[];

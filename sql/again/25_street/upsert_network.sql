@@ -7,7 +7,7 @@ computed_edge AS MATERIALIZED (SELECT * FROM streetgen._computed_edge((SELECT st
 -- The axes whose rows come out, and those that are gone, or whose edges are. An axis that is gone and was not requested
 -- is for the run that requests it.
 written_axis AS MATERIALIZED (
-    SELECT axis_id FROM computed_edge WHERE (affected OR lanes_affected) AND axis_id IN (SELECT unnest($1))
+    SELECT axis_id FROM computed_edge WHERE (affected OR lanes_affected OR kerbs_affected) AND axis_id IN (SELECT unnest($1))
         UNION SELECT unnest($3)
     UNION (SELECT axis_id FROM former_edge JOIN used USING (axis_id) EXCEPT SELECT axis_id FROM computed_edge)),
 written_edge AS MATERIALIZED (
@@ -27,8 +27,8 @@ COMMENT ON FUNCTION streetgen._upsert_written(jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._upsert_node(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._upsert_rows(places, 'node', named => true, columns => 'geom', rows => $part$
-        SELECT coalesce(node_id, {next_id}) AS node_id, number, affected, {geom_with_height} AS geom
-        FROM (SELECT n.number, n.affected, n.geom, anchor_axis[1] AS axis_id, k.node_id
+        SELECT coalesce(node_id, {next_id}) AS node_id, number, affected, kerbs_affected, {geom_with_height} AS geom
+        FROM (SELECT n.number, n.affected, n.kerbs_affected, n.geom, anchor_axis[1] AS axis_id, k.node_id
               FROM written_node n LEFT JOIN (
                   -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa, in
                   -- centimetres.
@@ -64,7 +64,7 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
             'width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, speed, importance, estimated, '
                 'input_hash, setting_hash',
         rows => $part$
-        SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, axis_id,
+        SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, kerbs_affected, axis_id,
                (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
                level, start_abscissa, end_abscissa, {geom_with_height} AS geom,
                width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, speed, importance, estimated,

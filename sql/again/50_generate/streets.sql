@@ -17,7 +17,7 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
-        'interconnection; words of SQL alone are passed over. No axes (NULL) or no subjects (NULL): NULL; any other '
+        'interconnection, kerb; words of SQL alone are passed over. No axes (NULL) or no subjects (NULL): NULL; any other '
         'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
         'or unknown, a geometry that is none: 22023.';
 
@@ -36,22 +36,22 @@ COMMENT ON AGGREGATE streetgen._ids(integer, bigint) IS
     '22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
-    RETURNS TABLE(number integer, affected boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
+    RETURNS TABLE(number integer, affected boolean, kerbs_affected boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
 COMMENT ON FUNCTION streetgen._computed_node(bigint) IS
     'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as '
-    'in all these; affected: its intersection and lanes come out; axes that have a vertex there and its abscissa on '
+    'in all these; affected: its intersection and lanes come out; kerbs_affected: the kerbs of its intersection do; axes that have a vertex there and its abscissa on '
     'each, m. Streets that are not kept: 55000, as in all these. Limits, surfaces, corners, lanes and what is painted '
     'are given once, so that what they took is free for their tables.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
-    RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, spreads_to boolean, axis_id bigint,
-        from_node integer, to_node integer, level integer,
+    RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, kerbs_affected boolean,
+        spreads_to boolean, axis_id bigint, from_node integer, to_node integer, level integer,
         start_abscissa float8, end_abscissa float8, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
     'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
-    'spreads_to: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
+    'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8,
@@ -113,6 +113,13 @@ CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, n
         'streetgen_computed_interconnection';
 COMMENT ON FUNCTION streetgen._computed_interconnection(bigint, bigint[], bigint[]) IS
     'The pairs of lanes of streets computed in this statement, and the paths between them.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_kerb(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, node_id bigint, level integer, side text, part integer, geom geometry,
+        curve geometry, surface geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_kerb';
+COMMENT ON FUNCTION streetgen._computed_kerb(bigint, bigint[], bigint[]) IS
+    'The kerbs of streets computed in this statement: of sections, where node_id is NULL, and of intersections.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
     RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)

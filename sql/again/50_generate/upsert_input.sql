@@ -8,7 +8,7 @@ former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
            s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
-               c.contested_area > 0 AS contested
+               c.contested_area > 0 AS contested, c.level
     FROM {model}.edge e,
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
@@ -66,11 +66,11 @@ computed AS MATERIALIZED (
             FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
-                wanted_end, "end", border_end, surface, contested)::streetgen.former_edge)
+                wanted_end, "end", border_end, surface, contested, level)::streetgen.former_edge)
             FROM former_edge),
         former_nodes => (
             SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea,
-                i.contested_area > 0)::streetgen.former_node)
+                i.contested_area > 0, i.level)::streetgen.former_node)
             FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
                 LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
                 LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),

@@ -40,7 +40,9 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
     (17, 'interconnection', $part$
     (SELECT 'interconnections, ' || CASE WHEN plausible THEN 'plausible by ' ELSE 'not plausible by ' END || reason,
     count(*), NULL FROM %1$I.interconnection GROUP BY plausible, reason ORDER BY plausible DESC, reason)$part$),
-    (18, 'network', $part$
+    (18, 'kerb', $part$
+    SELECT 'kerbs, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km' FROM %1$I.kerb$part$),
+    (19, 'network', $part$
     (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)$part$) $$;
 COMMENT ON FUNCTION streetgen._summary_part() IS
     'What streetgen.summary counts, query by query, over a model %1$I: the first of a row names a thing, then come its '

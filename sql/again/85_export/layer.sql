@@ -38,7 +38,8 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'interconnection_id AS id, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, '
         'connecting', 'geom', 'interconnection'),
     (9, 'corners', 'LINESTRING', false, 'corner_id AS id, node_id, edge_a, edge_b, radius, method',
-        'ST_CurveToLine(arc, 16)', 'corner WHERE arc IS NOT NULL')
+        'ST_CurveToLine(arc, 16)', 'corner WHERE arc IS NOT NULL'),
+    (10, 'kerbs', 'LINESTRING', false, 'kerb_id AS id, edge_id, node_id, level, side, part, method', 'geom', 'kerb')
     $$;
 COMMENT ON FUNCTION streetgen._export_layer() IS
     'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: '

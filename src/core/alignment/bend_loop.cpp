@@ -16,11 +16,11 @@ constexpr std::size_t between_polls = 64;
 
 class Cutting {
  public:
-  Cutting(const std::vector<BorderPiece>& border, const std::vector<RoadPiece>& road, double offset,
-          double slack)
+  Cutting(const std::vector<RawBorderPiece>& border, const std::vector<RoadPiece>& road,
+          double offset, double slack)
       : border_(border), road_(road), reach_(std::abs(offset) * (1 - 1e-9)), slack_(slack) {
     turned_before_.push_back(0);
-    for (const BorderPiece& piece : border)
+    for (const RawBorderPiece& piece : border)
       turned_before_.push_back(turned_before_.back() + (piece.turned_over ? 1 : 0));
   }
 
@@ -58,7 +58,7 @@ class Cutting {
     road_index_ = PieceIndex(road_);
     std::vector<Box> boxes;
     boxes.reserve(border_.size());
-    for (const BorderPiece& piece : border_) boxes.push_back(piece.piece.box());
+    for (const RawBorderPiece& piece : border_) boxes.push_back(piece.piece.box());
     boxes_ = std::move(boxes);
     border_index_ = BoxIndex(boxes_);
   }
@@ -151,7 +151,7 @@ class Cutting {
     if (too_near(part, part.to)) part.to = far_enough(part, part.to, part.from);
   }
 
-  const std::vector<BorderPiece>& border_;
+  const std::vector<RawBorderPiece>& border_;
   const std::vector<RoadPiece>& road_;
   double reach_, slack_;
   std::vector<std::size_t> turned_before_;  // how many of the pieces before each
@@ -163,7 +163,7 @@ class Cutting {
 
 }  // namespace
 
-std::vector<BorderPart> without_bend_loops(const std::vector<BorderPiece>& border,
+std::vector<BorderPart> without_bend_loops(const std::vector<RawBorderPiece>& border,
                                            const std::vector<RoadPiece>& road, double offset,
                                            double slack) {
   return Cutting(border, road, offset, slack).parts();

@@ -89,7 +89,7 @@ class Stations {
 };
 
 // What still runs back is a loop that the chords leave open: it becomes its middle.
-void shut_steps_back(const std::vector<BorderPiece>& border, Line& points) {
+void shut_steps_back(const std::vector<RawBorderPiece>& border, Line& points) {
   for (std::size_t first = 0; first < border.size(); ++first) {
     std::size_t last = first;
     while (last < border.size() && border[last].turned_over) ++last;
@@ -106,7 +106,7 @@ Line border_of(const std::vector<Station>& stations, double offset, double toler
   points.reserve(stations.size());
   for (const Station& station : stations) points.push_back(station.place + station.left * offset);
   std::vector<RoadPiece> road;
-  std::vector<BorderPiece> border;
+  std::vector<RawBorderPiece> border;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     road.push_back(straight_piece(planar(stations[i].place), planar(stations[i + 1].place)));
     const Point along = left_normal(stations[i].left + stations[i + 1].left) * -1;

@@ -31,12 +31,12 @@ RoadPiece beside(const RoadPiece& piece, double offset) {
 }
 
 // Between two pieces that meet at a sharp bend: round about it outside, straight across inside.
-BorderPiece join_at(const RoadPiece& before, const RoadPiece& after, double offset) {
+RawBorderPiece join_at(const RoadPiece& before, const RoadPiece& after, double offset) {
   const Point in = before.direction(before.length), out = after.forward;
   const Point from = after.origin + leftwards(in) * offset;
   const Point to = after.origin + leftwards(out) * offset;
   const bool back = dot(in, out) < 0 && std::abs(cross(in, out)) <= straight_sine;
-  BorderPiece join;
+  RawBorderPiece join;
   if (back || cross(in, out) * offset < 0) {
     join.piece.origin = from;
     join.piece.forward = in;
@@ -50,8 +50,8 @@ BorderPiece join_at(const RoadPiece& before, const RoadPiece& after, double offs
   return join;
 }
 
-std::vector<BorderPiece> raw_border(const std::vector<RoadPiece>& road, double offset) {
-  std::vector<BorderPiece> border;
+std::vector<RawBorderPiece> raw_border(const std::vector<RoadPiece>& road, double offset) {
+  std::vector<RawBorderPiece> border;
   border.reserve(road.size() + 2);
   for (std::size_t i = 0; i < road.size(); ++i) {
     if (i > 0) {
@@ -62,7 +62,7 @@ std::vector<BorderPiece> raw_border(const std::vector<RoadPiece>& road, double o
         border.back().of = i;
       }
     }
-    BorderPiece next{beside(road[i], offset), i, false};
+    RawBorderPiece next{beside(road[i], offset), i, false};
     next.turned_over = next.piece.curved() && dot(next.piece.forward, road[i].forward) < 0;
     // An arc as tight as the offset is a point.
     if (next.piece.length > rounding) border.push_back(next);
@@ -111,7 +111,7 @@ std::vector<RoadCorner> corners_of(const std::vector<RoadPiece>& road) {
 }  // namespace
 
 std::optional<ArcRoad> flat_offset(const ArcRoad::Body& road, double axis_offset) {
-  const std::vector<BorderPiece> border = raw_border(road.pieces, axis_offset);
+  const std::vector<RawBorderPiece> border = raw_border(road.pieces, axis_offset);
   const std::vector<BorderPart> parts = without_bend_loops(border, road.pieces, axis_offset);
   RoadBuilder built(rounding);
   for (const BorderPart& part : parts) built.add(border[part.index].piece.part(part.from, part.to));

@@ -33,14 +33,14 @@ std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side
   return pieces;
 }
 
-Kerb kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
+KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
   const Line part = distinct(planar(substring(axis, std::min(u, v), std::max(u, v))));
   const double total = half_start == half_end ? 0 : length(axis);
   const auto half_at = [&](double abscissa) {
     return half_start + (half_end - half_start) * (total > 0 ? abscissa / total : 0);
   };
   double abscissa = std::min(u, v);
-  Kerb kerb;
+  KerbLine kerb;
   kerb.line.reserve(part.size());
   if (part.size() < 2) {
     const Point across = left_normal(position_at(axis, abscissa).direction) * side;

@@ -19,7 +19,7 @@ struct OffsetPiece {
 // `offset` are not yet removed.
 std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side);
 
-struct Kerb {
+struct KerbLine {
   Line line;
   bool whole = true;  // false: an inner bend needs more than its segments are long
 };
@@ -27,7 +27,7 @@ struct Kerb {
 // The kerb between abscissas u and v (backwards when u > v), half widths linear from
 // `half_start` at abscissa 0 to `half_end` at the end of the axis; a negative one lies on the
 // other side.  Inner bends are mitred.
-Kerb kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
+KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
 
 // The line at a signed offset (left of the axis positive, linear from abscissa 0 to the end of the
 // axis) from abscissa u to v, u < v: mitred in inner bends, round about outer ones; where an inner

@@ -84,7 +84,7 @@ Line without_loops(const Raw& raw, double offset) {
 }  // namespace
 
 Line offset_line(const Line& axis, double u, double v, double offset_start, double offset_end) {
-  Kerb kerb = kerb_line(axis, u, v, offset_start, offset_end, +1);
+  KerbLine kerb = kerb_line(axis, u, v, offset_start, offset_end, +1);
   if (kerb.whole) return std::move(kerb.line);
   const double total = length(axis);
   const auto offset_at = [&](double at) {

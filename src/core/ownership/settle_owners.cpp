@@ -45,12 +45,29 @@ class Owners {
     for (std::size_t i = 0; i < claims_.size(); ++i) claims_[i].surface = &surfaces_[i].ground;
   }
 
+  // What claims of one level cover their owners cover, but where another level takes of it.
+  void want_beyond_reach() {
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (!outer(i) || !tiles_with_other_level(i)) continue;
+      const std::vector<int> near = vicinity().near(vicinity().extents()[i].box);
+      claims_[i].wanted =
+          std::any_of(near.begin(), near.end(), [&](int other) { return !outer(other); });
+    }
+  }
+
   void settle() {
     const std::vector<Hole> holes = build_what_matters();
     settle_ownership(geos_, claims_, disputes_);
     give_holes(geos_, claims_, holes);
     leave_what_stays();
     give_rows();
+  }
+
+  std::map<int, MultiPolygon> beyond_reach() {
+    std::map<int, MultiPolygon> settled;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (claims_[i].wanted && outer(i)) settled.emplace(i, std::move(surfaces_[i].ground));
+    return settled;
   }
 
  private:
@@ -127,7 +144,7 @@ class Owners {
       const std::vector<Extent>& extents = vicinity().extents();
       std::vector<Box> boxes;
       for (const Extent& extent : extents) boxes.push_back(extent.box);
-      for (const FormerSurface* given_up : given_up_) boxes.push_back(box_of(given_up->ground));
+      for (const GivenUp& given_up : given_up_) boxes.push_back(box_of(given_up.surface->ground));
       crowds_ = crowds(boxes, most_overlaps(), [&](int i, const Box& square) {
         return i >= static_cast<int>(extents.size()) || extents[i].meets({square, {square}}, 0);
       });
@@ -214,9 +231,9 @@ class Owners {
 
   // Who claims ground that was given up, wherever the ground lies that it was left.
   void ask_above_given_up() {
-    for (const FormerSurface* given_up : given_up_) {
-      if (given_up->ground.empty()) continue;
-      const PreparedSurface ground(given_up->ground);
+    for (const GivenUp& given_up : given_up_) {
+      if (given_up.surface->ground.empty()) continue;
+      const PreparedSurface ground(given_up.surface->ground);
       for (const int i : vicinity().near(ground.box())) {
         if (claims_[i].wanted || was_[i] == nullptr) continue;
         if (was_[i]->contested) build(i);
@@ -263,6 +280,14 @@ class Owners {
             layout_.streets.spreads_to[turned.edges.front()] = true;
         }
       }
+  }
+
+  bool tiles_with_other_level(int i) const {
+    return std::any_of(claims_[i].edges.begin(), claims_[i].edges.end(), [&](int e) {
+      const Edge& edge = layout_.streets.network.edges[e];
+      return claims_[edges_ + edge.from_node].joins_levels ||
+             claims_[edges_ + edge.to_node].joins_levels;
+    });
   }
 
   bool ask_around(const std::vector<Hole>& holes) {
@@ -340,7 +365,7 @@ class Owners {
   Geos geos_;
   std::vector<bool> moved_;  // by claim, as are those that follow
   std::vector<const FormerSurface*> was_;
-  const std::vector<const FormerSurface*>& given_up_;
+  const std::vector<GivenUp>& given_up_;
   const std::vector<Turned>& turned_;
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
@@ -353,6 +378,11 @@ class Owners {
 
 }  // namespace
 
-void settle_owners(Layout& layout, const Affected& moved) { Owners(layout, moved).settle(); }
+std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved, bool with_kerbs) {
+  Owners owners(layout, moved);
+  if (with_kerbs) owners.want_beyond_reach();
+  owners.settle();
+  return owners.beyond_reach();
+}
 
 }  // namespace streetgen

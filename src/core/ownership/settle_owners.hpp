@@ -1,6 +1,8 @@
 // Sections and intersections: the ground that each of them owns.
 #pragma once
 
+#include <map>
+
 #include "roadway/find_affected.hpp"
 #include "roadway/layout.hpp"
 
@@ -8,7 +10,8 @@ namespace streetgen {
 
 // Builds the sections and intersections of the affected edges and nodes, and only the surfaces that
 // these depend on. Every edge and node that claims the same ground as a moved one becomes affected
-// too.
-void settle_owners(Layout& layout, const Affected& moved);
+// too. Gives the ground of edges and nodes beyond reach as far as it was settled with them, by
+// number: edges first, then nodes. With kerbs, these tell the border of each level.
+std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved, bool with_kerbs);
 
 }  // namespace streetgen

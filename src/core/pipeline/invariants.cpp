@@ -3,6 +3,7 @@
 #ifdef STREETGEN_INVARIANTS
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -89,6 +90,18 @@ void check_surfaces(const Streets& streets) {
     require(streets.affected_nodes.at(streets.intersections[i].node), "an intersection is affected",
             i);
     require_closed_rings(streets.intersections[i].surface, "rings of intersections are closed", i);
+  }
+}
+
+void check_kerbs(const Streets& streets) {
+  std::map<std::pair<int, KerbSide>, int> parts;
+  for (std::size_t k = 0; k < streets.kerbs.size(); ++k) {
+    const Kerb& kerb = streets.kerbs[k];
+    require(kerb.line.size() > 1, "a kerb has a line", k);
+    require(kerb.part == ++parts[{kerb.edge, kerb.side}], "parts of kerbs follow each other", k);
+    require(kerb.node < 0 || touches(streets.network.edges.at(kerb.edge), true, kerb.node) ||
+                touches(streets.network.edges.at(kerb.edge), false, kerb.node),
+            "the kerb of an intersection names an edge that meets there", k);
   }
 }
 

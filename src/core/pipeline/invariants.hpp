@@ -17,6 +17,8 @@ void check_corners(const Streets& streets);
 void check_limits(const Streets& streets);
 // Surfaces belong to affected edges and nodes, and their rings are closed and finite.
 void check_surfaces(const Streets& streets);
+// Kerbs have a line, and the parts of each side are numbered from 1 without a gap.
+void check_kerbs(const Streets& streets);
 // Lanes are numbered from 1 on every edge without a gap, and each has a line.
 void check_lanes(const Streets& streets, const Lanes& lanes);
 // Every path joins two lanes that touch its node, and starts and ends at an end of each.
@@ -26,6 +28,7 @@ inline void check_network(const Network&) {}
 inline void check_corners(const Streets&) {}
 inline void check_limits(const Streets&) {}
 inline void check_surfaces(const Streets&) {}
+inline void check_kerbs(const Streets&) {}
 inline void check_lanes(const Streets&, const Lanes&) {}
 inline void check_interconnections(const StreetModel&) {}
 #endif

@@ -7,7 +7,8 @@ namespace streetgen {
 
 StreetModel street_model(const StreetModelInput& input) {
   StreetModel model;
-  model.streets = streets(input.axes, input.settings, input.overrides, input.former);
+  model.streets =
+      streets(input.axes, input.settings, input.overrides, input.former, input.subjects.kerb);
   if (input.subjects.lane) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings);
     check_lanes(model.streets, model.lanes);

@@ -1,7 +1,9 @@
 #include "streetgen/streets.hpp"
 
+#include <map>
 #include <utility>
 
+#include "kerb/find_kerbs.hpp"
 #include "ownership/settle_owners.hpp"
 #include "pipeline/invariants.hpp"
 #include "roadway/find_affected.hpp"
@@ -28,7 +30,7 @@ void stay_within(const Streets& streets, const Former& former) {
 }  // namespace
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const StreetOverrides& overrides, const Former& former) {
+                const StreetOverrides& overrides, const Former& former, bool with_kerbs) {
   Layout layout(axes, settings);
   check_network(layout.streets.network);
   solve_corners(layout, radii_by_hand(layout, overrides.corners));
@@ -37,9 +39,11 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   check_limits(layout.streets);
   const Affected moved = find_affected(layout, former);
   stay_within(layout.streets, former);
-  settle_owners(layout, moved);
+  const std::map<int, MultiPolygon> beyond_reach = settle_owners(layout, moved, with_kerbs);
   check_surfaces(layout.streets);
   stay_within(layout.streets, former);
+  if (with_kerbs) find_kerbs(layout, moved, beyond_reach);
+  check_kerbs(layout.streets);
   return std::move(layout.streets);
 }
 
@@ -69,6 +73,8 @@ const char* method_name(Method method) noexcept {
       return "robust_fallback";
     case Method::by_hand:
       return "by_hand";
+    case Method::level_change:
+      return "level_change";
   }
   return "";
 }

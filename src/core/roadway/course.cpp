@@ -14,7 +14,7 @@ Line part_of(const CoursePiece& piece, double from, double to) {
   return substring(piece.line, (from - piece.start) * share, (to - piece.start) * share);
 }
 
-Kerb kerb_of(const CoursePiece& piece, double from, double to, int side) {
+KerbLine kerb_of(const CoursePiece& piece, double from, double to, int side) {
   if (piece.half > 0)
     return kerb_line(piece.line, from - piece.start, to - piece.start, piece.half, piece.half,
                      side);
@@ -35,13 +35,13 @@ Line walked(const Course& course, double until) {
   return line;
 }
 
-Kerb kerb_line(const Course& course, double u, double v, int side) {
-  Kerb kerb;
+KerbLine kerb_line(const Course& course, double u, double v, int side) {
+  KerbLine kerb;
   for (const CoursePiece& piece : course) {
     const double from = std::max(std::min(u, v), piece.start);
     const double to = std::min(std::max(u, v), piece.end);
     if (from > to) continue;
-    const Kerb part = kerb_of(piece, from, to, side);
+    const KerbLine part = kerb_of(piece, from, to, side);
     kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
     kerb.whole = kerb.whole && part.whole;
   }

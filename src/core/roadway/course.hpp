@@ -30,6 +30,6 @@ std::optional<double> max_corner_radius(const Course& a, const Course& b, double
 Line walked(const Course& course, double until);
 
 // The kerb between two abscissas, backwards when u > v.
-Kerb kerb_line(const Course& course, double u, double v, int side);
+KerbLine kerb_line(const Course& course, double u, double v, int side);
 
 }  // namespace streetgen

@@ -25,12 +25,6 @@ bool stays(const FormerLimit& before, const SectionLimit& now) {
          same(before.border_line, now.border_line);
 }
 
-// What a surface was that moved or is gone.
-struct GivenUp {
-  const FormerSurface* surface;
-  bool of_changed;  // of an axis that changed, or a node that it met
-};
-
 class Change {
  public:
   Change(const Layout& layout, const Former& former)
@@ -262,7 +256,7 @@ Affected find_affected(Layout& layout, const Former& former) {
   layout.streets.spreads_to = change.spreads_to();
   mark_by(change.given_up(), moved.sections, edges);
   mark_by(change.given_up(), moved.intersections, nodes);
-  for (const GivenUp& given_up : change.given_up()) moved.given_up.push_back(given_up.surface);
+  moved.given_up = change.given_up();
   return moved;
 }
 

@@ -13,13 +13,19 @@ struct Turned {
   std::vector<const FormerSurface*> surfaces;  // that they and their nodes had before
 };
 
+// What a surface was that moved or is gone.
+struct GivenUp {
+  const FormerSurface* surface;
+  bool of_changed;  // of an axis that changed, or a node that it met
+};
+
 // By edge and node: those whose surface may get another shape from the axes about it. An edge or
 // node that is affected beyond these only meets ground that others give up; its surface before the
 // change is known.
 struct Affected {
   std::vector<bool> edges, nodes;
   std::vector<const FormerSurface*> sections, intersections;  // nullptr: none, or it moved
-  std::vector<const FormerSurface*> given_up{};               // of those that moved or are gone
+  std::vector<GivenUp> given_up{};
   std::vector<Turned> turned{};
 };
 

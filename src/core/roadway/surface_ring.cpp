@@ -27,7 +27,7 @@ struct Outline {
   void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
     follow(kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side), with_first, with_last);
   }
-  void follow(const Kerb& kerb, bool with_first, bool with_last) {
+  void follow(const KerbLine& kerb, bool with_first, bool with_last) {
     whole = whole && kerb.whole;
     for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
       ring.push_back(kerb.line[i]);
@@ -78,13 +78,13 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
 
 // From the limit of a through the node to that of b, linear between both half widths; straight
 // where the bend between needs more than a limit leaves.
-Kerb tapering_kerb(const Arm& a, const Arm& b) {
+KerbLine tapering_kerb(const Arm& a, const Arm& b) {
   Line line = substring(a.line, a.limit, 0);
   const Line on = substring(b.line, 0, b.limit);
   line.insert(line.end(), on.begin() + 1, on.end());
   line = distinct(planar(std::move(line)));
-  Kerb kerb = kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
-  return kerb.whole ? kerb : Kerb{{a.border[0], b.border[1]}};
+  KerbLine kerb = kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
+  return kerb.whole ? kerb : KerbLine{{a.border[0], b.border[1]}};
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {

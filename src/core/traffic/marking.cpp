@@ -65,8 +65,8 @@ void append_band(const Line& line, double half, MultiPolygon& out) {
   const Line middle = distinct(line);
   if (middle.size() < 2) return;
   const double total = length(middle);
-  const Kerb right = kerb_line(middle, 0, total, half, half, -1);
-  const Kerb left = kerb_line(middle, total, 0, half, half, +1);
+  const KerbLine right = kerb_line(middle, 0, total, half, half, -1);
+  const KerbLine left = kerb_line(middle, total, 0, half, half, +1);
   Ring ring = right.line;
   ring.insert(ring.end(), left.line.begin(), left.line.end());
   ring = closed(std::move(ring));

@@ -25,6 +25,8 @@ bool lanes_affected(const Streets& streets, const Edge& edge) {
   return streets.affected_nodes[edge.from_node] || streets.affected_nodes[edge.to_node];
 }
 
+bool marked(const std::vector<bool>& marks, std::size_t i) { return !marks.empty() && marks[i]; }
+
 bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const auto& node = computed.streets.network.nodes[i];
   std::vector<std::int64_t> axes;
@@ -33,16 +35,17 @@ bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row
     axes.push_back(anchor.axis_id);
     abscissas.push_back(anchor.abscissa);
   }
-  return put(row, computed.streets.affected_nodes[i],
-             Geometry{stored_point(node.point, with_z(computed))}, std::move(axes),
-             std::move(abscissas));
+  return put(
+      row, bool(computed.streets.affected_nodes[i]), marked(computed.streets.nodes_with_kerbs, i),
+      Geometry{stored_point(node.point, with_z(computed))}, std::move(axes), std::move(abscissas));
 }
 
 bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const Edge& edge = computed.streets.network.edges[i];
   return put(row, bool(computed.streets.affected_edges[i]), lanes_affected(computed.streets, edge),
-             bool(computed.streets.spreads_to[i]), edge.axis_id, number(edge.from_node),
-             number(edge.to_node), edge.level, edge.start_abscissa, edge.end_abscissa,
+             marked(computed.streets.edges_with_kerbs, i), bool(computed.streets.spreads_to[i]),
+             edge.axis_id, number(edge.from_node), number(edge.to_node), edge.level,
+             edge.start_abscissa, edge.end_abscissa,
              Geometry{stored_line(edge.line, with_z(computed))});
 }
 

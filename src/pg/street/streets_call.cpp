@@ -197,11 +197,16 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "end", FLOAT8OID),
                         column(edges, "border_end", BYTEAOID),
                         column(edges, "surface", BYTEAOID),
-                        column(edges, "contested", BOOLOID)};
+                        column(edges, "contested", BOOLOID),
+                        column(edges, "level", INT4OID)};
 
   const Rows nodes = rows(fcinfo, 9, "former nodes");
-  call->former_nodes = {nodes.count, column(nodes, "x", FLOAT8OID), column(nodes, "y", FLOAT8OID),
-                        column(nodes, "surface", BYTEAOID), column(nodes, "contested", BOOLOID)};
+  call->former_nodes = {nodes.count,
+                        column(nodes, "x", FLOAT8OID),
+                        column(nodes, "y", FLOAT8OID),
+                        column(nodes, "surface", BYTEAOID),
+                        column(nodes, "contested", BOOLOID),
+                        column(nodes, "level", INT4OID)};
   call->may_spread = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
   take_subjects(fcinfo, 11, call);
 }

@@ -47,11 +47,11 @@ struct StreetsCall {
   struct {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
-    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested;
+    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested, level;
   } former_edges;
   struct {
     int count;
-    Column x, y, surface, contested;
+    Column x, y, surface, contested, level;
   } former_nodes;
   bool may_spread;
   struct {

@@ -186,6 +186,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
   settings.max_hole_area = given.measure("max_hole_area");
   settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
+  settings.kerb_stone_width = given.measure("kerb_stone_width");
   settings.reach = given.measure("reach");
   settings.follow_length = given.measure_or_unbounded("follow_length");
   settings.follow_area = given.measure_or_unbounded("follow_area");
@@ -317,9 +318,10 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
   return settings;
 }
 
-FormerSurface former_surface(const Column& surface, const Column& contested, int row) {
+FormerSurface former_surface(const Column& surface, const Column& contested, const Column& level,
+                             int row) {
   return {read_surface(bytes_of(surface.values[row]), "a former surface"),
-          DatumGetBool(contested.values[row])};
+          DatumGetBool(contested.values[row]), DatumGetInt32(level.values[row])};
 }
 
 Former former_of(const StreetsCall& call) {
@@ -336,22 +338,23 @@ Former former_of(const StreetsCall& call) {
                             read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),
-                            former_surface(edges.surface, edges.contested, i)});
+                            former_surface(edges.surface, edges.contested, edges.level, i)});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)
     former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
-                            former_surface(nodes.surface, nodes.contested, i)});
+                            former_surface(nodes.surface, nodes.contested, nodes.level, i)});
   former.may_spread = call.may_spread;
   return former;
 }
 
 Subjects subjects_of(const StreetsCall& call) {
-  Subjects subjects{false, false};
+  Subjects subjects{false, false, false};
   for (int i = 0; i < call.subjects.count; ++i) {
     const std::string_view word = call.subjects.words[i];
     subjects.lane = subjects.lane || word == "lane";
     subjects.interconnection = subjects.interconnection || word == "interconnection";
+    subjects.kerb = subjects.kerb || word == "kerb";
   }
   return subjects;
 }

@@ -20,7 +20,10 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, c.along_in, b.axis_id, b.start_abscissa, o.ordinality, c.along_out, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
       FROM @.interconnection c LEFT JOIN @.node n USING (node_id) JOIN @.lane i ON i.lane_id = c.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = c.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'report', issue, axis_a, axis_b, measure, geom::text) FROM @.report
-    UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$,
+    UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$
+    || CASE WHEN to_regclass(format('%I.kerb', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
+      FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END,
     '@', quote_ident(model));
 END $$;
 

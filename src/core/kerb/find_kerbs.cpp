@@ -1,0 +1,195 @@
+#include "kerb/find_kerbs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/box_index.hpp"
+#include "geometry/geos.hpp"
+#include "geometry/tolerance.hpp"
+#include "kerb/free_border.hpp"
+#include "kerb/kerb_place.hpp"
+#include "kerb/kerb_rows.hpp"
+#include "kerb/moved_border.hpp"
+#include "ownership/claim_index.hpp"
+#include "roadway/street_surface.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// One surface an edge, then one a node.
+class RoadwayBorder {
+ public:
+  RoadwayBorder(Layout& layout, const Affected& moved,
+                const std::map<int, MultiPolygon>& beyond_reach)
+      : layout_(layout),
+        streets_(layout.streets),
+        edges_(static_cast<int>(layout.axes.size())),
+        moved_(moved),
+        beyond_reach_(beyond_reach),
+        grounds_(edges_ + layout.junctions.size()),
+        wanted_(grounds_.size()),
+        corner_from_(2 * layout.axes.size(), -1) {
+    for (std::size_t c = 0; c < streets_.corners.size(); ++c) {
+      const Corner& corner = streets_.corners[c];
+      corner_from_[slot({corner.edge_a, corner.at_start_a})] = static_cast<int>(c);
+    }
+  }
+
+  void find() {
+    gather_grounds();
+    want_affected();
+    want_beside_changes();
+    want_sections_at_nodes();
+    std::vector<Box> boxes;
+    for (int i = 0; i < count(); ++i) boxes.push_back(extent_of(i));
+    index_ = BoxIndex(boxes);
+    for (int i = 0; i < count(); ++i) {
+      if (!wanted_[i]) continue;
+      poll_cancel();
+      tell_progress("kerbs", i, grounds_.size());
+      append_kerbs(i);
+    }
+    streets_.edges_with_kerbs.assign(wanted_.begin(), wanted_.begin() + edges_);
+    streets_.nodes_with_kerbs.assign(wanted_.begin() + edges_, wanted_.end());
+  }
+
+ private:
+  int count() const { return static_cast<int>(grounds_.size()); }
+  bool outer(int i) const {
+    return i < edges_ ? layout_.axis_of(i).outer : layout_.outer(i - edges_);
+  }
+  int level_of(int i) const {
+    return i < edges_ ? streets_.network.edges[i].level : layout_.level_of(i - edges_);
+  }
+  const FormerSurface* former_of(int i) const {
+    return i < edges_ ? moved_.sections[i] : moved_.intersections[i - edges_];
+  }
+  bool affected(int i) const {
+    return i < edges_ ? moved_.edges[i] || streets_.affected_edges[i]
+                      : moved_.nodes[i - edges_] || streets_.affected_nodes[i - edges_];
+  }
+
+  // As computed in this run, or else as it was before.
+  void gather_grounds() {
+    for (int i = 0; i < count(); ++i)
+      if (former_of(i) != nullptr) grounds_[i] = &former_of(i)->ground;
+    for (const Section& section : streets_.sections) grounds_[section.edge] = &section.surface;
+    for (const Intersection& intersection : streets_.intersections)
+      grounds_[edges_ + intersection.node] = &intersection.surface;
+  }
+
+  void want_affected() {
+    for (int i = 0; i < count(); ++i) wanted_[i] = !outer(i) && affected(i);
+  }
+
+  void want_beside_changes() {
+    if (std::all_of(wanted_.begin(), wanted_.end(), [](bool wanted) { return wanted; })) return;
+    MovedBorder moved;
+    for (const GivenUp& given_up : moved_.given_up)
+      moved.toggle(given_up.surface->ground, given_up.surface->level);
+    for (const Section& section : streets_.sections) toggle(moved, section.edge);
+    for (const Intersection& intersection : streets_.intersections)
+      toggle(moved, edges_ + intersection.node);
+    moved.settle();
+    for (int i = 0; i < count(); ++i)
+      if (!wanted_[i] && !outer(i) && grounds_[i] != nullptr && moved.lies_along(*grounds_[i]))
+        wanted_[i] = true;
+  }
+
+  void toggle(MovedBorder& moved, int i) const {
+    moved.toggle(*grounds_[i], level_of(i));
+    if (former_of(i) != nullptr) moved.toggle(former_of(i)->ground, former_of(i)->level);
+  }
+
+  // A kerb of an intersection names one of the edges there.
+  void want_sections_at_nodes() {
+    for (std::size_t n = 0; n < layout_.junctions.size(); ++n)
+      if (wanted_[edges_ + n])
+        for (const EdgeEnd& end : layout_.junctions[n].ends)
+          if (!outer(end.edge)) wanted_[end.edge] = true;
+  }
+
+  // Holds its ground; of what is not built yet, wherever that may lie.
+  Box extent_of(int i) const {
+    if (grounds_[i] != nullptr) return box_of(*grounds_[i]);
+    if (!outer(i)) return {};
+    const auto& limits = streets_.limits;
+    return (i < edges_ ? section_extent(layout_.arms[2 * i], limits[2 * i].abscissa,
+                                        limits[2 * i + 1].abscissa)
+                       : intersection_extent(layout_.arms_of(i - edges_),
+                                             layout_.junctions[i - edges_].gaps))
+        .box;
+  }
+
+  // Beyond reach: as far as settled, or as claimed.
+  const MultiPolygon& claim(int i) {
+    const auto settled = beyond_reach_.find(i);
+    if (settled != beyond_reach_.end()) return settled->second;
+    const auto [built, fresh] = built_.try_emplace(i);
+    if (fresh)
+      built->second =
+          (i < edges_ ? section_of(geos_, layout_, i) : intersection_of(geos_, layout_, i - edges_))
+              .ground;
+    return built->second;
+  }
+
+  // The roadway goes on from a section to the intersections at its ends, whatever their level.
+  bool tile(int i, int other) const {
+    if (other < i) std::swap(i, other);
+    if (i >= edges_ || other < edges_) return false;
+    const Edge& edge = streets_.network.edges[i];
+    return edge.from_node == other - edges_ || edge.to_node == other - edges_;
+  }
+
+  void share(int i, FreeBorder& border) {
+    const int level = level_of(i);
+    border.share_with_itself();
+    for (const int other : index_.near(border.box(), same_place)) {
+      if (other == i) continue;
+      const bool same_level = level_of(other) == level;
+      if (!same_level && !tile(i, other)) continue;
+      if (grounds_[other] != nullptr)
+        border.share_with(*grounds_[other], !same_level);
+      else if (same_level)
+        border.share_with_claim(claim(other));
+      else
+        border.share_with(claim(other), true);
+    }
+  }
+
+  void append_kerbs(int i) {
+    if (grounds_[i] == nullptr || grounds_[i]->empty()) return;
+    FreeBorder border(*grounds_[i]);
+    share(i, border);
+    KerbRows rows(layout_, i < edges_ ? i : -1, i < edges_ ? -1 : i - edges_, level_of(i),
+                  streets_.kerbs);
+    for (const BorderLoop& loop : border.loops())
+      rows.append(loop, i < edges_
+                            ? places_of_section(layout_, i, loop)
+                            : places_of_intersection(layout_, i - edges_, corner_from_, loop));
+  }
+
+  Layout& layout_;
+  Streets& streets_;
+  const int edges_;
+  const Affected& moved_;
+  const std::map<int, MultiPolygon>& beyond_reach_;
+  std::vector<const MultiPolygon*> grounds_;  // nullptr: none, or beyond reach
+  std::vector<bool> wanted_;
+  std::vector<int> corner_from_;  // by slot: the corner counter-clockwise from there
+  BoxIndex index_;
+  Geos geos_;
+  std::map<int, MultiPolygon> built_;
+};
+
+}  // namespace
+
+void find_kerbs(Layout& layout, const Affected& moved,
+                const std::map<int, MultiPolygon>& beyond_reach) {
+  RoadwayBorder(layout, moved, beyond_reach).find();
+}
+
+}  // namespace streetgen

@@ -1,0 +1,29 @@
+// Which kerb a piece of a border belongs to.
+#pragma once
+
+#include <vector>
+
+#include "kerb/free_border.hpp"
+#include "roadway/layout.hpp"
+
+namespace streetgen {
+
+struct KerbPlace {
+  int edge = 0;
+  KerbSide side = KerbSide::left;
+  Method method = Method::hypothesis;
+  int corner = -1;  // in streets.corners, where the piece is a chord of its arc
+};
+inline bool operator==(const KerbPlace& a, const KerbPlace& b) {
+  return a.edge == b.edge && a.side == b.side && a.method == b.method && a.corner == b.corner;
+}
+
+// One for each piece; those of shared pieces mean nothing.
+std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const BorderLoop& loop);
+
+// corner_from[slot(end)]: the corner counter-clockwise from there; -1: none.
+std::vector<KerbPlace> places_of_intersection(const Layout& layout, int node,
+                                              const std::vector<int>& corner_from,
+                                              const BorderLoop& loop);
+
+}  // namespace streetgen

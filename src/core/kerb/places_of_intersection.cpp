@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "kerb/kerb_place.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr int none = -1;
+
+class NodeCorners {
+ public:
+  NodeCorners(const Layout& layout, int node, const std::vector<int>& corner_from)
+      : layout_(layout),
+        junction_(layout.junctions[node]),
+        corner_from_(corner_from),
+        stubs_(junction_.ends.size()) {
+    for (std::size_t i = 0; i < stubs_.size(); ++i) {
+      const Arm& arm = layout.arm(junction_.ends[i]);
+      stubs_[i] = substring(arm.line, 0, arm.limit + std::max(arm.half_start, arm.half_end));
+    }
+  }
+
+  // Of the pieces from `first` on, as many as `count`, that follow each other without sharing.
+  void place_run(const BorderLoop& loop, std::size_t first, std::size_t count,
+                 std::vector<KerbPlace>& places) const {
+    const auto at = [&](std::size_t i) { return (first + i) % loop.size(); };
+    if (loop[first].joins_level) {
+      const KerbPlace across = across_arm(loop[first]);
+      for (std::size_t i = 0; i < count; ++i) places[at(i)] = across;
+      return;
+    }
+    const int whole = gap_between(loop[first].from, loop[at(count - 1)].to);
+    for (std::size_t i = 0; i < count; ++i) {
+      const BorderPiece& piece = loop[at(i)];
+      places[at(i)] =
+          whole != none ? of_gap(whole, piece, true) : of_gap(gap_beside(piece), piece, false);
+    }
+  }
+
+ private:
+  int next(int arm) const { return (arm + 1) % static_cast<int>(stubs_.size()); }
+
+  KerbPlace across_arm(const BorderPiece& piece) const {
+    const Point middle = (piece.from + piece.to) * 0.5;
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < stubs_.size(); ++i)
+      if (to_border(i, middle) < to_border(nearest, middle)) nearest = i;
+    const EdgeEnd& end = junction_.ends[nearest];
+    return {end.edge, end.at_start ? KerbSide::across_start : KerbSide::across_end,
+            Method::level_change};
+  }
+
+  double to_border(std::size_t arm, const Point& p) const {
+    return distance_to_line(p, layout_.arm(junction_.ends[arm]).border);
+  }
+
+  // Where kerbs lead from the right border of an arm to the left border of the arm before it.
+  int gap_between(const Point& from, const Point& to) const {
+    for (int a = 0; a < static_cast<int>(stubs_.size()); ++a)
+      if (distance(to, border(a).front()) <= same_place &&
+          distance(from, border(next(a)).back()) <= same_place)
+        return a;
+    return none;
+  }
+
+  const Line& border(int arm) const { return layout_.arm(junction_.ends[arm]).border; }
+
+  // Of the nearest arm, the one on the side where the piece lies.
+  int gap_beside(const BorderPiece& piece) const {
+    const Point middle = (piece.from + piece.to) * 0.5;
+    int nearest = 0;
+    double least = distance_to_line(middle, stubs_[0]);
+    for (int i = 1; i < static_cast<int>(stubs_.size()); ++i) {
+      const double away = distance_to_line(middle, stubs_[i]);
+      if (away < least) {
+        least = away;
+        nearest = i;
+      }
+    }
+    const Line& stub = stubs_[nearest];
+    const LinePosition at = position_at(stub, nearest_abscissa(middle, stub));
+    const bool left =
+        cross(local_direction(stub, nearest_abscissa(middle, stub)), middle - at.point) > 0;
+    const int arms = static_cast<int>(stubs_.size());
+    return left ? nearest : (nearest + arms - 1) % arms;
+  }
+
+  KerbPlace of_gap(int gap, const BorderPiece& piece, bool whole) const {
+    const EdgeEnd& end = junction_.ends[gap];
+    KerbPlace place{end.edge, end.at_start ? KerbSide::corner_at_start : KerbSide::corner_at_end};
+    const int corner = corner_from_[slot(end)];
+    if (!whole)
+      place.method = Method::contested;
+    else if (junction_.transition)
+      place.method = Method::transition;
+    else if (corner != none)
+      place.method = layout_.streets.corners[corner].method;
+    if (corner != none && on_arc(layout_.streets.corners[corner], piece)) place.corner = corner;
+    return place;
+  }
+
+  static bool on_arc(const Corner& corner, const BorderPiece& piece) {
+    if (!corner.arc || !corner.centre) return false;
+    const Point& middle = corner.arc->middle;
+    const double reach = distance(middle, corner.arc->start) + same_place;
+    const auto on_it = [&](const Point& p) {
+      return std::abs(distance(p, *corner.centre) - corner.radius) <= same_place &&
+             distance(p, middle) <= reach;
+    };
+    return on_it(piece.from) && on_it(piece.to);
+  }
+
+  const Layout& layout_;
+  const Junction& junction_;
+  const std::vector<int>& corner_from_;
+  std::vector<Line> stubs_;  // by arm: from the node to beyond its limit
+};
+
+}  // namespace
+
+std::vector<KerbPlace> places_of_intersection(const Layout& layout, int node,
+                                              const std::vector<int>& corner_from,
+                                              const BorderLoop& loop) {
+  const NodeCorners corners(layout, node, corner_from);
+  std::vector<KerbPlace> places(loop.size());
+  const auto goes_on = [&](std::size_t i) {
+    const BorderPiece &piece = loop[i], &before = loop[(i + loop.size() - 1) % loop.size()];
+    return !before.shared && before.joins_level == piece.joins_level;
+  };
+  std::size_t start = 0;
+  while (start < loop.size() && (loop[start].shared || goes_on(start))) ++start;
+  if (start == loop.size()) {
+    if (!loop[0].shared) corners.place_run(loop, 0, loop.size(), places);
+    return places;
+  }
+  for (std::size_t i = 0; i < loop.size();) {
+    const std::size_t first = (start + i) % loop.size();
+    std::size_t count = 1;
+    if (!loop[first].shared) {
+      while (i + count < loop.size() && !loop[(first + count) % loop.size()].shared &&
+             goes_on((first + count) % loop.size()))
+        ++count;
+      corners.place_run(loop, first, count, places);
+    }
+    i += count;
+  }
+  return places;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,212 @@
+#include "streetgen/kerb.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "random_town.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+namespace {
+
+Streets with_kerbs(const std::vector<StreetAxis>& axes, const StreetSettings& settings = {}) {
+  return streets(axes, settings, {}, {}, true);
+}
+
+StreetAxis axis(std::int64_t id, Line line, double width, double radius, int level = 0) {
+  return {id, std::move(line), level, width, width, radius};
+}
+
+double length_of(const std::vector<Kerb>& kerbs) {
+  double sum = 0;
+  for (const Kerb& kerb : kerbs) sum += length(kerb.line);
+  return sum;
+}
+
+std::map<std::string, int> sides_of(const Streets& town) {
+  std::map<std::string, int> sides;
+  for (const Kerb& kerb : town.kerbs) ++sides[kerb_side_name(kerb.side)];
+  return sides;
+}
+
+std::vector<StreetAxis> cross_roads() {
+  return {axis(1, {{-60, 0}, {0, 0}}, 8, 5), axis(2, {{0, 0}, {60, 0}}, 8, 5),
+          axis(3, {{0, -50}, {0, 0}}, 6, 5), axis(4, {{0, 0}, {0, 50}}, 6, 5)};
+}
+
+TEST(Kerb, OfACrossAreItsSidesCornersAndDeadEnds) {
+  const Streets town = with_kerbs(cross_roads());
+  const std::map<std::string, int> sides = sides_of(town);
+  EXPECT_EQ(sides.at("left"), 4);
+  EXPECT_EQ(sides.at("right"), 4);
+  EXPECT_EQ(sides.at("start") + sides.at("end"), 4);
+  int curves = 0;
+  double arcs = 0, straight = 0;
+  for (const Kerb& kerb : town.kerbs) {
+    EXPECT_EQ(kerb.method, Method::hypothesis);
+    (kerb.curve ? arcs : straight) += length(kerb.line);
+    curves += kerb.curve.has_value();
+  }
+  EXPECT_EQ(curves, 4);
+  // Each side from the dead end to where the arc begins: half of the other street and the radius
+  // before the node.
+  EXPECT_NEAR(straight, 4 * (60 - 3 - 5) + 4 * (50 - 4 - 5) + 2 * 8 + 2 * 6, 1e-9);
+  EXPECT_NEAR(arcs, 4 * M_PI / 2 * 5, 0.1);
+  EXPECT_LT(arcs, 4 * M_PI / 2 * 5);
+}
+
+TEST(Kerb, HasTheRoadwayOnItsRight) {
+  const Streets town = with_kerbs(cross_roads());
+  std::vector<MultiPolygon> surfaces;
+  for (const Section& section : town.sections) surfaces.push_back(section.surface);
+  for (const Intersection& intersection : town.intersections)
+    surfaces.push_back(intersection.surface);
+  const auto on_roadway = [&](const Point& p) {
+    for (const MultiPolygon& surface : surfaces)
+      if (inside(p, surface)) return true;
+    return false;
+  };
+  for (const Kerb& kerb : town.kerbs)
+    for (std::size_t i = 1; i < kerb.line.size(); ++i) {
+      const Point middle = (kerb.line[i - 1] + kerb.line[i]) * 0.5,
+                  left = left_normal(unit(kerb.line[i] - kerb.line[i - 1])) * 0.01;
+      EXPECT_TRUE(on_roadway(middle - left));
+      EXPECT_FALSE(on_roadway(middle + left));
+    }
+}
+
+TEST(Kerb, CurveIsTheArcOfItsCorner) {
+  const Streets town = with_kerbs(cross_roads());
+  for (const Kerb& kerb : town.kerbs) {
+    if (!kerb.curve) continue;
+    EXPECT_TRUE(same(kerb.curve->start, kerb.line.front()));
+    EXPECT_TRUE(same(kerb.curve->end, kerb.line.back()));
+    const Corner* corner = nullptr;
+    for (const Corner& c : town.corners)
+      if (c.node == kerb.node && c.edge_a == kerb.edge &&
+          c.at_start_a == (kerb.side == KerbSide::corner_at_start))
+        corner = &c;
+    ASSERT_NE(corner, nullptr);
+    EXPECT_NEAR(distance(kerb.curve->middle, *corner->centre), 5, 1e-9);
+    for (const Point& p : kerb.line) EXPECT_NEAR(distance(p, *corner->centre), 5, 1e-6);
+  }
+}
+
+// By level.
+std::map<int, std::vector<const MultiPolygon*>> roadway_of(const Streets& town) {
+  std::map<int, std::vector<const MultiPolygon*>> surfaces;
+  for (const Section& section : town.sections)
+    surfaces[town.network.edges[section.edge].level].push_back(&section.surface);
+  for (const Intersection& intersection : town.intersections)
+    surfaces[intersection.level].push_back(&intersection.surface);
+  return surfaces;
+}
+
+int kerbs_through(const Streets& town, int level, const Point& p) {
+  int through = 0;
+  for (const Kerb& kerb : town.kerbs)
+    if (kerb.level == level && distance_to_line(p, kerb.line) <= 2e-6) ++through;
+  return through;
+}
+
+// Places along the sides of all surfaces: one kerb lies where no other surface goes on beyond, and
+// none where one does.
+void expect_border(const Streets& town, const std::string& what) {
+  for (const auto& [level, surfaces] : roadway_of(town))
+    for (const MultiPolygon* surface : surfaces)
+      for (const Polygon& polygon : *surface)
+        for (const Ring& ring : polygon)
+          for (std::size_t i = 1; i < ring.size(); ++i) {
+            const Point beyond = left_normal(unit(ring[i] - ring[i - 1])) * -2e-5;
+            if (distance(ring[i], ring[i - 1]) < 1e-3) continue;
+            for (const double share : {0.07, 0.31, 0.52, 0.76, 0.98}) {
+              const Point place = ring[i - 1] + (ring[i] - ring[i - 1]) * share;
+              const bool goes_on = std::any_of(
+                  surfaces.begin(), surfaces.end(),
+                  [&](const MultiPolygon* other) { return inside(place + beyond, *other); });
+              EXPECT_EQ(kerbs_through(town, level, place), goes_on ? 0 : 1)
+                  << what << ", level " << level << " at " << std::to_string(place.x) << " "
+                  << std::to_string(place.y);
+            }
+          }
+}
+
+std::vector<StreetAxis> moved(std::vector<StreetAxis> axes, double turn, bool mirror, Point by) {
+  for (StreetAxis& axis : axes)
+    for (Point& p : axis.line) {
+      const double y = mirror ? -p.y : p.y;
+      p = Point{p.x * std::cos(turn) - y * std::sin(turn),
+                p.x * std::sin(turn) + y * std::cos(turn), 0} +
+          by;
+    }
+  return axes;
+}
+
+TEST(Kerb, IsTheSameWhereverTheStreetsLie) {
+  const Streets town = with_kerbs(cross_roads());
+  for (const bool mirror : {false, true})
+    for (const double turn : {0.0, 0.3, 2.0}) {
+      const Streets other = with_kerbs(moved(cross_roads(), turn, mirror, {650000, 6860000, 0}));
+      EXPECT_EQ(sides_of(other), sides_of(town));
+      EXPECT_NEAR(length_of(other.kerbs), length_of(town.kerbs), 1e-6);
+    }
+}
+
+// Two streets beside each other that share ground, and a third across.
+std::vector<StreetAxis> narrow_streets() {
+  return {axis(1, {{0, 0}, {100, 0}}, 8, 4), axis(2, {{0, 6}, {100, 9}}, 8, 4),
+          axis(3, {{0, 0}, {0, 6}}, 5, 4), axis(4, {{100, 0}, {160, -20}}, 7, 4),
+          axis(5, {{30, -40}, {60, 50}}, 5, 4, 1)};
+}
+
+TEST(Kerb, OfContestedGroundIsWhatBordersTheRoadway) {
+  const Streets town = with_kerbs(narrow_streets());
+  expect_border(town, "narrow streets");
+  bool contested = false;
+  for (const Kerb& kerb : town.kerbs) contested = contested || kerb.method == Method::contested;
+  EXPECT_TRUE(contested);
+}
+
+TEST(Kerb, GoesAcrossWhereTheRoadwayGoesOnOnAnotherLevel) {
+  const Streets town =
+      with_kerbs({axis(1, {{0, 0}, {50, 0}}, 6, 3), axis(2, {{50, 0}, {100, 0}}, 6, 3),
+                  axis(3, {{50, 0}, {50, 60}}, 6, 3, 1)});
+  const std::map<std::string, int> sides = sides_of(town);
+  EXPECT_EQ(sides.at("across_start"), 1);
+  for (const Kerb& kerb : town.kerbs)
+    if (kerb.method == Method::level_change) {
+      EXPECT_NEAR(length(kerb.line), 6, 1e-9);
+      EXPECT_TRUE(kerb.side == KerbSide::across_start || kerb.side == KerbSide::start);
+    }
+  expect_border(town, "levels");
+}
+
+TEST(Kerb, IsTheBorderOfTheRoadwayWhateverTheTown) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    StreetSettings settings;
+    settings.crossing = Crossing::split;
+    settings.round_dead_ends = seed % 2 == 0;
+    expect_border(with_kerbs(random_town(seed, 30), settings), "seed " + std::to_string(seed));
+  }
+}
+
+TEST(Kerb, StonesLieOnItsLeft) {
+  Kerb kerb;
+  kerb.line = {{0, 0}, {10, 0}, {10, 10}};
+  kerb.stone_width = 0.3;
+  EXPECT_NEAR(area(stones_of(kerb)), 0.3 * 20 - 0.09, 1e-9);
+  kerb.line = {{0, 0}, {10, 0}};
+  EXPECT_NEAR(area(stones_of(kerb)), 3, 1e-12);
+  EXPECT_TRUE(inside({5, 0.1, 0}, stones_of(kerb)));
+  kerb.line = {{0, 0}, {0, 10}, {10, 10}, {10, 0}, {0, 0}};
+  EXPECT_GT(area(stones_of(kerb)), 0.3 * 40 - 4 * 0.09 - 1e-9);
+}
+
+}  // namespace
+}  // namespace streetgen
