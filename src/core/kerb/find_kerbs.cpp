@@ -146,7 +146,6 @@ class RoadwayBorder {
 
   void share(int i, FreeBorder& border) {
     const int level = level_of(i);
-    border.share_with_itself();
     for (const int other : index_.near(border.box(), same_place)) {
       if (other == i) continue;
       const bool same_level = level_of(other) == level;
@@ -158,6 +157,7 @@ class RoadwayBorder {
       else
         border.share_with(claim(other), true);
     }
+    border.share_with_itself();
   }
 
   void append_kerbs(int i) {

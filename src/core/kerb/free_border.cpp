@@ -99,15 +99,21 @@ void FreeBorder::share_with(const MultiPolygon& neighbour, bool other_level) {
 }
 
 void FreeBorder::share_with_itself() {
+  std::vector<bool> shared(sides_.size());
+  for (const Stretch& stretch : stretches_)
+    if (!stretch.other_level) shared[stretch.side] = true;
   for (std::size_t k = 0; k < sides_.size(); ++k)
     boxes_.any_near(boxes_[k], same_place, [&](std::size_t i) {
-      if (i != k) add_shared(i, side(k).first, side(k).second, false);
+      if (i != k && !shared[i] && !shared[k])
+        add_shared(i, side(k).second, side(k).first, false);
       return false;
     });
 }
 
 void FreeBorder::add_shared(std::size_t i, const Point& from, const Point& to, bool other_level) {
   const auto [own_from, own_to] = side(i);
+  // Sides with ground on one and the same hand are two borders of a strip thinner than a place.
+  if (dot(own_to - own_from, to - from) <= 0) return;
   if (const auto found = common(own_from, own_to, from, to))
     stretches_.push_back({i, found->first, found->last, found->from, found->to, other_level});
 }

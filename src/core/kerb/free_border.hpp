@@ -30,7 +30,7 @@ class FreeBorder {
 
   const Box& box() const { return box_; }
   bool lies_along(const Point& from, const Point& to) const;
-  // Where parts of the surface touch each other.
+  // Where parts of the surface touch each other, on sides that no neighbour shares; it comes last.
   void share_with_itself();
   // Of the same level, or of the other one where the roadway goes on.
   void share_with(const MultiPolygon& neighbour, bool other_level);
