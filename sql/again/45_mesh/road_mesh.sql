@@ -1,0 +1,70 @@
+-- The roadway of a model as triangles.
+
+CREATE OR REPLACE FUNCTION streetgen._road_mesh(surfaces bytea[], levels integer[], wanted boolean[], axes bytea[],
+    axis_levels integer[], tolerance float8, srid integer) RETURNS TABLE(number integer, mesh bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_road_mesh';
+COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], bytea[], integer[], float8, integer) IS
+    'The mesh (TIN Z as EWKB) of each surface (MULTIPOLYGON, EWKB) that is wanted, by its number from 1. The others '
+    'give their vertices on common borders. axes (EWKB): those that give the heights, of their levels; none: 0.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_extent(model name, extent geometry) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    expected constant integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
+BEGIN
+    IF ST_SRID(extent) NOT IN (0, expected) THEN
+        RAISE EXCEPTION 'the extent has SRID %, the model %', ST_SRID(extent), expected
+            USING ERRCODE = '22023', HINT = 'ST_Transform makes it one of the model.';
+    ELSIF EXISTS (SELECT FROM ST_DumpPoints(extent) p WHERE ST_X(geom) NOT BETWEEN -1e12 AND 1e12
+        OR ST_Y(geom) NOT BETWEEN -1e12 AND 1e12) THEN
+        RAISE EXCEPTION 'the extent has a coordinate that is not finite, or beyond 1e12 m'
+            USING ERRCODE = '22023', HINT = 'ST_MakeEnvelope(xmin, ymin, xmax, ymax, srid) makes one of numbers.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_extent(name, geometry) IS
+    'Raises 22023 for an extent of another SRID than the model, or without finite coordinates. NULL passes.';
+
+CREATE OR REPLACE FUNCTION streetgen.road_mesh(model name, extent geometry DEFAULT NULL,
+    tolerance float8 DEFAULT 0.05) RETURNS TABLE(edge_id bigint, node_id bigint, level integer, geom geometry)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    place record;
+    about geometry;
+    ground constant text := format('(SELECT edge_id, NULL::bigint AS node_id, level, surface FROM %1$I.section
+        UNION ALL SELECT NULL, node_id, level, surface FROM %1$I.intersection) g', model);
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._check_given('tolerance', tolerance::text),
+        streetgen._check_extent(model, extent);
+    SELECT srid, dimension INTO place FROM streetgen.model m WHERE m.name = model;
+    extent := ST_SetSRID(extent, place.srid);
+    -- Neighbours tell which vertices they have on common borders.
+    EXECUTE 'SELECT ST_SetSRID(ST_Expand(ST_Extent(surface), 0.01)::geometry, $2) FROM ' || ground ||
+        ' WHERE $1 IS NULL OR ST_Intersects(surface, $1)' INTO about USING extent, place.srid;
+    RETURN QUERY EXECUTE format($sql$
+WITH member AS MATERIALIZED (
+    SELECT row_number() OVER (ORDER BY g.edge_id, g.node_id) AS number, g.*,
+        $1 IS NULL OR ST_Intersects(surface, $1) AS wanted
+    FROM %2$s WHERE surface && $3 AND NOT ST_IsEmpty(surface)),
+-- A surface has an axis of its own; no street is wider than 200 m.
+height AS MATERIALIZED (
+    SELECT e.edge_id, e.level, e.geom FROM %1$I.edge e WHERE $4 = 3 AND e.geom && ST_Expand($3, 200))
+SELECT m.edge_id, m.node_id, m.level, t.mesh::geometry
+FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(level ORDER BY number) AS levels,
+        array_agg(wanted ORDER BY number) AS wanted FROM member) s,
+    (SELECT coalesce(array_agg(geom::bytea ORDER BY edge_id), '{}') AS axes,
+        coalesce(array_agg(level ORDER BY edge_id), '{}') AS axis_levels FROM height) h,
+    streetgen._road_mesh(surfaces, levels, s.wanted, axes, axis_levels, $2, ST_SRID($3)) t JOIN member m USING (number)
+ORDER BY m.edge_id, m.node_id
+$sql$, model, ground) USING extent, tolerance, about, place.dimension;
+END $$;
+COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
+    'The roadway of a model, or of what of it meets an extent (geometry in the model''s SRID; NULL: all), as '
+    'triangles: a row for each section (edge_id) and each intersection (node_id) whose surface is not empty, with its '
+    'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
+    'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
+    'those of the nearest axis of the level where the model has dimension 3, else 0. The mesh leaves the heights of '
+    'the axes by at most the tolerance, 0.001 to 10 m, as it does along borders but at steps. Where axes of one level '
+    'have different heights side by side, their common border is the higher, or the lower, of both. An extent of '
+    'another SRID or a bad tolerance: 22023.';
