@@ -22,7 +22,7 @@ struct HeightAxis {
 
 // The triangles of each surface, in their order; none of a surface that is not wanted.
 //
-// Triangles tile their surface. Surfaces of one level meet in common vertices: vertices within two
+// Triangles tile their surface. Surfaces of one level meet in common vertices: vertices within five
 // micrometres of each other are one, and a side gets a vertex that a neighbour has on it.
 //
 // The height of a vertex is that of the nearest place of the axes of its level, 0 where there are

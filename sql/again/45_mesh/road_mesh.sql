@@ -47,9 +47,11 @@ WITH member AS MATERIALIZED (
     SELECT row_number() OVER (ORDER BY g.edge_id, g.node_id) AS number, g.*,
         $1 IS NULL OR ST_Intersects(surface, $1) AS wanted
     FROM %2$s WHERE surface && $3 AND NOT ST_IsEmpty(surface)),
--- A surface has an axis of its own; no street is wider than 200 m.
+-- A surface has an axis of its own, and no street is wider than 200 m. Edges have one height where they meet.
 height AS MATERIALIZED (
-    SELECT e.edge_id, e.level, e.geom FROM %1$I.edge e WHERE $4 = 3 AND e.geom && ST_Expand($3, 200))
+    SELECT e.edge_id, e.level, ST_SetPoint(ST_SetPoint(e.geom, 0, f.geom), -1, t.geom) AS geom FROM %1$I.edge e
+        JOIN %1$I.node f ON f.node_id = e.from_node JOIN %1$I.node t ON t.node_id = e.to_node
+    WHERE $4 = 3 AND e.geom && ST_Expand($3, 200))
 SELECT m.edge_id, m.node_id, m.level, t.mesh::geometry
 FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(level ORDER BY number) AS levels,
         array_agg(wanted ORDER BY number) AS wanted FROM member) s,

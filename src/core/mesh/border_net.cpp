@@ -13,8 +13,8 @@ namespace streetgen {
 
 namespace {
 
-// Metres. Borders of neighbours keep a micrometre apart at most; their vertices are one.
-constexpr double weld_reach = 2e-6;
+// Metres. Borders of neighbours keep about a micrometre apart at most; their vertices are one.
+constexpr double weld_reach = 5e-6;
 
 }  // namespace
 

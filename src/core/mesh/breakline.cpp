@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
@@ -13,7 +15,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double longest_across = 200;  // metres from the axis
+constexpr double longest_line = 200;  // metres from an axis to the border
 
 double distance_in_space(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a;
@@ -53,6 +55,10 @@ class Walk {
       if (!stops_[i].on_border) across(i, found.across);
   }
 
+  void onwards(int from, int end, std::vector<BorderNet::Segment>& found) {
+    add_to_border(end, unit(net_.point(end) - net_.point(from)), found);
+  }
+
  private:
   bool holds(const Point& p) const { return box_.holds(p, 0) && inside(p, ground_); }
 
@@ -68,8 +74,9 @@ class Walk {
       const double turn = cross(along, b - a);
       if (turn == 0) continue;
       const double t = cross(a - from, b - a) / turn, u = cross(a - from, along) / turn;
-      const double slack = margin / norm(along);
-      if (t >= -slack && t <= 1 + slack && u >= 0 && u <= 1) use(side, t, u);
+      const double slack = margin / norm(along), end = same_place / norm(b - a);
+      // At the end of a side neither side may quite be met.
+      if (t >= -slack && t <= 1 + slack && u >= -end && u <= 1 + end) use(side, t, u);
     }
   }
 
@@ -110,19 +117,21 @@ class Walk {
     if (!holds(stop.place)) return;
     const Point along =
         unit(unit(stop.place - stops_[at - 1].place) + unit(stops_[at + 1].place - stop.place));
-    for (const double turn : {1.0, -1.0}) {
-      const Point end = stop.place + left_normal(along) * (turn * longest_across);
-      double least = 2;
-      int met = -1;
-      double share = 0;
-      crossings(stop.place, end, 0, [&](int side, double t, double u) {
-        if (t >= least) return;
-        least = t;
-        met = side;
-        share = u;
-      });
-      if (met >= 0) add(vertex(stop), net_.divide(met, share), found);
-    }
+    for (const double turn : {1.0, -1.0})
+      add_to_border(vertex(stop), left_normal(along) * turn, found);
+  }
+
+  void add_to_border(int vertex, const Point& direction, std::vector<BorderNet::Segment>& found) {
+    const Point from = net_.point(vertex);
+    double least = 2, share = 0;
+    int met = -1;
+    crossings(from, from + direction * longest_line, 0, [&](int side, double t, double u) {
+      if (t >= least) return;
+      least = t;
+      met = side;
+      share = u;
+    });
+    if (met >= 0) add(vertex, net_.divide(met, share), found);
   }
 
   BorderNet& net_;
@@ -178,6 +187,21 @@ Line without_slight_bends(const Line& line, double tolerance) {
 void add_breaklines(BorderNet& net, std::size_t surface, const MultiPolygon& ground,
                     const Line& axis, Breaklines& breaklines) {
   Walk(net, surface, ground).along(axis, breaklines);
+}
+
+void end_at_border(BorderNet& net, std::size_t surface, const MultiPolygon& ground,
+                   Breaklines& breaklines) {
+  std::map<int, std::vector<int>> joined;
+  for (const auto& [from, to] : breaklines.along) {
+    joined[from].push_back(to);
+    joined[to].push_back(from);
+  }
+  std::set<int> border;
+  for (const int side : net.sides(surface))
+    for (const int vertex : net.along(side)) border.insert(vertex);
+  for (const auto& [end, others] : joined)
+    if (others.size() == 1 && border.count(end) == 0)
+      Walk(net, surface, ground).onwards(others.front(), end, breaklines.along);
 }
 
 std::vector<BorderNet::Segment> apart(const BorderNet& net,

@@ -21,6 +21,10 @@ struct Breaklines {
 void add_breaklines(BorderNet& net, std::size_t surface, const MultiPolygon& ground,
                     const Line& axis, Breaklines& breaklines);
 
+// Goes straight on to the border where an axis ends within the surface.
+void end_at_border(BorderNet& net, std::size_t surface, const MultiPolygon& ground,
+                   Breaklines& breaklines);
+
 // The breaklines, the axes first, that meet neither each other nor the border but in common
 // vertices.
 std::vector<BorderNet::Segment> apart(const BorderNet& net,

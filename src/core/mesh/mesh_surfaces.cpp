@@ -82,6 +82,7 @@ class LevelMesh {
       if (lies_level(i, near)) continue;
       for (const int axis : near)
         add_breaklines(net_, i, *grounds_[i], axes_[axis], breaklines_[i]);
+      end_at_border(net_, i, *grounds_[i], breaklines_[i]);
     }
   }
 
