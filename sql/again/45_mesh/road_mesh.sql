@@ -32,13 +32,18 @@ CREATE OR REPLACE FUNCTION streetgen.road_mesh(model name, extent geometry DEFAU
 DECLARE
     place record;
     about geometry;
-    ground constant text := format('(SELECT edge_id, NULL::bigint AS node_id, level, surface FROM %1$I.section
-        UNION ALL SELECT NULL, node_id, level, surface FROM %1$I.intersection) g', model);
+    ground text;
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._check_given('tolerance', tolerance::text),
         streetgen._check_extent(model, extent);
+    IF tolerance NOT BETWEEN 0.001 AND 10 THEN
+        RAISE EXCEPTION 'tolerance is %, expected 0.001 to 10', tolerance USING ERRCODE = '22023',
+            HINT = 'Metres of height; the default is 0.05.';
+    END IF;
     SELECT srid, dimension INTO place FROM streetgen.model m WHERE m.name = model;
     extent := ST_SetSRID(extent, place.srid);
+    ground := format('(SELECT edge_id, NULL::bigint AS node_id, level, surface FROM %1$I.section
+        UNION ALL SELECT NULL, node_id, level, surface FROM %1$I.intersection) g', model);
     -- Neighbours tell which vertices they have on common borders.
     EXECUTE 'SELECT ST_SetSRID(ST_Expand(ST_Extent(surface), 0.01)::geometry, $2) FROM ' || ground ||
         ' WHERE $1 IS NULL OR ST_Intersects(surface, $1)' INTO about USING extent, place.srid;
@@ -57,16 +62,16 @@ FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(le
         array_agg(wanted ORDER BY number) AS wanted FROM member) s,
     (SELECT coalesce(array_agg(geom::bytea ORDER BY edge_id), '{}') AS axes,
         coalesce(array_agg(level ORDER BY edge_id), '{}') AS axis_levels FROM height) h,
-    streetgen._road_mesh(surfaces, levels, s.wanted, axes, axis_levels, $2, ST_SRID($3)) t JOIN member m USING (number)
+    streetgen._road_mesh(surfaces, levels, s.wanted, axes, axis_levels, $2, $5) t JOIN member m USING (number)
 ORDER BY m.edge_id, m.node_id
-$sql$, model, ground) USING extent, tolerance, about, place.dimension;
+$sql$, model, ground) USING extent, tolerance, about, place.dimension, place.srid;
 END $$;
 COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'The roadway of a model, or of what of it meets an extent (geometry in the model''s SRID; NULL: all), as '
     'triangles: a row for each section (edge_id) and each intersection (node_id) whose surface is not empty, with its '
     'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
     'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
-    'those of the nearest axis of the level where the model has dimension 3, else 0. The mesh leaves the heights of '
-    'the axes by at most the tolerance, 0.001 to 10 m, as it does along borders but at steps. Where axes of one level '
-    'have different heights side by side, their common border is the higher, or the lower, of both. An extent of '
-    'another SRID or a bad tolerance: 22023.';
+    'those of the nearest axis of the level where the model has dimension 3, else 0; edges that meet at a node have its '
+    'height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those along '
+    'borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are not '
+    'finite, and a bad tolerance: 22023.';
