@@ -7,24 +7,6 @@ COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], bytea[],
     'The mesh (TIN Z as EWKB) of each surface (MULTIPOLYGON, EWKB) that is wanted, by its number from 1. The others '
     'give their vertices on common borders. axes (EWKB): those that give the heights, of their levels; none: 0.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_extent(model name, extent geometry) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    expected constant integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
-BEGIN
-    IF ST_SRID(extent) NOT IN (0, expected) THEN
-        RAISE EXCEPTION 'the extent has SRID %, the model %', ST_SRID(extent), expected
-            USING ERRCODE = '22023', HINT = 'ST_Transform makes it one of the model.';
-    ELSIF EXISTS (SELECT FROM ST_DumpPoints(extent) p WHERE ST_X(geom) NOT BETWEEN -1e12 AND 1e12
-        OR ST_Y(geom) NOT BETWEEN -1e12 AND 1e12) THEN
-        RAISE EXCEPTION 'the extent has a coordinate that is not finite, or beyond 1e12 m'
-            USING ERRCODE = '22023', HINT = 'ST_MakeEnvelope(xmin, ymin, xmax, ymax, srid) makes one of numbers.';
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._check_extent(name, geometry) IS
-    'Raises 22023 for an extent of another SRID than the model, or without finite coordinates. NULL passes.';
-
 CREATE OR REPLACE FUNCTION streetgen.road_mesh(model name, extent geometry DEFAULT NULL,
     tolerance float8 DEFAULT 0.05) RETURNS TABLE(edge_id bigint, node_id bigint, level integer, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -71,7 +53,7 @@ COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'triangles: a row for each section (edge_id) and each intersection (node_id) whose surface is not empty, with its '
     'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
     'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
-    'those of the nearest axis of the level where the model has dimension 3, else 0; edges that meet at a node have its '
-    'height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those along '
+    'those of the nearest axis of the level where the model has dimension 3, else 0; edges that meet at a node have '
+    'its height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those along '
     'borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are not '
     'finite, and a bad tolerance: 22023.';
