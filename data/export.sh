@@ -1,4 +1,4 @@
-# Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr.
+# Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr, and its mesh.
 
 # The layer that a file is named after: roads of roads.shp and of town_roads.shp.
 layer_of() {
@@ -25,9 +25,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg) ;;
+      *.gpkg | *.obj) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -59,6 +59,7 @@ write_file() {
         update=(-update)
       done ;;
     *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
+    *.obj) run_sql -At -v model="$model" -f "$root/data/wavefront.sql" >"$file" || fail "the mesh cannot be written to $(basename "$file")" ;;
     *.geojson) write_layer "$file" "$model" "$layer" true -f GeoJSON -a_srs EPSG:4326 -lco RFC7946=YES -lco COORDINATE_PRECISION=11 ;;
   esac
 }

@@ -11,7 +11,6 @@
 // normal to the road. Errors are of kind invalid_input and count points from 1.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -54,9 +53,6 @@ struct RoadFoot {
   double offset = 0;    // to the left of the road there
   double distance = 0;  // from the road
 };
-
-// Counter-clockwise seen from above.
-using Triangle = std::array<Point, 3>;
 
 class ArcRoad {
  public:

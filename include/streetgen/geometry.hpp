@@ -2,6 +2,7 @@
 // planar coordinate system; angles are radians, counter-clockwise positive.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,9 @@ using Polygon = std::vector<Ring>;
 
 // Empty when there is no surface.
 using MultiPolygon = std::vector<Polygon>;
+
+// Counter-clockwise seen from above.
+using Triangle = std::array<Point, 3>;
 
 // A circular arc through three points: start, a point on the arc, end.
 struct Arc {

@@ -7,7 +7,7 @@ rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 floors=(
   'support'
   'geometry'
-  'network alignment virtual_city'
+  'network alignment mesh virtual_city'
   'roadway'
   'ownership'
   'kerb traffic'

@@ -219,3 +219,21 @@ END $$;
 COMMENT ON FUNCTION streetgen._warn_misplaced(text) IS
     'A warning where some lines, given as a query of label and geom, are misplaced, about the first: for who types '
     'them.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_extent(model name, extent geometry) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    expected constant integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
+BEGIN
+    IF ST_SRID(extent) NOT IN (0, expected) THEN
+        RAISE EXCEPTION 'the extent has SRID %, the model %', ST_SRID(extent), expected
+            USING ERRCODE = '22023', HINT = 'ST_Transform makes it one of the model.';
+    ELSIF EXISTS (SELECT FROM ST_DumpPoints(extent) p WHERE ST_X(geom) NOT BETWEEN -1e12 AND 1e12
+        OR ST_Y(geom) NOT BETWEEN -1e12 AND 1e12) THEN
+        RAISE EXCEPTION 'the extent has a coordinate that is not finite, or beyond 1e12 m'
+            USING ERRCODE = '22023', HINT = 'ST_MakeEnvelope(xmin, ymin, xmax, ymax, srid) makes one of numbers.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_extent(name, geometry) IS
+    'Raises 22023 for an extent of another SRID than the model, or without finite coordinates. NULL passes.';

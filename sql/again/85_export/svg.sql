@@ -99,13 +99,11 @@ DECLARE
     picture record;
     frame text;
 BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text),
+        streetgen._check_extent(model, extent);
     IF width IS NULL OR width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', coalesce(width::text, 'NULL')
             USING ERRCODE = '22023', HINT = 'The default is 1200.';
-    ELSIF ST_SRID(extent) NOT IN (0, (SELECT srid FROM streetgen.model m WHERE m.name = model)) THEN
-        RAISE EXCEPTION 'the extent has SRID %, the model %', ST_SRID(extent), (SELECT srid FROM streetgen.model m
-            WHERE m.name = model) USING ERRCODE = '22023', HINT = 'ST_Transform makes it one of the model.';
     END IF;
     EXECUTE format($sql$
 WITH frame AS (

@@ -49,12 +49,16 @@ Geos::Geometry Geos::own(GEOSGeometry* geometry) {
   return Geometry(geometry, Free{handle_});
 }
 
-Geos::Geometry Geos::ring(const Ring& ring) {
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, ring.size(), 2);
+GEOSCoordSequence* Geos::sequence(const Line& points) {
+  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, points.size(), 2);
   if (sequence == nullptr) throw std::bad_alloc();
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    GEOSCoordSeq_setXY_r(handle_, sequence, i, ring[i].x, ring[i].y);
-  return own(GEOSGeom_createLinearRing_r(handle_, sequence));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    GEOSCoordSeq_setXY_r(handle_, sequence, i, points[i].x, points[i].y);
+  return sequence;
+}
+
+Geos::Geometry Geos::ring(const Ring& ring) {
+  return own(GEOSGeom_createLinearRing_r(handle_, sequence(ring)));
 }
 
 Geos::Geometry Geos::polygon(const Polygon& polygon) {
@@ -117,6 +121,25 @@ bool Geos::valid(const GEOSGeometry* geometry) {
 bool Geos::valid(const MultiPolygon& surface) {
   if (const std::optional<bool> known = simple(surface)) return *known;
   return valid(this->surface(surface).get());
+}
+
+MultiPolygon Geos::faces(const std::vector<std::pair<Point, Point>>& segments) {
+  std::vector<Geometry> lines;
+  lines.reserve(segments.size());
+  for (const auto& [from, to] : segments)
+    lines.push_back(own(GEOSGeom_createLineString_r(handle_, sequence({from, to}))));
+  std::vector<const GEOSGeometry*> raw;
+  for (const Geometry& line : lines) raw.push_back(line.get());
+  return polygons(own(GEOSPolygonize_r(handle_, raw.data(), raw.size())).get());
+}
+
+std::vector<Triangle> Geos::triangles(const Polygon& polygon) {
+  std::vector<Triangle> triangles;
+  const Geometry whole = this->polygon(polygon);
+  for (const Polygon& part :
+       polygons(own(GEOSConstrainedDelaunayTriangulation_r(handle_, whole.get())).get()))
+    triangles.push_back({part[0][0], part[0][1], part[0][2]});
+  return triangles;
 }
 
 Geos::Geometry Geos::unite(const std::vector<MultiPolygon>& parts) {

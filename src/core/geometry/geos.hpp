@@ -6,6 +6,7 @@
 #include <geos_c.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -33,12 +34,17 @@ class Geos {
   bool valid(const GEOSGeometry* geometry);
   // Of holes within their polygons and polygons beside each other; GEOS decides where rings touch.
   bool valid(const MultiPolygon& surface);
+  // The faces that segments enclose; they meet in common ends only. What dangles is left out.
+  MultiPolygon faces(const std::vector<std::pair<Point, Point>>& segments);
+  // The constrained Delaunay triangulation of a valid polygon, which adds no vertex.
+  std::vector<Triangle> triangles(const Polygon& polygon);
   Geometry unite(const std::vector<MultiPolygon>& parts);  // of any rings
 
  private:
   Geometry collection(int type, std::vector<Geometry> parts);
   Geometry own(GEOSGeometry* geometry);
   Geometry ring(const Ring& ring);
+  GEOSCoordSequence* sequence(const Line& points);
   void append(const GEOSGeometry* geometry, MultiPolygon& out);
   GEOSContextHandle_t handle_;
   GEOSInterruptCallback* callback_before_ = nullptr;
