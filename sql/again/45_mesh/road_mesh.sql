@@ -54,6 +54,6 @@ COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
     'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
     'those of the nearest axis of the level where the model has dimension 3, else 0; edges that meet at a node have '
-    'its height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those along '
-    'borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are not '
-    'finite, and a bad tolerance: 22023.';
+    'its height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those '
+    'along borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are'
+    ' not finite, and a bad tolerance: 22023.';
