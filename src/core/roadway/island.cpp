@@ -18,7 +18,7 @@ constexpr double least_room = 1;     // metres, the radius of a disc
 constexpr double fine_enough = 0.2;  // metres between places that are tried
 
 // A street along a face, and the corner that it leads away from.
-struct Side {
+struct FaceSide {
   EdgeEnd end;
   CornerPlace corner;
 };
@@ -36,10 +36,10 @@ class Faces {
       for (std::size_t i = 0; i < seen_[n].size(); ++i) {
         look_about({n, i});
         if (seen_[n][i]) continue;
-        const std::vector<Side> face = face_from({n, i});
-        for (const Side& side : face) seen_[side.corner.node][side.corner.gap] = true;
+        const std::vector<FaceSide> face = face_from({n, i});
+        for (const FaceSide& side : face) seen_[side.corner.node][side.corner.gap] = true;
         if (face.size() < 2 || !is_small(face) || !swallowed(face)) continue;
-        for (const Side& side : face) found.push_back(side.corner);
+        for (const FaceSide& side : face) found.push_back(side.corner);
       }
     }
     return found;
@@ -98,8 +98,8 @@ class Faces {
   }
 
   // Counter-clockwise about an inner face; none about a long one, or of several levels.
-  std::vector<Side> face_from(const CornerPlace& start) const {
-    std::vector<Side> face;
+  std::vector<FaceSide> face_from(const CornerPlace& start) const {
+    std::vector<FaceSide> face;
     const auto& edges = layout_.streets.network.edges;
     double about = 0;
     CornerPlace at = start;
@@ -114,30 +114,30 @@ class Faces {
     return face;
   }
 
-  Ring ring_of(const std::vector<Side>& face) const {
+  Ring ring_of(const std::vector<FaceSide>& face) const {
     Ring ring;
-    for (const Side& side : face) {
+    for (const FaceSide& side : face) {
       const Line& line = layout_.arm(side.end).line;
       ring.insert(ring.end(), line.begin(), line.end());
     }
     return closed(std::move(ring));
   }
 
-  double half_of(const Side& side) const {
+  double half_of(const FaceSide& side) const {
     const Arm& arm = layout_.arm(side.end);
     return std::max(arm.half_start, arm.half_end);
   }
 
-  bool is_small(const std::vector<Side>& face) const {
+  bool is_small(const std::vector<FaceSide>& face) const {
     const Ring ring = ring_of(face);
     const double size = ring.empty() ? 0 : signed_area(ring);
     return size > 0 && size < layout_.settings.island_area;
   }
 
   // What the fillets pave from the crossing of the kerbs on.
-  std::vector<Polygon> fillets(const std::vector<Side>& face) const {
+  std::vector<Polygon> fillets(const std::vector<FaceSide>& face) const {
     std::vector<Polygon> paved;
-    for (const Side& side : face) {
+    for (const FaceSide& side : face) {
       const auto& at_node = corners_[side.corner.node];
       if (at_node.empty()) continue;
       const Gap& gap = at_node[side.corner.gap].gap;
@@ -154,7 +154,7 @@ class Faces {
     return paved;
   }
 
-  bool swallowed(const std::vector<Side>& face) const {
+  bool swallowed(const std::vector<FaceSide>& face) const {
     const Ring ring = ring_of(face);
     Box box;
     for (const Point& p : ring) box.add(p);
@@ -164,11 +164,11 @@ class Faces {
   }
 
   // How far the nearest kerb or fillet is, negative on the roadway.
-  double clearance(const std::vector<Side>& face, const Polygon& ground,
+  double clearance(const std::vector<FaceSide>& face, const Polygon& ground,
                    const std::vector<Polygon>& paved, const Point& p) const {
     if (!inside(p, ground)) return -distance_to_line(p, ground.front());
     double least = std::numeric_limits<double>::infinity();
-    for (const Side& side : face)
+    for (const FaceSide& side : face)
       least = std::min(least, distance_to_line(p, layout_.arm(side.end).line) - half_of(side));
     for (const Polygon& fillet : paved) {
       const double off = distance_to_line(p, fillet.front());
@@ -177,7 +177,7 @@ class Faces {
     return least;
   }
 
-  bool has_room(const std::vector<Side>& face, const Polygon& ground,
+  bool has_room(const std::vector<FaceSide>& face, const Polygon& ground,
                 const std::vector<Polygon>& paved, const Box& box) const {
     const Point middle{(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2, 0};
     const double clear = clearance(face, ground, paved, middle);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/polyline.hpp"
+#include "roadway/layout.hpp"
 #include "streetgen/arc_road.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -16,11 +17,6 @@ namespace {
 constexpr double sharpest_turn = M_PI / 2;  // beyond it no edge goes on from another
 constexpr double share_of_segment = 0.25;   // of the segment at a node, for its tangent
 constexpr double least_piece = 1e-3;        // metres
-
-struct EdgeEnd {
-  int edge = 0;
-  bool at_start = true;
-};
 
 // Where an edge leaves its node: unit.
 Point leaving(const Network& network, const EdgeEnd& end) {
@@ -78,8 +74,8 @@ void smooth_edges(Network& network, const Smoothing& smoothing) {
   const auto tangent_at = [&](int node, const EdgeEnd& own) -> std::optional<Point> {
     if (ends[node].size() != 2) return std::nullopt;
     const EdgeEnd& first = ends[node][0];
-    const bool is_first = first.edge == own.edge && first.at_start == own.at_start;
-    return tangent_point(network, own, ends[node][is_first ? 1 : 0], smoothing.shift);
+    const EdgeEnd& other = slot(first) == slot(own) ? ends[node][1] : first;
+    return tangent_point(network, own, other, smoothing.shift);
   };
   std::vector<Line> smooth;
   smooth.reserve(network.edges.size());
