@@ -35,6 +35,7 @@ SELECT 'a dead end has one across', (SELECT array_agg(name ORDER BY name) FILTER
 SELECT 'a corner has its arc', count(*) = 5 AND bool_and(ST_Distance(ST_StartPoint(k.curve), ST_EndPoint(c.arc)) < 1e-6 AND ST_Distance(ST_EndPoint(k.curve), ST_StartPoint(c.arc)) < 1e-6
     AND abs(ST_Length(k.curve) - ST_Length(c.arc)) < 1e-6)
   FROM town.kerb k JOIN town.corner c ON (c.node_id, c.edge_a, 'corner_at_' || c.end_a) = (k.node_id, k.edge_id, k.side) WHERE k.curve IS NOT NULL;
+SELECT 'all of it is kerb where no other street comes near', (SELECT count(*) = 5 AND bool_and(abs(on_kerb - 1) < 1e-6) FROM town.corner_on_kerb);
 SELECT 'a transition has two sides', count(*) = 2 FROM town.kerb WHERE method = 'transition';
 SELECT 'the roadway is on the right', bool_and(ST_Distance(r.surface, ST_Translate(m.geom, d.y * 0.01, -d.x * 0.01)) = 0)
   FROM town.kerb k, LATERAL (SELECT ST_LineInterpolatePoint(k.geom, 0.5) AS geom) m,

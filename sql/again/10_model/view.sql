@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES ('conflict', 'interconnection') $$;
+    AS $$ VALUES ('conflict'::name, 'interconnection'), ('corner_on_kerb', 'kerb') $$;
 COMMENT ON FUNCTION streetgen._subject_view() IS
     'The views of a model that are there only while it computes a subject.';
 
@@ -182,6 +182,9 @@ SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.inters
 $sql$, model);
     IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_conflict_view(model);
+    END IF;
+    IF 'kerb' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_corner_on_kerb_view(model);
     END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
