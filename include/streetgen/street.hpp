@@ -186,9 +186,18 @@ struct FormerNode {
   Point point;
   FormerSurface intersection;
 };
+// A section or an intersection beyond reach: it stays as it is.
+struct Neighbour {
+  std::vector<Point> nodes;  // of the section's two ends, or that of the intersection
+  MultiPolygon ground;
+  int level = 0;
+};
 struct Former {
   std::vector<FormerEdge> edges;
   std::vector<FormerNode> nodes;  // with an intersection
+  // For kerbs: all that may touch what comes out, also of axes that are not given.  None: unknown,
+  // and claims tell.
+  std::optional<std::vector<Neighbour>> neighbours{};
   // Whether what is computed counts where the change spreads beyond what is written; else it is
   // ChangeSpreads, as soon as that is known.
   bool may_spread = true;

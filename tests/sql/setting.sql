@@ -80,7 +80,9 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"transitions.length": "{NaN}"}', '22023', 'transition length of axis 7 is nan'), ('{"transitions.axis_id": "{NULL}"}', '22004', 'axis_id is NULL in row 1 of the transitions'),
         ('{"former_nodes.y": "{NaN}"}', '22023', 'y of a former node is nan'), ('{"former_nodes.surface": ["POINT(1 2)"]}', '22023', 'a former surface is a POINT, expected a MULTIPOLYGON'),
         ('{"former_nodes.surface": ["MULTIPOLYGON(EMPTY,((0 3,0 -3,9 3,0 3)))"]}', '22023', 'a former surface has an empty part'),
-        ('{"former_nodes.surface": ["MULTIPOLYGON(((0 3,0 -3,1e13 3,0 3)))"]}', '22023', 'a former surface has a coordinate beyond 1e12 m at vertex 3'), ('{"former_edges.geom": ["POINT(1 2)"]}', '22023', 'a former edge')) v(given, wanted, part),
+        ('{"former_nodes.surface": ["MULTIPOLYGON(((0 3,0 -3,1e13 3,0 3)))"]}', '22023', 'a former surface has a coordinate beyond 1e12 m at vertex 3'), ('{"former_edges.geom": ["POINT(1 2)"]}', '22023', 'a former edge'),
+        ('{"neighbours.y": "{NaN}"}', '22023', 'y of a neighbour is nan'), ('{"neighbours.level": "{NULL}"}', '22004', 'level is NULL in row 1 of the neighbours'),
+        ('{"neighbours.surface": ["POINT(1 2)"]}', '22023', 'a neighbour is a POINT, expected a MULTIPOLYGON')) v(given, wanted, part),
     LATERAL (SELECT test.refusal(test.streets(given)) AS r) t;
 SELECT 'streets are kept until their statement ends, and then no more', (r).state = '55000' AND (r).hint <> '' FROM (SELECT test.refusal('SELECT FROM streetgen._computed_node(1)') AS r) t;
 SELECT format('rows of %s are given %s', computed, CASE state WHEN 'none' THEN 'again and again' ELSE 'once' END),

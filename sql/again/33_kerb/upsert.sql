@@ -1,5 +1,38 @@
 -- The one statement, kerbs: the border of what is affected, and of what lies beside ground that changed.
 
+CREATE OR REPLACE FUNCTION streetgen._upsert_neighbour(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$(
+            -- An intersection may reach farther than its axes.
+            WITH box AS MATERIALIZED (
+                SELECT ST_Expand(geom, greatest((v ->> 'reach')::float8, (v ->> 'max_arc_distance')::float8)
+                    + greatest(width, width_end) / 2) AS box
+                FROM used, setting WHERE axis_id IN (SELECT unnest($1))
+                UNION ALL SELECT surface FROM former_node),
+            beside_section AS MATERIALIZED (
+                SELECT DISTINCT edge_id FROM box b, LATERAL (
+                    SELECT edge_id FROM {model}.section s WHERE s.surface && b.box OFFSET 0) s),
+            beside_intersection AS MATERIALIZED (
+                SELECT DISTINCT node_id FROM box b, LATERAL (
+                    SELECT node_id FROM {model}.intersection i WHERE i.surface && b.box OFFSET 0) i)
+            SELECT coalesce(array_agg(n), ARRAY[]::streetgen.street_neighbour[]) FROM (
+                SELECT ROW (ST_X(f.geom), ST_Y(f.geom), ST_X(t.geom), ST_Y(t.geom), s.surface::bytea,
+                    s.level)::streetgen.street_neighbour AS n
+                FROM beside_section b,
+                    LATERAL (SELECT * FROM {model}.edge e WHERE e.edge_id = b.edge_id OFFSET 0) e,
+                    LATERAL (SELECT * FROM {model}.section s WHERE s.edge_id = e.edge_id OFFSET 0) s,
+                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = e.from_node OFFSET 0) f,
+                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = e.to_node OFFSET 0) t
+                WHERE e.axis_id NOT IN (SELECT unnest($1))
+                UNION ALL SELECT ROW (ST_X(n.geom), ST_Y(n.geom), NULL, NULL, i.surface::bytea,
+                    i.level)::streetgen.street_neighbour
+                FROM beside_intersection b,
+                    LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = b.node_id OFFSET 0) i,
+                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = b.node_id OFFSET 0) n
+                WHERE b.node_id NOT IN (SELECT node_id FROM former_node)) beside)$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_neighbour(jsonb) IS
+    'Part of the one statement: the surfaces near what is written that stay, as an array of street_neighbour.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_kerb(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template($part$

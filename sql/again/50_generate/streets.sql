@@ -5,19 +5,20 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     limits streetgen.street_limit[], corners streetgen.street_corner[], lanes streetgen.street_lane[],
         restrictions streetgen.street_restriction[],
     former_edges streetgen.former_edge[], former_nodes streetgen.former_node[], may_spread boolean DEFAULT true,
-    subjects text[] DEFAULT '{lane,interconnection}')
+    subjects text[] DEFAULT '{lane,interconnection}', neighbours streetgen.street_neighbour[] DEFAULT NULL)
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[],
     streetgen.street_limit[], streetgen.street_corner[],
     streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[], boolean,
-        text[])
+        text[], streetgen.street_neighbour[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
-        'interconnection, kerb; words of SQL alone are passed over. No axes (NULL) or no subjects (NULL): NULL; any other '
+        'interconnection, kerb; words of SQL alone are passed over. neighbours: for kerbs, all surfaces near that '
+        'stay; NULL: unknown. No axes (NULL) or no subjects (NULL): NULL; any other '
         'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
         'or unknown, a geometry that is none: 22023.';
 

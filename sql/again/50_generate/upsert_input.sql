@@ -13,9 +13,15 @@ former_edge AS MATERIALIZED (
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
         LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
-    WHERE NOT {whole} AND e.axis_id = ANY ($1))$part$, places) $$;
+    WHERE NOT {whole} AND e.axis_id = ANY ($1)),
+former_node AS MATERIALIZED (
+    SELECT n.node_id, n.geom, i.surface, i.contested_area, i.level
+    FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
+        LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
+        LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_former(jsonb) IS
-    'Part of the one statement: former_edge, the written edges and their surfaces before the change.';
+    'Part of the one statement: former_edge and former_node, the written edges, their nodes and the surfaces of '
+    'both before the change.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -69,13 +75,15 @@ computed AS MATERIALIZED (
                 wanted_end, "end", border_end, surface, contested, level)::streetgen.former_edge)
             FROM former_edge),
         former_nodes => (
-            SELECT array_agg(ROW (ST_X(n.geom), ST_Y(n.geom), i.surface::bytea,
-                i.contested_area > 0, i.level)::streetgen.former_node)
-            FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
-                LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
-                LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i),
-        may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ',')) AS streets)$part$,
+            SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,
+                contested_area > 0, level)::streetgen.former_node)
+            FROM former_node),
+        may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
+        neighbours => {neighbours}) AS streets)$part$,
             places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
-            FROM jsonb_array_elements_text(places -> 'subjects') s)))) $$;
+            FROM jsonb_array_elements_text(places -> 'subjects') s), 'neighbours',
+            -- A first run has no neighbours yet, a whole one none.
+            CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'
+                THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
     'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

@@ -5,6 +5,7 @@
 
 #include "geometry/box_index.hpp"
 #include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "kerb/free_border.hpp"
 #include "kerb/kerb_place.hpp"
@@ -19,16 +20,18 @@ namespace streetgen {
 
 namespace {
 
-// One surface an edge, then one a node.
+// One surface an edge, then one a node, then one a neighbour.
 class RoadwayBorder {
  public:
   RoadwayBorder(Layout& layout, const Affected& moved,
-                const std::map<int, MultiPolygon>& beyond_reach)
+                const std::map<int, MultiPolygon>& beyond_reach,
+                const std::optional<std::vector<Neighbour>>& neighbours)
       : layout_(layout),
         streets_(layout.streets),
         edges_(static_cast<int>(layout.axes.size())),
         moved_(moved),
         beyond_reach_(beyond_reach),
+        neighbours_(neighbours),
         grounds_(edges_ + layout.junctions.size()),
         wanted_(grounds_.size()),
         corner_from_(2 * layout.axes.size(), -1) {
@@ -45,6 +48,8 @@ class RoadwayBorder {
     want_sections_at_nodes();
     std::vector<Box> boxes;
     for (int i = 0; i < count(); ++i) boxes.push_back(extent_of(i));
+    if (neighbours_)
+      for (const Neighbour& neighbour : *neighbours_) boxes.push_back(box_of(neighbour.ground));
     index_ = BoxIndex(boxes);
     for (int i = 0; i < count(); ++i) {
       if (!wanted_[i]) continue;
@@ -115,7 +120,7 @@ class RoadwayBorder {
   // Holds its ground; of what is not built yet, wherever that may lie.
   Box extent_of(int i) const {
     if (grounds_[i] != nullptr) return box_of(*grounds_[i]);
-    if (!outer(i)) return {};
+    if (!outer(i) || neighbours_) return {};
     const auto& limits = streets_.limits;
     return (i < edges_ ? section_extent(layout_.arms[2 * i], limits[2 * i].abscissa,
                                         limits[2 * i + 1].abscissa)
@@ -143,11 +148,28 @@ class RoadwayBorder {
     const Edge& edge = streets_.network.edges[i];
     return edge.from_node == other - edges_ || edge.to_node == other - edges_;
   }
+  bool tile(int i, const Neighbour& neighbour) const {
+    const auto ends_at = [&](int node) {
+      return std::any_of(neighbour.nodes.begin(), neighbour.nodes.end(), [&](const Point& place) {
+        return same(place, streets_.network.nodes[node].point);
+      });
+    };
+    const bool section = neighbour.nodes.size() == 2;
+    if (i >= edges_) return section && ends_at(i - edges_);
+    const Edge& edge = streets_.network.edges[i];
+    return !section && (ends_at(edge.from_node) || ends_at(edge.to_node));
+  }
 
   void share(int i, FreeBorder& border) {
     const int level = level_of(i);
     for (const int other : index_.near(border.box(), same_place)) {
       if (other == i) continue;
+      if (other >= count()) {
+        const Neighbour& neighbour = (*neighbours_)[other - count()];
+        const bool other_level = neighbour.level != level;
+        if (!other_level || tile(i, neighbour)) border.share_with(neighbour.ground, other_level);
+        continue;
+      }
       const bool same_level = level_of(other) == level;
       if (!same_level && !tile(i, other)) continue;
       if (grounds_[other] != nullptr)
@@ -177,6 +199,7 @@ class RoadwayBorder {
   const int edges_;
   const Affected& moved_;
   const std::map<int, MultiPolygon>& beyond_reach_;
+  const std::optional<std::vector<Neighbour>>& neighbours_;
   std::vector<const MultiPolygon*> grounds_;  // nullptr: none, or beyond reach
   std::vector<bool> wanted_;
   std::vector<int> corner_from_;  // by slot: the corner counter-clockwise from there
@@ -188,8 +211,9 @@ class RoadwayBorder {
 }  // namespace
 
 void find_kerbs(Layout& layout, const Affected& moved,
-                const std::map<int, MultiPolygon>& beyond_reach) {
-  RoadwayBorder(layout, moved, beyond_reach).find();
+                const std::map<int, MultiPolygon>& beyond_reach,
+                const std::optional<std::vector<Neighbour>>& neighbours) {
+  RoadwayBorder(layout, moved, beyond_reach, neighbours).find();
 }
 
 }  // namespace streetgen

@@ -378,9 +378,9 @@ class Owners {
 
 }  // namespace
 
-std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved, bool with_kerbs) {
+std::map<int, MultiPolygon> settle_owners(Layout& layout, const Affected& moved, bool with_border) {
   Owners owners(layout, moved);
-  if (with_kerbs) owners.want_beyond_reach();
+  if (with_border) owners.want_beyond_reach();
   owners.settle();
   return owners.beyond_reach();
 }

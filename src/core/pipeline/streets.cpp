@@ -39,10 +39,11 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   check_limits(layout.streets);
   const Affected moved = find_affected(layout, former);
   stay_within(layout.streets, former);
-  const std::map<int, MultiPolygon> beyond_reach = settle_owners(layout, moved, with_kerbs);
+  const std::map<int, MultiPolygon> beyond_reach =
+      settle_owners(layout, moved, with_kerbs && !former.neighbours);
   check_surfaces(layout.streets);
   stay_within(layout.streets, former);
-  if (with_kerbs) find_kerbs(layout, moved, beyond_reach);
+  if (with_kerbs) find_kerbs(layout, moved, beyond_reach, former.neighbours);
   check_kerbs(layout.streets);
   return std::move(layout.streets);
 }

@@ -209,6 +209,16 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(nodes, "level", INT4OID)};
   call->may_spread = PG_ARGISNULL(10) || PG_GETARG_BOOL(10);
   take_subjects(fcinfo, 11, call);
+
+  const Rows neighbours = rows(fcinfo, 12, "neighbours");
+  call->neighbours = {neighbours.count,
+                      column(neighbours, "x", FLOAT8OID),
+                      column(neighbours, "y", FLOAT8OID),
+                      column_or_null(neighbours, "x_end", FLOAT8OID),
+                      column_or_null(neighbours, "y_end", FLOAT8OID),
+                      column(neighbours, "surface", BYTEAOID),
+                      column(neighbours, "level", INT4OID),
+                      !PG_ARGISNULL(12)};
 }
 
 }  // namespace streetgen::pg

@@ -53,6 +53,11 @@ struct StreetsCall {
     int count;
     Column x, y, surface, contested, level;
   } former_nodes;
+  struct {
+    int count;
+    Column x, y, x_end, y_end, surface, level;
+    bool known;
+  } neighbours;
   bool may_spread;
   struct {
     int count;

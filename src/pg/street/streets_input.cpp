@@ -344,6 +344,17 @@ Former former_of(const StreetsCall& call) {
   for (int i = 0; i < nodes.count; ++i)
     former.nodes.push_back({place_of(nodes.x, nodes.y, i, "a former node"),
                             former_surface(nodes.surface, nodes.contested, nodes.level, i)});
+  const auto& neighbours = call.neighbours;
+  if (neighbours.known) former.neighbours.emplace();
+  for (int i = 0; i < neighbours.count; ++i) {
+    Neighbour neighbour;
+    neighbour.nodes.push_back(place_of(neighbours.x, neighbours.y, i, "a neighbour"));
+    if (!neighbours.x_end.nulls[i] && !neighbours.y_end.nulls[i])
+      neighbour.nodes.push_back(place_of(neighbours.x_end, neighbours.y_end, i, "a neighbour"));
+    neighbour.ground = read_surface(bytes_of(neighbours.surface.values[i]), "a neighbour");
+    neighbour.level = DatumGetInt32(neighbours.level.values[i]);
+    former.neighbours->push_back(std::move(neighbour));
+  }
   former.may_spread = call.may_spread;
   return former;
 }

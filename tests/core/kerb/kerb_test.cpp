@@ -196,6 +196,57 @@ TEST(Kerb, IsTheBorderOfTheRoadwayWhateverTheTown) {
   }
 }
 
+// What is told of each kerb, those of every second axis and its own nodes left out.
+std::map<std::string, double> kerbs_within(const Streets& town, bool (*outer)(std::int64_t)) {
+  const auto& edges = town.network.edges;
+  std::map<std::string, double> within;
+  for (const Kerb& kerb : town.kerbs) {
+    const bool beyond = std::none_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+      const bool here = kerb.node < 0 ? &edge == &edges[kerb.edge]
+                                      : edge.from_node == kerb.node || edge.to_node == kerb.node;
+      return here && !outer(edge.axis_id);
+    });
+    if (!beyond)
+      within[std::to_string(kerb.node) + " " + std::to_string(kerb.edge) + " " +
+             kerb_side_name(kerb.side) + " " + std::to_string(kerb.part)] = length(kerb.line);
+  }
+  return within;
+}
+
+TEST(Kerb, EndsWhereANeighbourHoldsTheGround) {
+  const auto outer = [](std::int64_t axis_id) { return axis_id % 2 == 0; };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::vector<StreetAxis> axes = random_town(seed, 30);
+    for (StreetAxis& axis : axes) axis.level = axis.axis_id % 5 == 0;
+    const Streets town = with_kerbs(axes);
+    const auto& edges = town.network.edges;
+    Former former;
+    former.neighbours.emplace();
+    for (const Section& section : town.sections) {
+      const Edge& edge = edges[section.edge];
+      if (outer(edge.axis_id))
+        former.neighbours->push_back({{town.network.nodes[edge.from_node].point,
+                                      town.network.nodes[edge.to_node].point},
+                                     section.surface,
+                                     edge.level});
+    }
+    for (const Intersection& crossing : town.intersections)
+      if (std::none_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+            return (edge.from_node == crossing.node || edge.to_node == crossing.node) &&
+                   !outer(edge.axis_id);
+          }))
+        former.neighbours->push_back(
+            {{town.network.nodes[crossing.node].point}, crossing.surface, crossing.level});
+    for (StreetAxis& axis : axes) {
+      axis.outer = outer(axis.axis_id);
+      axis.changed = !axis.outer;
+    }
+    const auto whole = kerbs_within(town, outer);
+    EXPECT_GT(whole.size(), 20u);
+    EXPECT_EQ(kerbs_within(streets(axes, {}, {}, former, true), outer), whole) << "seed " << seed;
+  }
+}
+
 TEST(Kerb, StonesLieOnItsLeft) {
   Kerb kerb;
   kerb.line = {{0, 0}, {10, 0}, {10, 10}};
