@@ -44,17 +44,19 @@ check_files() {
 write_layer() {
   local file=$1 model=$2 layer=$3 wgs84=$4 type query remark
   shift 4
-  IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'")
+  IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'") ||
+    fail "model $model has no layer $layer: it does not compute that subject (SELECT * FROM streetgen.subject('$model'))"
   remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=gis dbname=$database" -sql "$query" 2>&1) && [ -z "$remark" ] ||
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 
 # write_file FILE MODEL LAYER SRID
 write_file() {
-  local file=$1 model=$2 layer=$3 srid=$4 update=()
+  local file=$1 model=$2 layer=$3 srid=$4 of_model update=()
   case $file in
     *.gpkg)
-      for layer in "${layers[@]}"; do
+      mapfile -t of_model < <(run_sql -At -c "SELECT layer FROM streetgen.export_layer($(quoted "$model"))")
+      for layer in "${of_model[@]}"; do
         write_layer "$file" "$model" "$layer" false -f GPKG -a_srs "EPSG:$srid" -lco GEOMETRY_NAME=geom ${update[@]+"${update[@]}"}
         update=(-update)
       done ;;
