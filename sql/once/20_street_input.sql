@@ -82,7 +82,8 @@ COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS
 
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
-        border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea, contested boolean, level integer
+        border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea,
+        contested boolean, level integer
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';

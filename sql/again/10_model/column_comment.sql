@@ -148,8 +148,9 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('kerb', 'curve', 'true arc where the kerb is that of its corner or a piece of it; else NULL'),
     ('kerb', 'surface', 'strip of kerb stones behind it, as wide as setting kerb_stone_width'),
     ('kerb', 'method',
-        'hypothesis; radius_reduced: of the corner; followed: of the corner; nose: of the corner; radius_minimal: of the '
-        'corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the side; '
+        'hypothesis; radius_reduced: of the corner; followed: of the corner; nose: of the corner; radius_minimal: of '
+        'the corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the '
+        'side; '
         'level_change: the roadway goes on there on another level; by_hand'),
     ('lane', 'lane_id', 'key; kept while the edge has a lane of this ordinality'),
     ('lane', 'edge_id', 'the edge'),

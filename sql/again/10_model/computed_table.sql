@@ -36,7 +36,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'nodes where axes meet or end, edges between them, and what the network step noticed'),
     (2, 'surface', '{network}'::text[], true, true, 'is part of every model',
         'section limits, sections, corners and intersections: the roadway'),
-    (3, 'lane', '{surface}'::text[], false, true, 'with interconnection nearly half of the processor time of a first run',
+    (3, 'lane', '{surface}'::text[], false, true,
+        'with interconnection nearly half of the processor time of a first run',
         'lanes, the lines between them, and what is painted on them'),
     (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
         'paths from lane to lane at every node'),
@@ -44,7 +45,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'kerbs: the border of the roadway, and the strip of stones behind it') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
-    'always: a model cannot do without it. by_default: a new model computes it unless told otherwise. For every other subject there are functions _make_<subject>_tables (model, '
+    'always: a model cannot do without it. by_default: a new model computes it unless told '
+    'otherwise. For every other subject there are functions _make_<subject>_tables (model, '
     'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]
@@ -86,4 +88,5 @@ BEGIN
         ORDER BY s.place);
 END $$;
 COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
-    'Subjects with all that they need and those of every model, in their order; NULL: those of a new model. Another word: 22023.';
+    'Subjects with all that they need and those of every model, in their order; NULL: those of a new model. Another '
+    'word: 22023.';

@@ -7,7 +7,8 @@ computed_edge AS MATERIALIZED (SELECT * FROM streetgen._computed_edge((SELECT st
 -- The axes whose rows come out, and those that are gone, or whose edges are. An axis that is gone and was not requested
 -- is for the run that requests it.
 written_axis AS MATERIALIZED (
-    SELECT axis_id FROM computed_edge WHERE (affected OR lanes_affected OR kerbs_affected) AND axis_id IN (SELECT unnest($1))
+    SELECT axis_id FROM computed_edge
+        WHERE (affected OR lanes_affected OR kerbs_affected) AND axis_id IN (SELECT unnest($1))
         UNION SELECT unnest($3)
     UNION (SELECT axis_id FROM former_edge JOIN used USING (axis_id) EXCEPT SELECT axis_id FROM computed_edge)),
 written_edge AS MATERIALIZED (

@@ -37,11 +37,13 @@ COMMENT ON AGGREGATE streetgen._ids(integer, bigint) IS
     '22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
-    RETURNS TABLE(number integer, affected boolean, kerbs_affected boolean, geom geometry, anchor_axis bigint[], anchor_abscissa float8[])
+    RETURNS TABLE(number integer, affected boolean, kerbs_affected boolean, geom geometry, anchor_axis bigint[],
+        anchor_abscissa float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
 COMMENT ON FUNCTION streetgen._computed_node(bigint) IS
     'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as '
-    'in all these; affected: its intersection and lanes come out; kerbs_affected: the kerbs of its intersection do; axes that have a vertex there and its abscissa on '
+    'in all these; affected: its intersection and lanes come out; kerbs_affected: the kerbs of its '
+    'intersection do; axes that have a vertex there and its abscissa on '
     'each, m. Streets that are not kept: 55000, as in all these. Limits, surfaces, corners, lanes and what is painted '
     'are given once, so that what they took is free for their tables.';
 
@@ -52,7 +54,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
     'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
-    'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its axis is due; abscissas along the axis, m.';
+    'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its '
+    'axis is due; abscissas along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8,

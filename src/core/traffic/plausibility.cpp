@@ -450,8 +450,7 @@ class Plausibility {
   }
 
   // A tight path goes where both its lanes have another, or one that is neither tight nor back; of
-  // an ordinary turn, its movement too. A path with a corner goes also where the movement has no
-  // other, and says so where it stays as the only way.
+  // an ordinary turn, its movement too. One with a corner says so where it stays as the only way.
   void drop_tight() {
     for (const Way& way : ways_)
       for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
@@ -467,10 +466,9 @@ class Plausibility {
             instead.push_back(likeliest_on(way.movement->from, i));
           if (!reached(way.movement->to, o, &verdict))
             instead.push_back(likeliest_to(way.movement->to, o));
-          const bool goes =
-              std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; });
           if (corner) verdict.reason = Reason::not_drivable;
-          if (!goes) continue;
+          if (!std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; }))
+            continue;
           for (const Pair& pair : instead) *pair.verdict = {true, Reason::only_way};
           verdict = {false, corner ? Reason::not_drivable : Reason::radius};
         }
