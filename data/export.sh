@@ -45,7 +45,7 @@ write_layer() {
   local file=$1 model=$2 layer=$3 wgs84=$4 type query remark
   shift 4
   IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'") ||
-    fail "model $model has no layer $layer: it does not compute that subject (SELECT * FROM streetgen.subject('$model'))"
+    fail "model $model has no layer $layer: it does not compute that subject (SELECT * FROM streetgen.subject($(quoted "$model")))"
   remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=gis dbname=$database" -sql "$query" 2>&1) && [ -z "$remark" ] ||
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
