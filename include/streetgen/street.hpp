@@ -65,8 +65,9 @@ struct StreetSettings {
   double max_arc_distance = 60;  // metres from the node to an arc's centre
   double radius_minimal = 0.15;  // metres, the kerb stone's radius
   double reach = 60;             // metres along the network: how far a corner follows its axes
-  // What a corner between nearly parallel kerbs may pave from their crossing on, and the width of
-  // ground between them that stays ground. The paper has no bound.
+  // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.
+  // Two bounds of that ground; the paper has none. The last value is the width of a median that
+  // stays ground.
   double follow_length = 10;          // metres along the kerbs; may be infinite
   double follow_area = 20;            // square metres; may be infinite
   double median_width_minimal = 0.5;  // metres, positive
