@@ -1,4 +1,7 @@
-# Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr, and its mesh.
+# Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr, its mesh, and networks for simulators.
+
+# What --plain, --options and --tolerance say.
+keep_plain= export_options='{}' sumo_tolerance=1
 
 # The layer that a file is named after: roads of roads.shp and of town_roads.shp.
 layer_of() {
@@ -11,10 +14,13 @@ layer_of() {
   done
 }
 
-# A shapefile is several files.
+# A shapefile is several files, and so is a network of SUMO with the plain files that it was made of.
 parts_of() {
   case $1 in
     *.shp) printf '%s\n' "${1%.shp}".{shp,shx,dbf,prj,cpg} ;;
+    *.net.xml)
+      printf '%s\n' "$1"
+      [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ}.xml ;;
     *) printf '%s\n' "$1" ;;
   esac
 }
@@ -25,9 +31,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj) ;;
+      *.gpkg | *.obj | *.net.xml | *.symuvia.xml) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .net.xml and .symuvia.xml a network for simulators" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -50,6 +56,12 @@ write_layer() {
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 
+# write_lines FILE CALL: what a writer gives, which is in the order of the file.
+write_lines() {
+  PGOPTIONS="-c client_min_messages=${told:-warning}" psql -qXAt -v ON_ERROR_STOP=1 -v SHOW_CONTEXT=never -v FETCH_COUNT=5000 -d "$database" \
+    -c "SELECT line FROM $2" >"$1" || fail "$(basename "$1") cannot be written"
+}
+
 # write_file FILE MODEL LAYER SRID
 write_file() {
   local file=$1 model=$2 layer=$3 srid=$4 of_model update=()
@@ -62,6 +74,8 @@ write_file() {
       done ;;
     *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
     *.obj) run_sql -At -v model="$model" -f "$root/data/wavefront.sql" >"$file" || fail "the mesh cannot be written to $(basename "$file")" ;;
+    *.net.xml) write_sumo "$file" "$model" ;;
+    *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.geojson) write_layer "$file" "$model" "$layer" true -f GeoJSON -a_srs EPSG:4326 -lco RFC7946=YES -lco COORDINATE_PRECISION=11 ;;
   esac
 }

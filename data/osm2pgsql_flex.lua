@@ -1,6 +1,6 @@
--- Every highway and aeroway line of an OSM file, with the tags that import_osm reads, and its turn
--- restrictions, a row for each pair of ways.  STREETGEN_PREFIX names the tables (PREFIX_line,
--- PREFIX_restriction), STREETGEN_SRID their projection.
+-- Every highway and aeroway line of an OSM file, with the tags that import_osm reads, its turn
+-- restrictions, a row for each pair of ways, and its signals, signs and crossings.  STREETGEN_PREFIX
+-- names the tables (PREFIX_line, PREFIX_restriction, PREFIX_control), STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
@@ -16,7 +16,9 @@ local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_w
                'cycleway', 'cycleway:left', 'cycleway:right', 'cycleway:both',
                'cycleway:left:oneway', 'cycleway:right:oneway',
                'parking:left', 'parking:right', 'parking:both',
-               'parking:lane:left', 'parking:lane:right', 'parking:lane:both' }
+               'parking:lane:left', 'parking:lane:right', 'parking:lane:both',
+               'sidewalk', 'sidewalk:left', 'sidewalk:right', 'sidewalk:both',
+               'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width' }
 
 local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do
@@ -36,6 +38,23 @@ function osm2pgsql.process_way(object)
         row[(tag:gsub(':', '_'))] = object.tags[tag]
     end
     line:insert(row)
+end
+
+local control = osm2pgsql.define_node_table(prefix .. '_control', {
+    { column = 'class', type = 'text', not_null = true },
+    { column = 'direction', type = 'text' },
+    { column = 'traffic_signals_direction', type = 'text' },
+    { column = 'geom', type = 'point', projection = srid, not_null = true },
+})
+
+local controls = { traffic_signals = true, stop = true, give_way = true, crossing = true }
+
+function osm2pgsql.process_node(object)
+    if controls[object.tags.highway] then
+        control:insert({ class = object.tags.highway, direction = object.tags.direction,
+                         traffic_signals_direction = object.tags['traffic_signals:direction'],
+                         geom = object:as_point() })
+    end
 end
 
 local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {

@@ -16,7 +16,7 @@ BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
         EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
-            FROM unnest(ARRAY['setting_used', 'axis_used', 'intersection_group', 'conflict', 'roadway', 'override_place', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
+            FROM unnest(ARRAY['setting_used', 'axis_used', 'intersection_group', 'conflict', 'roadway', 'override_place', 'lane_group', 'lane_driving', 'corner_on_kerb', 'block_editing', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
                               'corner_editing', 'kerb_point_editing', 'lane_editing', 'interconnection_editing']) v);
         -- Of the model's own functions, those that go with the extension, and the triggers that call them or it.
         FOR part IN

@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from style import (ARC, ASPHALT, AXIS, CONTROL, HAND, IMPLAUSIBLE, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, fill, line, point, rules, single, with_arrow)
+from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, single, with_arrow)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,6 +64,21 @@ def interconnection():
                  ('by hand', "connecting AND method = 'by_hand'", with_arrow(line(HAND, 0.45), HAND, 1.8)))
 
 
+def junction():
+    return rules(*((kind.replace('_', ' '), f"kind = '{kind}'", fill(colour, opacity=0.6)) for kind, colour in (
+        ('signals', '#1a9641'), ('stop', '#d7191c'), ('priority', '#fdae61'), ('right_before_left', '#abd9e9'), ('ramp', '#7b3294'),
+        ('roundabout', '#2c7bb6'), ('continuation', '#bababa'), ('end', '#e0e0e0'))))
+
+
+def junction_movement():
+    return rules(('implausible', 'NOT connecting', line(IMPLAUSIBLE, 0.15, dash='1;1.5', opacity=0.5)), ('connecting', 'connecting', with_arrow(line(PATH, 0.35), PATH, 1.6)))
+
+
+def control_point():
+    return rules(('signals', "kind = 'signals'", point('circle', '#1a9641', 3)), ('stop', "kind = 'stop'", point('octagon', REPORT, 3)),
+                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
+
+
 def axis():
     return single(with_arrow(line(AXIS, 0.5), AXIS, 2.6, "CASE WHEN direction = 'direct' THEN 0 WHEN direction = 'reverse' THEN 180 END"))
 
@@ -79,6 +94,12 @@ def handle_line(colour, seldom='false'):
                          ('by hand', 'by_hand', line(HAND, 0.5)))
 
 
+def roundabout():
+    """Rings to look through: those decided by hand, accepted and refused by their score."""
+    return rules(('confirmed', 'confirmed', line(HAND, 0.8)), ('refused by hand', 'NOT confirmed', line(HAND, 0.4, dash='2;2')),
+                 ('accepted', 'confirmed IS NULL AND accepted', line(ARC, 0.8)), ('not accepted', 'ELSE', line(LIMIT, 0.4, dash='2;2')))
+
+
 def by_hand(relation, *columns):
     """What users decided; here also that which fits nowhere can be seen and deleted."""
     return Layer('overrides', relation, f'{relation}_id', 'geom', lambda: single(point('star', HAND, 3)), columns)
@@ -88,25 +109,39 @@ LAYERS = (
     Layer('edit', 'node_editing', 'node_id', 'geom', lambda: single(point('circle', AXIS, 2.6)), ()),
     Layer('edit', 'section_limit_editing', 'section_limit_id', 'geom', handle('diamond', 2.6, LIMIT), ('abscissa', 'by_hand'), scale=2500),
     Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
+    Layer('edit', 'road_arc_editing', 'road_arc_id', 'geom', handle('pentagon', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
+    Layer('edit', 'overpass_editing', 'overpass_id', 'geom', handle('triangle', 2.4, AXIS), ('axis_above', 'clearance', 'by_hand'), scale=5000),
+    Layer('edit', 'roundabout_editing', 'roundabout_id', 'geom', roundabout, ('confirmed',), scale=10000),
     Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
+    Layer('edit', 'sidewalk_editing', 'sidewalk_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('width', 'by_hand'), scale=2500),
     Layer('edit', 'lane_editing', 'lane_id', 'geom', handle_line('#ffffff'), ('along_axis', 'both_ways', 'width', 'by_hand'), scale=2500),
+    Layer('edit', 'block_editing', 'block_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('kind', 'by_hand'), scale=5000),
     Layer('edit', 'edge_editing', 'edge_id', 'geom', lambda: single(line(AXIS, 0.5, dash='3;1')), ()),
     Layer('edit', 'axis_editing', 'axis_id', 'geom', axis, ('width', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level')),
     Layer('edit', 'edit_log', 'edit_log_id', 'extent', lambda: single(fill('#00000000', HAND, 0.3))),
     Layer('input', 'turn_restriction', 'turn_restriction_id', 'geom', lambda: single(point('octagon', REPORT, 3)),
           ('from_axis', 'to_axis', 'kind', 'turn', 'except_kinds', 'source', 'source_ref'), scale=2500),
+    Layer('input', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'axis_id', 'source', 'source_ref'), scale=5000),
     Layer('input', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'source', 'source_ref'), shown=True),
+           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'sidewalk_left', 'sidewalk_right', 'roundabout_tag', 'source', 'source_ref'), shown=True),
     by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
     by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
     by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
+    by_hand('road_override', 'axis_id', 'abscissa', 'radius'),
+    by_hand('junction_override', 'axis_id', 'inside', 'kind'),
     by_hand('kerb_point_override', 'axis_id', 'abscissa', 'width'),
+    by_hand('block_override', 'kind'),
+    by_hand('sidewalk_override', 'axis_id', 'abscissa', 'side', 'width'),
     by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
+    by_hand('overpass_override', 'axis_above', 'axis_below', 'clearance'),
+    by_hand('roundabout_override', 'confirmed'),
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
+    Layer('input', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),
     Layer('input', 'setting', 'name'),
+    Layer('traffic', 'junction_movement', 'junction_movement_id', 'geom', junction_movement, scale=1500),
     Layer('traffic', 'interconnection', 'interconnection_id', 'geom', interconnection, scale=1500, shown=True),
     Layer('traffic', 'lane', 'lane_id', 'geom', lane, scale=2500),
     Layer('traffic', 'lane_separator', 'lane_separator_id', 'surface', lambda: single(fill(PAINT)), scale=2500),
@@ -117,15 +152,52 @@ LAYERS = (
     Layer('streets', 'section_limit', 'section_limit_id', 'border_line', lambda: single(line(LIMIT, 0.4)), scale=2500),
     Layer('streets', 'corner', 'corner_id', 'arc',
           lambda: rules(('as wanted', "method IN ('hypothesis', 'by_hand')", line(ARC, 0.5)), ('otherwise', "method NOT IN ('hypothesis', 'by_hand')", line(HAND, 0.5))), scale=2500),
+    Layer('streets', 'road', 'road_id', 'geom', lambda: single(line(ARC, 0.4))),
     Layer('streets', 'kerb', 'kerb_id', 'geom',
           lambda: rules(('kerb', "method <> 'level_change'", line(KERB, 0.3, 'MapUnit')), ('level change', "method = 'level_change'", line(LIMIT, 0.3, dash='1;1'))), scale=2500),
+    Layer('streets', 'sidewalk', 'sidewalk_id', 'surface', lambda: single(fill(WALK)), scale=5000),
+    Layer('streets', 'profile', 'edge_id', 'geom', lambda: rules(('lifted', "method = 'lifted'", line(LIMIT, 0.6)), ('sunk', "method = 'sunk'", line(LIMIT, 0.6, dash='2;1'))), scale=10000),
+    Layer('streets', 'overpass', 'overpass_id', 'geom', lambda: single(point('triangle', AXIS, 2)), scale=10000),
+    Layer('streets', 'roundabout', 'roundabout_id', 'geom', roundabout, scale=10000),
     Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),
+    Layer('streets', 'junction', 'junction_id', 'surface', junction),
     Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),
     Layer('streets', 'section', 'edge_id', 'surface', surface_by_method(ASPHALT)),
+    Layer('streets', 'block', 'block_id', 'surface', lambda: rules(('block', "kind = 'block'", fill(BLOCK)), ('island', "kind = 'island'", fill(ISLAND)), ('strip', "kind = 'strip'", fill(STRIP)))),
+)
+
+
+def design_node():
+    return rules(*((kind, f"kind = '{kind}' AND NOT rejected", point('circle', colour, size)) for kind, colour, size in (
+        ('city', '#facc15', 4), ('town', '#facc15', 3), ('village', '#facc15', 2), ('interchange', '#9ca3af', 2))))
+
+
+def zone():
+    return rules(('water', "class = 'water'", fill('#93c5fd')), ('forest', "class = 'forest'", fill('#86a97c')), ('building', "class = 'building'", fill('#7c2d12')),
+                 ('other', 'ELSE', fill('#d6c7a1')))
+
+
+def standing(renderer):
+    """What is drawn of a design: not what was rejected."""
+    return lambda: rules(('by hand', 'by_hand AND NOT rejected', renderer(HAND)), ('computed', 'NOT by_hand', renderer(AXIS)))
+
+
+# The stages of a design, from structures down to the ground.
+DESIGN = (
+    Layer('design', 'structure_editing', 'structure_id', 'geom', standing(lambda colour: line(REPORT if colour == AXIS else colour, 1.2)), ('kind', 'start_abscissa', 'end_abscissa', 'by_hand', 'rejected')),
+    Layer('design', 'design_crossing_editing', 'design_crossing_id', 'geom', standing(lambda colour: point('triangle', colour, 3)), ('kind', 'by_hand', 'rejected')),
+    Layer('design', 'grade_point_editing', 'grade_point_id', 'geom', standing(lambda colour: point('diamond', colour, 2)), ('abscissa', 'height', 'radius', 'by_hand', 'rejected'), scale=25000),
+    Layer('design', 'alignment_element_editing', 'alignment_element_id', 'start', standing(lambda colour: point('square', colour, 1.6)), ('by_hand', 'rejected'), scale=25000),
+    Layer('design', 'design_vertex_editing', 'design_vertex_id', 'geom', standing(lambda colour: point('circle', colour, 2.4)),
+          ('design_link_id', 'ordinality', 'radius', 'clothoid_in', 'clothoid_out', 'straight_in', 'straight_out', 'by_hand', 'rejected')),
+    Layer('design', 'design_node_editing', 'design_node_id', 'geom', design_node, ('name', 'kind', 'importance', 'by_hand', 'rejected')),
+    Layer('design', 'design_link_editing', 'design_link_id', 'geom', standing(lambda colour: line(colour, 0.6)), ('node_a', 'node_b', 'network', 'by_hand', 'rejected')),
+    Layer('design', 'zone_editing', 'zone_id', 'geom', zone, ('class',)),
+    Layer('design', 'terrain_tile', 'terrain_tile_id', 'geom', lambda: single(fill('#00000000', AXIS, 0.2))),
 )
 
 
 def layers_of(relations):
     """The layers of a model that has these relations: a subject that it does not compute has none."""
     shown = ' UNION ALL '.join(rows for relation, rows in ROADWAY.items() if relation in relations)
-    return [dataclasses.replace(layer, query=shown) if layer.relation == 'roadway' else layer for layer in LAYERS if layer.relation in relations]
+    return [dataclasses.replace(layer, query=shown) if layer.relation == 'roadway' else layer for layer in (*LAYERS, *DESIGN) if layer.relation in relations]

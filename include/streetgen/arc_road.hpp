@@ -75,6 +75,20 @@ class ArcRoad {
     double start_abscissa = 0, end_abscissa = 0, radius = 0;
   };
   std::vector<Stretch> stretches() const;
+  // The arcs in their order; the corner is where the straight lines before and after would meet.
+  struct Bend {
+    Stretch stretch;
+    Point centre, corner;
+    Arc arc;
+  };
+  std::vector<Bend> bends() const;
+  // Where the heading jumps at an end of an arc. A thousandth of a radian is no jump, nor is what ten
+  // nanometres are of a piece that short.
+  struct Kink {
+    Point place;
+    double angle = 0;
+  };
+  std::vector<Kink> kinks() const;
 
   // Clamped to the road.
   RoadPlace at(double abscissa) const;
@@ -97,12 +111,11 @@ class ArcRoad {
   // turns over stays where it meets itself.
   std::vector<Triangle> mesh(double offset_left, double offset_right, double tolerance) const;
 
-  struct Body;
-
  private:
-  explicit ArcRoad(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
+  using Body = std::shared_ptr<const struct RoadBody>;
+  explicit ArcRoad(Body body) : body_(std::move(body)) {}
   friend class RoadBuilder;
-  std::shared_ptr<const Body> body_;
+  Body body_;
 };
 
 // The greatest speed in km/h at which a car does not slip on an arc (equation 7), banked inwards

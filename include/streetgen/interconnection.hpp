@@ -30,6 +30,7 @@ enum class Reason {
   lane_kind,     // not: a lane of another kind
   u_turn,        // not: it turns back where there are other ways on
   radius,        // not: too tight for the speed where other ways do
+  ring,          // not: against the traffic of a roundabout
   not_drivable,  // a corner that no car drives; plausible only where it is the only way
 };
 const char* reason_name(Reason reason) noexcept;
@@ -77,5 +78,10 @@ std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<Lane>& lanes,
                                               const std::vector<TurnRestriction>& restrictions,
                                               const InterconnectionSettings& settings);
+
+// Whoever drives against the traffic of a roundabout is not plausible, reason ring.
+void forbid_against_rings(const Streets& streets, const std::vector<Lane>& lanes,
+                          const std::vector<Circulation>& circulations,
+                          std::vector<Interconnection>& interconnections);
 
 }  // namespace streetgen

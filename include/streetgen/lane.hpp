@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "streetgen/control_point.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/street.hpp"
 
@@ -65,6 +66,8 @@ struct LaneSettings {
   DrivingSide driving_side = DrivingSide::right;
   double narrowest = 2;     // metres: lanes of unknown width get less only if all lanes do
   bool edge_lines = false;  // separators along the kerbs too
+  double kerb_radius_minimal = 0;  // metres, as the kerbs of the sections have it
+  double control_distance = 50;  // metres before a node within which its control points stand
 };
 
 struct Lane {
@@ -127,11 +130,21 @@ struct LanesOfAxis {
   AxisLanes lanes;
 };
 
+// On the edge of the axis that holds `abscissa` traffic goes round a roundabout.
+struct Circulation {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;     // metres along the axis
+  bool along_axis = true;  // it drives along the axis
+  bool turned = false;     // all lanes of the edge are its own: no source states a direction
+};
+
 // Deterministic and independent of the order of axes.  Of two overrides of one lane the later holds
 // in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
-// meet at affected nodes.
+// meet at affected nodes.  Control points decide the lines painted across the ends of lanes.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
-            std::vector<LaneOverride> overrides, const LaneSettings& settings);
+            std::vector<LaneOverride> overrides, const LaneSettings& settings,
+            const std::vector<ControlPoint>& controls = {},
+            const std::vector<Circulation>& circulations = {});
 
 // The lanes of one axis alone, from its start to its end; lines and surfaces only.
 std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,

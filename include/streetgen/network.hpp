@@ -50,6 +50,23 @@ struct Edge {
   double start_abscissa = 0;  // metres along the input axis
   double end_abscissa = 0;
   Line line;  // starts at from_node's point, ends at to_node's; at least two distinct points
+  CurvedLine curve{};  // the arc road of which the line is chords; empty where there is none
+};
+
+// Where an edge touches a node.
+struct EdgeEnd {
+  int edge = 0;
+  bool at_start = true;
+};
+inline int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
+
+// One side of an edge. Where another edge of its level crosses or touches it without a node, each
+// side has several parts, from 1 in the direction of the edge.
+struct EdgeSide {
+  int edge = 0;      // index into Network::edges
+  bool left = true;  // in the direction of the edge
+  int part = 1;
+  double start = 0, end = 0;  // of the part, metres along the edge, to the millimetre
 };
 
 enum class NetworkIssue {

@@ -14,6 +14,8 @@
 #include "streetgen/kerb.hpp"
 #include "streetgen/method.hpp"
 #include "streetgen/network.hpp"
+#include "streetgen/road.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -76,6 +78,9 @@ struct StreetSettings {
   // the paper has it.
   double island_area = 1000;         // square metres
   double island_nose_radius = 0.75;  // metres
+  // Kinks of kerbs become arcs of this radius, where no limit lies and no corner is wanted without
+  // an arc.  0: none.
+  double kerb_radius_minimal = 0.5;  // metres
   ShortAxis short_axis = ShortAxis::reduce;
   // Where two axes of different width meet and neither wants its own; where both do, that of the
   // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
@@ -85,6 +90,9 @@ struct StreetSettings {
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
   double max_hole_area = 0.5;  // square metres
+  // Ground no wider than this between two streets of one level that run beside each other is
+  // roadway.  0: none.
+  double slit_width = 0.2;  // metres
   // More surfaces that come into a square of 10 m of a fixed grid share the ground there by rank.
   int overlaps_maximal = 30;
   double kerb_stone_width = 0.3;  // metres, positive: the strip behind a kerb
@@ -117,6 +125,7 @@ struct CornerOverride {
 struct StreetOverrides {
   std::vector<SectionLimitOverride> limits;
   std::vector<CornerOverride> corners;
+  std::vector<RoadOverride> bends{};
 };
 
 // Counter-clockwise from edge a to edge b around the node.
@@ -163,6 +172,7 @@ struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
+  WidthProfile profile{};  // where a change of width goes on within the section
 };
 
 // A surface as it was before the change.  The comparison tells what else the change moves.

@@ -5,6 +5,7 @@
 
 #include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
+#include "streetgen/overpass.hpp"
 #include "streetgen/street.hpp"
 
 namespace streetgen {
@@ -14,6 +15,7 @@ struct Subjects {
   bool lane = true;             // lanes, separators and markings
   bool interconnection = true;  // needs lane
   bool kerb = false;
+  bool overpass = false;
 };
 
 struct StreetModelInput {
@@ -25,14 +27,19 @@ struct StreetModelInput {
   std::vector<LanesOfAxis> lanes;
   std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;
+  std::vector<ControlPoint> controls;
+  std::vector<Circulation> circulations{};
   std::vector<TurnRestriction> restrictions;
   InterconnectionSettings interconnection_settings;
+  std::vector<OverpassOverride> overpass_overrides;
+  double clearance = 6;  // metres from a roadway to the one above, where no override says otherwise
 };
 
 struct StreetModel {
   Streets streets;
   Lanes lanes;
   std::vector<Interconnection> interconnections;
+  std::vector<Overpass> overpasses;
 };
 
 // Deterministic and independent of the order of `input.axes`.  Throws Error and ChangeSpreads.

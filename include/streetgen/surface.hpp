@@ -1,6 +1,8 @@
-// Surfaces built from axes: border lines, sections, intersections, buffers.  Paper, 2.5.
+// Surfaces built from axes and kerbs: border lines, sections, intersections, buffers, strips and
+// crossings.  Paper, 2.5 and figure 22.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -32,5 +34,20 @@ enum class Ends { flat, round };
 // (side: only the part left or right of the line).  radii.size() == line.size(), each >= 0.
 MultiPolygon variable_buffer(const Line& line, const std::vector<double>& radii,
                              Side side = Side::both, Ends ends = Ends::flat);
+
+// The strip on the left of a kerb, which has the roadway on its right. Its width changes linearly
+// from the start of the kerb to the end. Round about outer bends, flat at both ends; arcs become
+// chords within a millimetre. Empty where both widths are 0.
+MultiPolygon offset_strip(const CurvedLine& kerb, double width_start, double width_end);
+MultiPolygon offset_strip(const Line& kerb, double width_start, double width_end);
+
+// The roadway under a pedestrian crossing that is `width` wide between its parallel borders.
+// `angle` turns counter-clockwise from the axis' direction at `abscissa` (clamped) to the way
+// across. Each border goes left and right from the axis to the kerb, up to ten times the width;
+// none: no surface. The kerb between them is followed. It is cut straight where it goes farther
+// than a width beyond the borders or where the ring would cross itself.
+std::optional<Polygon> crossing_surface(const Line& axis, const CurvedLine& kerb_left,
+                                        const CurvedLine& kerb_right, double abscissa, double width,
+                                        double angle);
 
 }  // namespace streetgen

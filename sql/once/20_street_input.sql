@@ -80,6 +80,30 @@ COMMENT ON COLUMN streetgen.street_restriction.turn IS
 COMMENT ON COLUMN streetgen.street_restriction.except_kinds IS
     'kinds of lanes that it does not bind, parted by |; NULL: it binds all';
 
+CREATE TYPE streetgen.street_control AS (axis_id bigint, abscissa float8, kind text, direction text);
+COMMENT ON TYPE streetgen.street_control IS 'A control point: what tells traffic to wait or to look out.';
+COMMENT ON COLUMN streetgen.street_control.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_control.abscissa IS 'its place, m along the axis';
+COMMENT ON COLUMN streetgen.street_control.kind IS 'signals, stop, yield or pedestrian_crossing';
+COMMENT ON COLUMN streetgen.street_control.direction IS
+    'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: unknown';
+CREATE TYPE streetgen.street_overpass AS (axis_above bigint, axis_below bigint, x float8, y float8,
+    clearance float8);
+COMMENT ON TYPE streetgen.street_overpass IS 'Which of two axes passes over the other where they cross, by hand.';
+COMMENT ON COLUMN streetgen.street_overpass.axis_above IS 'the axis that passes over';
+COMMENT ON COLUMN streetgen.street_overpass.axis_below IS 'the axis below';
+COMMENT ON COLUMN streetgen.street_overpass.x IS 'abscissa of a place near the crossing, in the plane';
+COMMENT ON COLUMN streetgen.street_overpass.y IS 'its ordinate';
+COMMENT ON COLUMN streetgen.street_overpass.clearance IS 'm from roadway to roadway; NULL: setting clearance';
+
+CREATE TYPE streetgen.street_circulation AS (axis_id bigint, abscissa float8, along_axis boolean, turned boolean);
+COMMENT ON TYPE streetgen.street_circulation IS 'An edge of a roundabout, on which traffic goes round.';
+COMMENT ON COLUMN streetgen.street_circulation.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_circulation.abscissa IS 'a place on the edge, m along the axis';
+COMMENT ON COLUMN streetgen.street_circulation.along_axis IS 'does this traffic drive along the axis?';
+COMMENT ON COLUMN streetgen.street_circulation.turned IS
+    'do all its lanes go round, since no source states a direction?';
+
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
         border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea,
@@ -121,3 +145,21 @@ COMMENT ON COLUMN streetgen.street_neighbour.x_end IS
 COMMENT ON COLUMN streetgen.street_neighbour.y_end IS 'its ordinate';
 COMMENT ON COLUMN streetgen.street_neighbour.surface IS 'MULTIPOLYGON, EWKB';
 COMMENT ON COLUMN streetgen.street_neighbour.level IS 'level of the surface';
+
+CREATE TYPE streetgen.street_bend AS (axis_id bigint, abscissa float8, radius float8);
+COMMENT ON TYPE streetgen.street_bend IS 'The radius of a bend of an axis, by hand.';
+COMMENT ON COLUMN streetgen.street_bend.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_bend.abscissa IS 'the place, m along the axis';
+COMMENT ON COLUMN streetgen.street_bend.radius IS 'm; 0: it stays sharp';
+
+CREATE TYPE streetgen.road_part AS (edge_id bigint, axis_id bigint, from_node bigint, to_node bigint, level integer,
+    start_abscissa float8, end_abscissa float8, line bytea);
+COMMENT ON TYPE streetgen.road_part IS 'An edge that is to become part of a road.';
+COMMENT ON COLUMN streetgen.road_part.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.road_part.axis_id IS 'its axis';
+COMMENT ON COLUMN streetgen.road_part.from_node IS 'node at its start';
+COMMENT ON COLUMN streetgen.road_part.to_node IS 'node at its end';
+COMMENT ON COLUMN streetgen.road_part.level IS 'its level';
+COMMENT ON COLUMN streetgen.road_part.start_abscissa IS 'where it starts, m along the axis';
+COMMENT ON COLUMN streetgen.road_part.end_abscissa IS 'where it ends, m along the axis';
+COMMENT ON COLUMN streetgen.road_part.line IS 'its line, LINESTRING, or its arc road, COMPOUNDCURVE; EWKB';

@@ -3,6 +3,7 @@
 #include "streetgen/arc_road.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -160,6 +161,34 @@ void give(const ArcRows& rows, ReturnSetInfo* result) {
   }
 }
 
+struct BendRow {
+  ArcRoad::Stretch stretch;
+  std::string centre, corner, arc;
+};
+using BendRows = std::vector<BendRow>;
+
+BendRows bend_rows(const PreparedRoad& prepared_road) {
+  const Form form{prepared_road.srid, prepared_road.has_z};
+  BendRows rows;
+  for (const ArcRoad::Bend& bend : prepared_road.road.bends())
+    rows.push_back({bend.stretch, write_point(bend.centre, form), write_point(bend.corner, form),
+                    write_arc(bend.arc, form)});
+  return rows;
+}
+
+void give(const BendRows& rows, ReturnSetInfo* result) {
+  for (const BendRow& row : rows) {
+    Datum values[6] = {Float8GetDatum(row.stretch.start_abscissa),
+                       Float8GetDatum(row.stretch.end_abscissa),
+                       Float8GetDatum(std::abs(row.stretch.radius)),
+                       bytes_datum(row.centre),
+                       bytes_datum(row.corner),
+                       bytes_datum(row.arc)};
+    bool nulls[6] = {false};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  }
+}
+
 // A geometry in the current memory context.
 Datum geometry_datum(const Stored& stored) {
   void* out = palloc(VARSIZE(stored.get()));
@@ -284,6 +313,37 @@ STREETGEN_FUNCTION(streetgen_arc_road_offset) {
     const auto beside = asked.road.offset(offset_of(axis_offset, "axis_offset"));
     if (beside) result = {true, write_curve(beside->curve(), {asked.srid, asked.has_z})};
   });
+}
+
+STREETGEN_FUNCTION(streetgen_arc_road_bends) {
+  const std::string_view road = take_road(fcinfo);
+  InitMaterializedSRF(fcinfo, 0);
+  Slot<BendRows>* slot = make_slot<BendRows>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] { slot->value = new BendRows(bend_rows(road_of(road))); });
+  report(outcome);
+  give(*slot->value, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
+  return 0;
+}
+
+STREETGEN_FUNCTION(streetgen_arc_road_kinks) {
+  using Kinks = std::vector<std::pair<double, std::string>>;
+  const std::string_view road = take_road(fcinfo);
+  InitMaterializedSRF(fcinfo, 0);
+  Slot<Kinks>* slot = make_slot<Kinks>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new Kinks;
+    const PreparedRoad& asked = road_of(road);
+    for (const ArcRoad::Kink& kink : asked.road.kinks())
+      slot->value->push_back({kink.angle, write_point(kink.place, {asked.srid, asked.has_z})});
+  });
+  report(outcome);
+  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+  for (const auto& [angle, place] : *slot->value) {
+    Datum values[2] = {Float8GetDatum(angle), bytes_datum(place)};
+    bool nulls[2] = {false};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  }
+  return 0;
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_line) {

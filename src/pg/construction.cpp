@@ -1,4 +1,5 @@
 // The constructions that are usable alone from SQL.  Geometries cross as EWKB.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,16 @@ Pair read_pair(std::string_view a, std::string_view b) {
     throw Error(ErrorKind::invalid_input, "axis_a has SRID " + std::to_string(pair.a.srid) +
                                               ", axis_b " + std::to_string(pair.b.srid));
   return pair;
+}
+
+// Refuses a curve of another SRID than the first.
+CurvedLine read_kerb(std::string_view wkb, const char* name, int srid) {
+  const ReadCurve read = read_curve(wkb, name);
+  if (read.srid != srid)
+    throw Error(ErrorKind::invalid_input, std::string(name) + " has SRID " +
+                                              std::to_string(read.srid) + ", axis " +
+                                              std::to_string(srid));
+  return read.curve;
 }
 
 struct Numbers {
@@ -184,6 +195,32 @@ STREETGEN_FUNCTION(streetgen_variable_buffer) {
     result = {true, write_polygon(variable_buffer(read.line, checked(radii, radius_of, "radius"),
                                                   which, form),
                                   {read.srid, false})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_offset_strip) {
+  const std::string_view kerb = take_bytes(fcinfo, 0);
+  const double start = PG_GETARG_FLOAT8(1), end = PG_GETARG_FLOAT8(2);
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
+    const ReadCurve read = read_curve(kerb, "kerb");
+    result = {true, write_polygon(offset_strip(read.curve, in_range(start, 0, 200, "width_start"),
+                                               in_range(end, 0, 200, "width_end")),
+                                  {read.srid, false})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_crossing_surface) {
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const std::string_view left = take_bytes(fcinfo, 1), right = take_bytes(fcinfo, 2);
+  const double abscissa = PG_GETARG_FLOAT8(3), width = PG_GETARG_FLOAT8(4);
+  const double angle = PG_GETARG_FLOAT8(5);
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
+    const ReadLine read = read_line(axis, "axis");
+    const auto surface = crossing_surface(
+        read.line, read_kerb(left, "kerb_left", read.srid),
+        read_kerb(right, "kerb_right", read.srid), finite(abscissa, "abscissa"),
+        in_range(width, 0.1, 100, "width"), in_range(angle, 10, 170, "angle") * M_PI / 180);
+    if (surface) result = {true, write_polygon({*surface}, {read.srid, false})};
   });
 }
 

@@ -7,6 +7,7 @@
 #include "frame/border.hpp"
 #include "streetgen/surface_mesh.hpp"
 #include "value/line_array.hpp"
+#include "value/value_array.hpp"
 #include "value/wkb.hpp"
 
 extern "C" {
@@ -14,37 +15,15 @@ extern "C" {
 #include <utils/tuplestore.h>
 }
 
-namespace {
-
-// The elements of an argument, as many as `count`; raises 2202E or 22004 otherwise.
-Datum* take_values(FunctionCallInfo fcinfo, int argument, Oid type, int size, int count,
-                   const char* name) {
-  Datum* values;
-  bool* nulls;
-  int given;
-  deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), type, size, true, size == 1 ? 'c' : 'i',
-                    &values, &nulls, &given);
-  if (given != count)
-    ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
-                    errmsg("%s has %d elements, expected %d", name, given, count)));
-  for (int i = 0; i < count; ++i)
-    if (nulls[i])
-      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("element %d of %s is NULL", i + 1, name)));
-  return values;
-}
-
-}  // namespace
-
 STREETGEN_FUNCTION(streetgen_road_mesh) {
   using namespace streetgen;
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, 0);
   const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(0), "surfaces");
-  const Datum* levels = take_values(fcinfo, 1, INT4OID, 4, surfaces.count, "levels");
-  const Datum* wanted = take_values(fcinfo, 2, BOOLOID, 1, surfaces.count, "wanted");
+  const Datum* levels = take_values(fcinfo, 1, INT4OID, surfaces.count, "levels").values;
+  const Datum* wanted = take_values(fcinfo, 2, BOOLOID, surfaces.count, "wanted").values;
   const LineArray axes = take_lines(PG_GETARG_ARRAYTYPE_P(3), "axes");
-  const Datum* axis_levels = take_values(fcinfo, 4, INT4OID, 4, axes.count, "axis_levels");
+  const Datum* axis_levels = take_values(fcinfo, 4, INT4OID, axes.count, "axis_levels").values;
   const double tolerance = PG_GETARG_FLOAT8(5);
   const int srid = PG_GETARG_INT32(6);
   using Meshes = std::vector<std::optional<std::string>>;

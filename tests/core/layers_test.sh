@@ -7,10 +7,11 @@ rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 floors=(
   'support'
   'geometry'
-  'network alignment mesh virtual_city'
-  'roadway'
+  'network mesh virtual_city'
+  'alignment'
+  'roadway roundabout'
   'ownership'
-  'kerb traffic'
+  'kerb sidewalk traffic terrain block'
   'pipeline'
 )
 

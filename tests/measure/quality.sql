@@ -56,12 +56,10 @@ SELECT 'lanes | ' || :'model', count(*), round((sum(ST_Length(l.geom)) / 1000)::
     (SELECT round((100 * sum(ST_Area(ST_SymDifference(l.surface, w.surface))) / sum(ST_Area(w.surface)))::numeric, 4) FROM (SELECT edge_id, ST_Union(surface) AS surface FROM :"model".lane GROUP BY edge_id) l JOIN whole w USING (edge_id)),
     round(100.0 * count(*) FILTER (WHERE kind IN ('general', 'bus') AND l.width < 2 - 1e-6) / count(*), 2), round(100.0 * count(*) FILTER (WHERE 'lane_count' = ANY (estimated)) / count(*), 1) || ' |'
 FROM :"model".lane l JOIN :"model".edge USING (edge_id);
-SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
-FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 3 ORDER BY measure, rank;
-
--- The marks of lanes are taken away for the last of these: all is put back.
+-- The marks of lanes are taken away for the last of these, and kerbs are made: all is put back.
 BEGIN;
 \ir traffic.sql
+\ir shapes.sql
 SELECT 'traffic | ' || :'model', (SELECT count(*) FROM :"model".interconnection), (SELECT round(100.0 * count(*) FILTER (WHERE plausible) / nullif(count(*), 0), 1) FROM :"model".interconnection),
     count(*) FILTER (WHERE abs(angle) > 20), round(100.0 * (SELECT count(*) FROM tight) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2), round(100.0 * (SELECT count(*) FROM tight WHERE allowed) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0), 2),
     (SELECT round(100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*), 0), 2) FROM path WHERE abs(angle) > 20 AND NOT crossed),
@@ -72,4 +70,13 @@ SELECT 'turns | ' || :'model', count(DISTINCT lane_in), count(*) FILTER (WHERE m
     coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE guessed), 0), 1)::text, '-'),
     coalesce(round(100.0 * count(*) FILTER (WHERE marked AND guessed) / nullif(count(*) FILTER (WHERE marked), 0), 1)::text, '-') || ' |'
 FROM guess;
+SELECT 'shapes | ' || :'model', (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = m)::text, ' | ' ORDER BY i)
+        FROM unnest(ARRAY['surface under 0.01 m2', 'slit', 'step of a kerb', 'kink of the outline']) WITH ORDINALITY AS w(m, i)),
+    (SELECT round((1000 * (SELECT count(*) FROM finding WHERE measure = 'kink of the outline') / sum(ST_Length(geom)))::numeric, 3) FROM outline),
+    (SELECT count(*) FROM finding WHERE measure = 'corner of a path over 30 degrees'),
+    round(100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*), 0), 2), round(100.0 * count(*) FILTER (WHERE radius < 4) / nullif(count(*), 0), 2),
+    (SELECT round(100.0 * count(*) / nullif((SELECT count(*) FROM path) + count(*) FILTER (WHERE NOT plausible), 0), 2) FROM :"model".interconnection WHERE reason = 'not_drivable') || ' |'
+FROM path WHERE abs(angle) > 20;
+SELECT 'worst | ' || :'model', measure, relation, id, round(value::numeric, 4), format('%s %s', round(ST_X(place)::numeric, 1), round(ST_Y(place)::numeric, 1)) || ' |'
+FROM (SELECT *, ST_PointOnSurface(geom) AS place, row_number() OVER (PARTITION BY measure ORDER BY value DESC, relation, id) AS rank FROM finding) f WHERE rank <= 10 ORDER BY measure, rank;
 ROLLBACK;

@@ -21,14 +21,23 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('stated', 'integer', '1'), ('against', 'integer', '1'), ('driving', 'integer', '2'), ('buses', 'text', '''|designated'''), ('bus', 'boolean', 'true'), ('driving_side', 'text', '''right'''), ('near_cycle', 'boolean', 'true'), ('far_cycle', 'boolean', 'false'),
     ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
     ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
-    ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
-    ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3');
+    ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('road_id', 'bigint', '1'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
+    ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('side', 'text', '''left'''),
+    ('kerb', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_left', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_right', 'geometry', '''LINESTRING(0 -4,50 -4)'''), ('width_start', 'float8', '2'), ('width_end', 'float8', '2'),
+    ('lines', 'geometry[]', 'ARRAY[''LINESTRING(0 0,50 0)'', ''LINESTRING(0 4,50 4)'']::geometry[]'), ('part', 'text', '''edges'''),
+    ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3'),
+    ('on_circle', 'float8', '1'), ('fill', 'float8', '0.9'), ('one_way', 'float8', '1'), ('against', 'float8', '0'), ('arm_nodes', 'integer', '4'), ('single_arm', 'float8', '1'), ('inside', 'integer', '0'),
+    ('names', 'text[]', '''{Ring}'''), ('patterns', 'text[]', '''{ring}'''), ('shape', 'float8', '1'), ('name', 'float8', '1'), ('network', 'float8', '1'), ('weights', 'float8[]', '''{1,1,1}'''),
+    ('elements', 'streetgen.alignment_element[]', '(SELECT array_agg(e) FROM streetgen.horizontal_alignment(''LINESTRING(0 0,50 0)'', ''{0,0}'', ''{0,0}'') e)'), ('clothoids', 'float8[]', '''{0,0}'''),
+    ('abscissas', 'float8[]', '''{0,50}'''), ('heights', 'float8[]', '''{1,2}'''), ('start', 'geometry', '''POINT(0 0)'''), ('heading', 'float8', '0'), ('length', 'float8', '10'), ('curvature_start', 'float8', '0'), ('curvature_end', 'float8', '0.01'),
+    ('population_a', 'float8', '5'), ('population_b', 'float8', '5'), ('alternative', 'float8', '20'), ('step', 'float8', '1'), ('extent', 'float8', '20'), ('place', 'geometry', '''POINT(0 0)'''), ('network', 'text', '''rural'''), ('link', 'bigint', '1'),
+    ('area', 'geometry', '''POLYGON((0 0,9 0,9 9,0 0))'''), ('count', 'integer', '3');
 
 CREATE TABLE given AS
 SELECT p.oid, p.oid::regprocedure::text AS signature, p.proname AS function, p.prokind, p.proretset, coalesce(obj_description(p.oid, 'pg_proc'), '') AS said_of_it, i AS place, p.proargnames[i] AS name, g.value
 FROM pg_proc p CROSS JOIN LATERAL generate_series(1, p.pronargs - p.pronargdefaults) i LEFT JOIN good g ON g.name = p.proargnames[i] AND g.type = p.proargtypes[i - 1]
 WHERE p.pronamespace = 'streetgen'::regnamespace AND p.proname NOT LIKE '\_%' AND p.prorettype <> 'trigger'::regtype;
-SELECT 'a value is known for ' || signature || ' ' || name, value IS NOT NULL FROM given;
+SELECT 'a value is known for ' || signature || ' ' || name, value IS NOT NULL FROM given ORDER BY signature COLLATE "C", place;
 
 CREATE FUNCTION pg_temp.calling(asked oid, null_at integer) RETURNS text LANGUAGE sql AS $$
     SELECT format(CASE WHEN prokind = 'p' THEN 'CALL %s' WHEN proretset THEN 'CREATE TEMPORARY TABLE answer AS SELECT 1 FROM %s' ELSE 'CREATE TEMPORARY TABLE answer AS SELECT 1 FROM (SELECT %s AS result) a WHERE result IS NOT NULL' END,
@@ -49,7 +58,7 @@ SELECT format('NULL for %s of %s: %s', name, function, concat_ws(' ', state, sai
     CASE WHEN said_of_it ~ 'NULL for (NULL|anything)' THEN state = 'none' AND rows = 0
          WHEN said_of_it ~ 'An argument that is NULL is unknown' THEN state = 'none'
          ELSE state = '22004' AND said ~ ('\m' || name || '\M') END
-FROM answered;
+FROM answered ORDER BY signature COLLATE "C", place;
 SELECT 'an argument with a default that NULL does not suit is refused too', bool_and((r).state = '22004' AND (r).said = 'argument ' || name || ' is NULL' AND (r).hint <> '')
 FROM (VALUES ('prefix', 'SELECT streetgen.import_osm(''argued'', NULL)'), ('schemas', 'SELECT streetgen.import_osm(''argued'', ''osm'', NULL)'), ('dimension', 'SELECT streetgen.create_model(''other'', 2154, NULL)'),
     ('wgs84', 'SELECT streetgen.export_layer(''argued'', NULL)'), ('legend', 'SELECT streetgen.svg(''argued'', legend => NULL)')) v(name, call), LATERAL (SELECT test.refusal(call) AS r) t;

@@ -5,6 +5,8 @@
 CREATE PROCEDURE public.town(model name) LANGUAGE plpgsql AS $$
 BEGIN
     PERFORM streetgen.create_model(model, 2154);
+    -- Kerbs that taper within sections lie a step of their coordinates aside after an edit.
+    PERFORM streetgen.set(model, 'transition_length', '0');
     PERFORM set_config('streetgen.live', 'off', true);
     -- Crossed every 90 m, with short axes at each crossing, by which corners follow one axis to the next.
     EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, importance)

@@ -30,6 +30,7 @@ INSERT INTO import_bdtopo3 VALUES
   ('D', 'Bretelle', NULL, '3', true, 4, 1, '0', 'Sens inverse', 70, 'SRID=32631;LINESTRING Z(0 300 5, 100 300 5)');
 DROP TABLE import_report;
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3');
+SELECT 'version 3: the nature of a roundabout is its tag, and the direction stays', (SELECT (direction, roundabout_tag) = ('direct', 'Rond-point') FROM import_v3.axis WHERE source_ref = 'B');
 SELECT 'version 3: taken are roads that are not fictitious', (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v3.axis);
 SELECT 'version 3: directions', (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'both,direct,reverse' FROM import_v3.axis);
 SELECT 'version 3: levels', (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,-1,0' FROM import_v3.axis);

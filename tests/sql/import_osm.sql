@@ -25,7 +25,11 @@ SELECT 'miles per hour and urban limits are speeds',
 SELECT 'what is no number is unknown', (SELECT width IS NULL AND lane_count IS NULL AND speed IS NULL FROM import_osm.axis WHERE source_ref = '3');
 SELECT 'lanes forward and backward add up', (SELECT lane_count = 3 FROM import_osm.axis WHERE source_ref = '2');
 SELECT 'oneway gives the direction, roundabouts and motorways are direct',
-       (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'direct,reverse,direct,both,both,both,direct' FROM import_osm.axis);
+       (SELECT string_agg(u.direction, ',' ORDER BY source_ref) = 'direct,reverse,direct,both,both,both,direct' FROM import_osm.axis_used u JOIN import_osm.axis a USING (axis_id));
+SELECT 'a direction that only a roundabout implies is left to its tag', (SELECT (direction, roundabout_tag) = ('both', 'roundabout') FROM import_osm.axis WHERE source_ref = '3');
+SELECT streetgen.set('import_osm', 'roundabout_tags', 'false') \gset
+SELECT 'tags that do not count imply no direction', (SELECT u.direction = 'both' FROM import_osm.axis_used u JOIN import_osm.axis USING (axis_id) WHERE source_ref = '3');
+SELECT streetgen.set('import_osm', 'roundabout_tags', 'true') \gset
 SELECT 'layer is the level; without it bridges are above and tunnels below',
        (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,2,0,1,-1,0,0' FROM import_osm.axis);
 SELECT 'a width of zero is unknown and named', (SELECT source_refs = '{4}' FROM import_report WHERE what LIKE 'width of zero%');

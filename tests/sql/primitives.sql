@@ -13,6 +13,14 @@ SELECT 'intersection_surface: curved equals the straight one but for its chords'
 SELECT 'intersection_surface: curved is a curve polygon', ST_HasArc(streetgen.intersection_surface(ARRAY['LINESTRING(0 0,50 0)', 'LINESTRING(0 0,0 50)', 'LINESTRING(0 0,-50 0)']::geometry[], '{6,6,6}', '{4,4,4}', true));
 SELECT 'variable_buffer: a trapezoid', abs(ST_Area(streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2,5}')) - 140) < 1e-9;
 SELECT 'variable_buffer: one side', abs(ST_Area(streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2,5}', 'left')) - 70) < 1e-9;
+SELECT 'offset_strip: a trapezoid', abs(ST_Area(streetgen.offset_strip('LINESTRING(0 0,20 0)', 2, 5)) - 70) < 1e-9;
+SELECT 'offset_strip: on the left', ST_Contains(streetgen.offset_strip('LINESTRING(0 0,20 0)', 2, 2), 'POINT(10 1)');
+SELECT 'offset_strip: a quarter of a ring behind an arc', abs(ST_Area(streetgen.offset_strip('COMPOUNDCURVE(CIRCULARSTRING(-5 0,-3.5355339 3.5355339,0 5),(0 5,10 5))', 2, 2)) - (pi() / 4 * 24 + 20)) < 24 * acos(1 - 0.001 / 5);
+SELECT 'offset_strip: empty without a width', ST_IsEmpty(streetgen.offset_strip('LINESTRING(0 0,20 0)', 0, 0));
+SELECT 'crossing_surface: width times distance through the sine, at ' || angle, abs(ST_Area(streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'LINESTRING(0 4,99 4)', 'LINESTRING(99 -3,0 -3)', 50, 3, angle)) - 3 * 7 / sin(radians(angle))) < 1e-9
+    FROM unnest(ARRAY[20, 60, 90, 150]) angle;
+SELECT 'crossing_surface: a curved kerb is followed', abs(ST_Area(streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'CIRCULARSTRING(40 14,50 4,60 14)', 'LINESTRING(0 -3,99 -3)', 50, 4)) - (68 - 2 * sqrt(96.0::float8) - 100 * asin(0.2))) < 0.01;
+SELECT 'crossing_surface: NULL without a kerb within ten widths', streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'LINESTRING(0 31,99 31)', 'LINESTRING(0 -3,99 -3)', 50, 3) IS NULL;
 SELECT 'turning_radius: equation 1', abs(streetgen.turning_radius(20, 7) - 18.6 * sqrt(20.0 / (10 * 3.5 + 65 - 20))) < 0.01;
 SELECT 'turning_radius: never beyond 15 m', streetgen.turning_radius(130, 7) = 15;
 SELECT 'clean: drops what is collinear, keeps what is kept', ST_AsText(streetgen.clean('LINESTRING(0 0,10 0,20 0,40 0)', '{f,f,t,f}', 0.3, 3)) = 'LINESTRING(0 0,20 0,40 0)';
@@ -47,6 +55,11 @@ SELECT 'bad input is 22023: ' || statement, test.state(statement) = '22023' FROM
     ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'spline')$$),
     ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'POINT(0 0)', 'arcs', 'NaN')$$),
     ($$SELECT streetgen.interconnection('LINESTRING(2 -50,2 -10)', 'LINESTRING(10 -2,50 -2)', 'SRID=2154;POINT(0 0)')$$),
+    ($$SELECT streetgen.offset_strip('POINT(0 0)', 2, 2)$$), ($$SELECT streetgen.offset_strip('LINESTRING(0 0,20 0)', 'NaN', 2)$$),
+    ($$SELECT streetgen.offset_strip('LINESTRING(0 0,20 0)', 2, -1)$$), ($$SELECT streetgen.offset_strip('LINESTRING(5 5,5 5)', 2, 2)$$),
+    ($$SELECT streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'LINESTRING(0 4,99 4)', 'LINESTRING(0 -3,99 -3)', 50, 'NaN')$$),
+    ($$SELECT streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'LINESTRING(0 4,99 4)', 'LINESTRING(0 -3,99 -3)', 50, 3, 5)$$),
+    ($$SELECT streetgen.crossing_surface('LINESTRING(0 0,99 0)', 'SRID=2154;LINESTRING(0 4,99 4)', 'LINESTRING(0 -3,99 -3)', 50, 3)$$),
     ($$SELECT streetgen.turning_radius('NaN', 7)$$), ($$SELECT streetgen.turning_radius(30, 7, 'guess')$$),
     ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2}')$$), ($$SELECT streetgen.variable_buffer('LINESTRING(0 0,20 0)', '{2,5}', 'top')$$),
     ($$SELECT streetgen.intersection_surface(ARRAY['LINESTRING(0 0,50 0)']::geometry[], '{6,6}', '{4}')$$)) s(statement);

@@ -44,13 +44,13 @@ COMMIT;
 
 -- Words and constraints agree.
 CREATE VIEW worded AS SELECT c.relname, n.attribute, n.condition, n.sqlstate, r.expected FROM pg_class c CROSS JOIN streetgen._conditions(c.oid) n LEFT JOIN streetgen._input_rule() r ON (r.relation, r.attribute) = (c.relname, n.attribute)
-  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override');
-SELECT format('%s.%s says what it expects', relname, attribute), expected <> '' OR attribute = 'geom' FROM worded WHERE sqlstate = '23514';
+  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override');
+SELECT format('%s.%s says what it expects', relname, attribute), expected <> '' OR attribute = 'geom' FROM worded WHERE sqlstate = '23514' ORDER BY relname, attribute, condition;
 SELECT format('%s.%s: its bounds are those of the constraint', relname, attribute), bool_and(condition ~ format('\m%s\M', replace(bound[1], '-', ''))) FROM worded, regexp_matches(expected, '\d+(?:\.\d+)?', 'g') bound
-  WHERE sqlstate = '23514' AND expected ~ '^-?[0-9.]+ to [0-9]+( |$)' GROUP BY relname, attribute;
-SELECT 'each rule is one of a column: ' || r.relation || '.' || r.attribute, EXISTS (SELECT FROM worded w WHERE (w.relname, w.attribute) = (r.relation, r.attribute) AND sqlstate = '23514') FROM streetgen._input_rule() r;
-SELECT 'each constraint is looked at', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
-  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND relnamespace = 'town'::regnamespace AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override'));
+  WHERE sqlstate = '23514' AND expected ~ '^-?[0-9.]+ to [0-9]+( |$)' GROUP BY relname, attribute ORDER BY relname, attribute;
+SELECT 'each rule is one of a column: ' || r.relation || '.' || r.attribute, EXISTS (SELECT FROM worded w WHERE (w.relname, w.attribute) = (r.relation, r.attribute) AND sqlstate = '23514') FROM streetgen._input_rule() r ORDER BY r.relation, r.attribute;
+SELECT 'each constraint of one column is looked at', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
+  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND cardinality(conkey) = 1 AND relnamespace = 'town'::regnamespace AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override'));
 
 -- A model of an older build; one that lost a constraint.
 DO $$

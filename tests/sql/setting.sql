@@ -15,7 +15,7 @@ CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
     ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
     ('speed_by_importance', ''), ('taper_ratio', '{}'), ('taper_ratio', '{"fast": 3}'), ('taper_ratio', '{"50": null}'), ('taper_ratio', '{"50": "NaN"}'), ('taper_ratio', '10'), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
-    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area', 'transition_length');
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area', 'transition_length', 'kerb_radius_minimal');
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
 DECLARE
@@ -55,7 +55,7 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"smoothing": "splines"}', '22023', 'unknown smoothing "splines", expected none or arcs'), ('{"smoothing": "arcs", "smoothing_shift": "0"}', '22023', 'smoothing_shift is 0'),
         ('{"smoothing": "arcs", "smoothing_tolerance": "NaN"}', '22023', 'smoothing_tolerance is nan'), ('{"follow_length": "NaN"}', '22023', 'follow_length is nan'), ('{"follow_area": "-1"}', '22023', 'follow_area is -1'),
         ('{"median_width_minimal": "0"}', '22023', 'median_width_minimal is 0'), ('{"island_area": "wide"}', '22023', 'island_area is "wide"'),
-        ('{"island_nose_radius": "0"}', '22023', 'island_nose_radius is 0'),
+        ('{"island_nose_radius": "0"}', '22023', 'island_nose_radius is 0'), ('{"kerb_radius_minimal": "NaN"}', '22023', 'kerb_radius_minimal is nan'), ('{"kerb_radius_minimal": "-1"}', '22023', 'kerb_radius_minimal is -1'), ('{"slit_width": "NaN"}', '22023', 'slit_width is nan'),
         ('{"crossing": "under"}', '22023', 'unknown crossing "under", expected over or split'),
         ('{"transition_kind": "both"}', '22023', 'unknown transition_kind "both", expected symmetric or left or right'),
         ('{"reach": "NaN"}', '22023', 'reach is nan'), ('{"short_axis": "wait"}', '22023', 'unknown short_axis "wait", expected reduce or follow'),

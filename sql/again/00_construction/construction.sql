@@ -155,6 +155,40 @@ COMMENT ON FUNCTION streetgen.variable_buffer(geometry, float8[], text, text) IS
     'The roadway about a line whose half width is linear between vertices (radii, 0 to 1000 m, one a vertex); side '
     'both, left or right; ends flat or round. Bad geometry, numbers or words, radii for another number of vertices: '
     '22023. StreetGen paper, figure 11. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._offset_strip(bytea, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200 AS 'MODULE_PATHNAME', 'streetgen_offset_strip';
+COMMENT ON FUNCTION streetgen._offset_strip(bytea, float8, float8) IS 'EWKB twin of streetgen.offset_strip';
+CREATE OR REPLACE FUNCTION streetgen.offset_strip(kerb geometry, width_start float8, width_end float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 200
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._offset_strip(kerb::bytea, width_start, width_end)::geometry $$;
+COMMENT ON FUNCTION streetgen.offset_strip(geometry, float8, float8) IS
+    'The strip (POLYGON) on the left of a kerb, a LINESTRING, CIRCULARSTRING or COMPOUNDCURVE in metres with the '
+    'roadway on its right, as in table kerb. The width, 0 to 200 m, changes linearly from the start of the kerb to '
+    'the end. Round about outer bends, flat at both ends; arcs become chords within 1 mm. Empty where both widths '
+    'are 0; a MULTIPOLYGON where a strip that narrows to nothing comes apart. Bad geometry or numbers: 22023. NULL '
+    'for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_surface(bytea, bytea, bytea, float8, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200 AS 'MODULE_PATHNAME', 'streetgen_crossing_surface';
+COMMENT ON FUNCTION streetgen._crossing_surface(bytea, bytea, bytea, float8, float8, float8) IS
+    'EWKB twin of streetgen.crossing_surface';
+CREATE OR REPLACE FUNCTION streetgen.crossing_surface(axis geometry, kerb_left geometry, kerb_right geometry,
+    abscissa float8, width float8, angle float8 DEFAULT 90) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 200
+    SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._crossing_surface(axis::bytea, kerb_left::bytea, kerb_right::bytea, abscissa, width,
+        angle)::geometry $$;
+COMMENT ON FUNCTION streetgen.crossing_surface(geometry, geometry, geometry, float8, float8, float8) IS
+    'The roadway (POLYGON) under a pedestrian crossing about the place of the axis (LINESTRING, metres) at an '
+    'abscissa (clamped to the axis). width: between its parallel borders, 0.1 to 100 m. angle: degrees counter-'
+    'clockwise from the direction of the axis to the way across, 10 to 170; 90 is square. Both borders go left and '
+    'right from the axis to the kerbs (LINESTRING, CIRCULARSTRING or COMPOUNDCURVE in either direction), which are '
+    'followed between them: arcs as chords within 1 mm, cut straight where a kerb goes farther than a width beyond '
+    'the borders. NULL where a border meets no kerb within ten widths. Bad geometry or numbers, different SRIDs: '
+    '22023. StreetGen paper, figure 22. NULL for NULL.';
+
 CREATE OR REPLACE FUNCTION streetgen.turning_radius(
     speed float8, width float8, mode text DEFAULT 'paper', minimal float8 DEFAULT 0.15, maximal float8 DEFAULT 15)
         RETURNS float8

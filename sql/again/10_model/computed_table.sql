@@ -3,7 +3,7 @@
 CREATE OR REPLACE FUNCTION streetgen._computed_table()
     RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
         gone_each integer)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 15 SET search_path = pg_catalog
     AS $$ VALUES
     (1, 'node', 'network', 'node_id', NULL, 'node', 1),
     (2, 'edge', 'network', 'edge_id', NULL, 'edge', 1),
@@ -18,7 +18,24 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
         'interconnection',
         1),
     (11, 'kerb', 'kerb', 'kerb_id', 'edge_id, side, part', 'kerb', 1),
-    (12, 'report', 'network', NULL, NULL, NULL, NULL) $$;
+    (20, 'road', 'alignment', 'road_id', NULL, 'road', 1),
+    (21, 'road_edge', 'alignment', 'edge_id', NULL, 'edge', 1),
+    (30, 'block', 'block', 'block_id', NULL, 'block', 1),
+    (31, 'block_edge', 'block', NULL, NULL, NULL, NULL),
+    (25, 'roundabout', 'roundabout', 'roundabout_id', 'edge_id, along_axis', 'roundabout', 1),
+    (26, 'roundabout_edge', 'roundabout', 'roundabout_edge_id', 'edge_id, along_axis', 'roundabout_edge', 1),
+    (27, 'roundabout_arm', 'roundabout', 'roundabout_arm_id', 'roundabout_id, edge_id, along_axis',
+        'roundabout_arm', 1),
+    (35, 'sidewalk', 'sidewalk', 'sidewalk_id', 'edge_id, side, part', 'sidewalk', 1),
+    (40, 'junction', 'junction', 'junction_id', NULL, 'junction', 1),
+    (41, 'junction_node', 'junction', 'node_id', NULL, 'junction_node', 1),
+    (42, 'junction_edge', 'junction', 'edge_id', NULL, 'junction_edge', 1),
+    (43, 'junction_movement', 'junction', 'junction_movement_id', 'lane_in, lane_out, along_in, along_out',
+        'junction_movement', 1),
+    (55, 'overpass', 'overpass', 'overpass_id', 'edge_above, edge_below, ordinality', 'overpass',
+        1),
+    (56, 'profile', 'height', 'edge_id', NULL, 'edge', 1),
+    (99, 'report', 'network', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._computed_table() IS
     'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that '
         'the '
@@ -42,7 +59,21 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
     (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
         'paths from lane to lane at every node'),
     (5, 'kerb', '{surface}'::text[], false, false, 'a tenth of the processor time of a first run',
-        'kerbs: the border of the roadway, and the strip of stones behind it') $$;
+        'kerbs: the border of the roadway, and the strip of stones behind it'),
+    (7, 'alignment', '{network}'::text[], false, false, 'little',
+        'roads: edges that go on from each other, as straight pieces and arcs that touch them'),
+    (9, 'block', '{kerb}'::text[], false, false, 'little beside kerb',
+        'city blocks: what streets enclose, less the roadway, and which block lies on each side of an edge'),
+    (8, 'roundabout', '{surface}'::text[], false, false, 'not measured yet',
+        'roundabouts: rings of the network with their scores; traffic on accepted ones goes round'),
+    (10, 'sidewalk', '{kerb}', false, false, 'not measured yet',
+        'sidewalks: strips behind the kerbs'),
+    (12, 'junction', '{interconnection}'::text[], false, false, 'not measured yet',
+        'nodes that are one junction, the kind of each, and the paths across them'),
+    (14, 'overpass', '{network}'::text[], false, false, 'little',
+        'overpasses: where two edges cross without a node, and which of them is above'),
+    (15, 'height', '{overpass}'::text[], false, false, 'little',
+        'heights along edges, with clearances and grades where roads pass over and under each other') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '

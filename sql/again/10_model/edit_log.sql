@@ -17,7 +17,7 @@ COMMENT ON TABLE %1$I.edit_log IS 'Who edited what, when and where: a row per st
 COMMENT ON COLUMN %1$I.edit_log.edit_log_id IS 'key';
 COMMENT ON COLUMN %1$I.edit_log.at IS 'when the statement was done';
 COMMENT ON COLUMN %1$I.edit_log.who IS 'the role that edited';
-COMMENT ON COLUMN %1$I.edit_log.relation IS 'table that was edited: axis, turn_restriction or an override';
+COMMENT ON COLUMN %1$I.edit_log.relation IS 'table that was edited: axis, turn_restriction, control_point, an override';
 COMMENT ON COLUMN %1$I.edit_log.action IS 'insert, update, delete or truncate';
 COMMENT ON COLUMN %1$I.edit_log.extent IS
     'box around what was edited, before and after, and 1 m more; NULL: nothing known of the place'
@@ -61,7 +61,8 @@ BEGIN
 END $body$ $sql$, model, srid);
     PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log where setting log is on');
     FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
-        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point')
+            OR relname LIKE '%\_override') LOOP
         FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
             ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
             ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP

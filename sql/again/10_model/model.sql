@@ -148,6 +148,25 @@ COMMENT ON FUNCTION streetgen._add_both_ways(name) IS
     'Adds to the tables of a model what lanes for both directions and exceptions of turn restrictions are told by, '
     'where it was made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_sidewalks(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'sidewalk_left') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %1$I.axis ADD sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
+        ADD sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50)', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ADD sidewalk_left float8 NOT NULL DEFAULT 0,
+        ADD sidewalk_right float8 NOT NULL DEFAULT 0', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ALTER sidewalk_left DROP DEFAULT, ALTER sidewalk_right DROP DEFAULT', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_sidewalks(name) IS
+    'Adds the columns of axis and edge that say how wide sidewalks are, where a model was made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -158,8 +177,19 @@ BEGIN
         AND attname = 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'roundabout_tag') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD roundabout_tag text', model);
+    END IF;
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.edge', model)::regclass
+        AND attname = 'curve') THEN
+        EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
+    END IF;
     PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
-        streetgen._add_both_ways(model),
+        streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
+        streetgen._make_overpass_override_table(model, srid),
+        streetgen._make_roundabout_decision_tables(model, srid),
+        streetgen._add_both_ways(model), streetgen._add_sidewalks(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     PERFORM streetgen._give_to_owner(model, before);
@@ -301,7 +331,7 @@ BEGIN
     PERFORM streetgen._grant_like_axes(schema, ARRAY(
         SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
             AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
-    PERFORM streetgen._grant_edit_views(schema);
+    PERFORM streetgen._grant_edit_views(schema), streetgen._grant_design_views(schema);
     PERFORM streetgen._comment_model(schema);
     PERFORM streetgen._follow_again(schema);
 EXCEPTION WHEN lock_not_available THEN
@@ -359,9 +389,11 @@ BEGIN
     IF kind = 'editor' THEN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
             '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
-            '%1$I.kerb_point_override TO %2$I', model, role);
+            '%1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
+            '%1$I.junction_override, %1$I.overpass_override, %1$I.road_override, '
+            '%1$I.roundabout_override TO %2$I', model, role);
     END IF;
-    PERFORM streetgen._grant_edit_views(model);
+    PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);
 END $$;
 COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
     'Sets the rights of a role on a model: to read it (reader), or also to edit its input: axes, turn restrictions, '

@@ -18,6 +18,8 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('axis', 'lanes_forward', '0 to 30', 'Leave it empty to have it estimated.'),
     ('axis', 'lanes_backward', '0 to 30', 'Leave it empty to have it estimated.'),
     ('axis', 'lanes_both', '0 to 30', 'Leave it empty to have it estimated.'),
+    ('axis', 'sidewalk_left', '0 to 50 m, 0 for none', 'Leave it empty to have it estimated.'),
+    ('axis', 'sidewalk_right', '0 to 50 m, 0 for none', 'Leave it empty to have it estimated.'),
     ('axis', 'kind_forward', 'kinds of lanes such as general|bus',
         'Leave it empty where nothing is known of single lanes.'),
     ('axis', 'kind_backward', 'kinds of lanes such as general|bus',
@@ -33,6 +35,13 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('axis_class', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
     ('axis_class', 'speed', '0 to 400 km/h', 'Leave it empty to have it estimated.'),
     ('axis_class', 'importance', '1 to 99, 1 the highest', 'Leave it empty for setting importance_default.'),
+    ('junction_override', 'kind',
+        'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
+        'Leave it empty where the row decides of an edge.'),
+    ('control_point', 'kind', 'signals, stop, yield or pedestrian_crossing', 'Say what stands there.'),
+    ('control_point', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
+    ('control_point', 'axis_distance', '0 m or more from the axis', 'Leave it empty: it follows from the place.'),
+    ('control_point', 'direction', 'direct, reverse or both', 'Leave it empty where it is unknown.'),
     ('turn_restriction', 'kind', 'no or only', 'no forbids the turn, only forbids all others.'),
     ('turn_restriction', 'turn', 'through, left, right or u_turn',
         'Leave it empty for all ways from the one axis to the other.'),
@@ -45,11 +54,18 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('lane_override', 'width', '0.1 to 200 m', 'Leave it empty to have it computed.'),
     ('lane_override', 'line', 'a line with every coordinate a number within 1e12',
         'Leave it empty to have it computed.'),
+    ('sidewalk_override', 'abscissa', '0 m or more along the axis', 'Edit sidewalk_editing, which fills it.'),
+    ('sidewalk_override', 'side', 'left or right', 'It is the side of the axis.'),
+    ('sidewalk_override', 'width', '0 to 50 m', '0 takes the sidewalk away; delete the row to have it computed.'),
     ('section_limit_override', 'abscissa', '0 m or more along the axis', 'Edit section_limit_editing, which fills it.'),
     ('section_limit_override', 'which', 'start or end', 'It is the end of the edge that the limit is at.'),
     ('corner_override', 'radius', '0 to 200 m', '0 for no arc; delete the row to have it computed.'),
     ('kerb_point_override', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
     ('kerb_point_override', 'width', '0.001 to 200 m', 'Leave it empty: it is twice the distance from the axis.'),
+    ('block_override', 'kind', 'block, island or strip', 'Delete the row to have it computed.'),
+    ('road_override', 'abscissa', '0 m or more along the axis', 'Edit road_arc_editing, which fills it.'),
+    ('road_override', 'radius', '0 to 4000 m', '0 for a sharp bend; delete the row to have it computed.'),
+    ('overpass_override', 'clearance', '0 to 100 m', 'Leave it empty for setting clearance.'),
     ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12',
         'Leave it empty to have it computed.')
     $$;
@@ -122,7 +138,7 @@ BEGIN
         -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
         JOIN streetgen._model_column() USING (attribute)
         WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            AND (relname IN ('axis', 'axis_class', 'turn_restriction') OR relname LIKE '%\_override')
+            AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override')
         GROUP BY c.oid, attribute
     LOOP
         -- A trigger a column, with a condition: a statement reads those of the columns that it writes, and calls the

@@ -12,6 +12,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         NULL, ARRAY['none', 'arcs']),
     ('smoothing_shift', '0.5', 'm', 'such a line leaves the points of the axis by at most this', 0.001, 100, NULL),
     ('smoothing_tolerance', '0.01', 'm', 'chords of such a line leave its arcs by at most this', 0.0001, 1, NULL),
+    ('road_friction', '0.7', NULL, 'friction of tyres on the road, for the speed limits of bends', 0.05, 2, NULL),
     ('axis_length_maximal', '100000', 'm', 'a longer axis is refused: its coordinates are hardly metres of the model',
         1000, 10000000, NULL),
     ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000, NULL),
@@ -34,6 +35,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'room for a disc of 1 m stays: its corners become noses where their arcs would leave none; 0: nowhere, as '
         'the paper has it', 0, 100000, NULL),
     ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),
+    ('kerb_radius_minimal', '0.5', 'm',
+        'kinks of kerbs of more than 30 degrees become arcs of this radius, where no limit lies and a radius of 0 is '
+        'not wanted; NULL or 0: none', 0, 15, NULL),
     ('radius_by_importance', '{"1": 8, "2": 6.25, "3": 6.25, "4": 3}', 'm',
         'wanted radius by importance; an entry holds up to the next one, the first also before itself; null: no arc; '
         'empty: turning_radius', NULL, NULL, NULL),
@@ -54,7 +58,30 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
     ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
+    ('slit_width', '0.2', 'm',
+        'ground between two streets of one level that run beside each other no farther apart than this is roadway; '
+        '0: none', 0, 2, NULL),
     ('kerb_stone_width', '0.3', 'm', 'width of the strip of kerb stones behind a kerb', 0.01, 5, NULL),
+    ('ground_level', '0', NULL, 'level of which the faces are blocks', -100, 100, NULL),
+    ('block_island_area', '300', 'm2', 'a block with less ground is an island; 0: none is', 0, 100000, NULL),
+    ('block_strip_width', '12', 'm',
+        'a block is a strip where the rectangle of its area and perimeter is no wider, and long; 0: none is', 0, 1000,
+        NULL),
+    ('block_strip_elongation', '4', NULL, 'the rectangle of a strip is at least so many times as long as wide', 1,
+        1000, NULL),
+    ('sidewalk_by_importance', '{"1": 3, "2": 3, "3": 2.5, "4": 2, "5": 1.5}', 'm',
+        'width of the sidewalks of an axis that says none, by importance; an entry holds up to the next one, the '
+        'first also before itself; motorways, their links, runways and taxiways have none', NULL, NULL, NULL),
+    ('sidewalk_width_minimal', '0.5', 'm', 'import_sidewalk_widths reports a narrower sidewalk and leaves it out', 0, 5,
+        NULL),
+    ('sidewalk_width_maximal', '8', 'm', 'import_sidewalk_widths reports a wider sidewalk and leaves it out', 1, 50,
+        NULL),
+    ('sidewalk_transition', '5', 'm', 'metres of kerb over which the width of sidewalks changes at a corner', 0, 100,
+        NULL),
+    ('clearance', '6', 'm', 'from a roadway up to the one that passes over, its deck included', 0, 100, NULL),
+    ('grade_maximal', '{"0": 12, "50": 8, "70": 7, "90": 6, "110": 5, "130": 4}', '%',
+        'greatest grade of a road that is lifted or sunk, by speed in km/h; an entry holds up to the next one; ground '
+        'that is steeper over 20 m keeps its grade', NULL, NULL, NULL),
     ('overlaps_maximal', '30', NULL,
         'where more surfaces come into a square of 10 m the first of them by rank owns each place', 1, 1000, NULL),
     ('max_width_per_lane', '5.5', 'm',
@@ -71,7 +98,33 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('driving_side', 'auto', NULL,
         'side of the road that one drives on: right, left, or auto: right until the one-way axes of an import say '
         'otherwise', NULL, NULL, ARRAY['auto', 'right', 'left']),
+    ('roundabout_radius_least', '3', 'm', 'a ring of a smaller radius is no roundabout', 0.5, 100, NULL),
+    ('roundabout_radius_greatest', '60', 'm',
+        'nor is a ring with a larger smallest circle about it; an edit looks as far as twice this', 1, 200, NULL),
+    ('roundabout_shape_least', '0.4', NULL, 'nor is one with a smaller share of the area of that circle', 0, 1, NULL),
+    ('roundabout_weight_shape', '0.5', NULL, 'weight of the shape in the score of a ring', 0, 100, NULL),
+    ('roundabout_weight_name', '0.1', NULL, 'weight of the names in the score of a ring', 0, 100, NULL),
+    ('roundabout_weight_network', '0.4', NULL, 'weight of the network in the score of a ring', 0, 100, NULL),
+    ('roundabout_accept', '0.65', NULL, 'a ring with this score and more is a roundabout', 0, 1, NULL),
+    ('roundabout_score', 'streetgen.roundabout_score', NULL,
+        'score of a ring: a function (shape float8, name float8, network float8, weights float8[]) returning float8, '
+        'with its schema', NULL, NULL, NULL),
+    ('roundabout_names', 'plain', NULL,
+        'how names are compared with roundabout_pattern: plain, unaccent (without accents) or fuzzy (words nearly '
+        'alike too)', NULL, NULL, ARRAY['plain', 'unaccent', 'fuzzy']),
+    ('roundabout_tags', 'true', NULL,
+        'does the word of a source count that an axis is part of a roundabout, with the direction that it implies: '
+        'true or false', NULL, NULL, ARRAY['true', 'false']),
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
+    ('control_distance', '50', 'm',
+        'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL),
+    ('junction_gap', '35', 'm', 'longest edge that makes one junction of the two carriageways which it links', 0, 200,
+        NULL),
+    ('junction_extent', '80', 'm', 'a junction by such links and slip lanes is no wider', 0, 500, NULL),
+    ('classifier', 'streetgen.junction_kind', NULL,
+        'the kind of a junction from its arms: streetgen.junction_kind, paper (a ramp where a highway takes part, else '
+        'signals), or a function (arms streetgen.junction_arm[]) returning text, with its schema', NULL, NULL,
+        ARRAY['streetgen.junction_kind', 'paper']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL,
         ARRAY['true', 'false']),
     ('interconnections_maximal', '10000', NULL, 'at a node of more pairs of lanes none are made', 0, 1000000, NULL),
@@ -97,7 +150,28 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
-    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on'])
+    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),
+    ('link_factor', '27.5', 'km', 'of a design: what a utilisation of 1 (thousands of people squared per km2) and a km '
+        'saved are worth, in km of road', 0, 1000000, NULL),
+    ('benefit', 'paper', NULL, 'trips that a link of a design is judged by: those between its ends (paper) or all '
+        'that use it (network)', NULL, NULL, ARRAY['paper', 'network']),
+    ('curve_radius', 'least', NULL, 'radius of the curves of designed roads where it fits: the least or the normal one '
+        'of their standard, or the largest that fits', NULL, NULL, ARRAY['least', 'normal', 'largest']),
+    ('fill_cost', '5', 'per m3', 'cost of a fill', 0, 1000000, NULL),
+    ('cut_cost', '6', 'per m3', 'cost of a cut', 0, 1000000, NULL),
+    ('land_cost', '2', 'per m2', 'cost of the land that a road and its slopes take', 0, 1000000, NULL),
+    ('pavement_cost', '60', 'per m2', 'cost of a road surface, over its formation', 0, 1000000, NULL),
+    ('bridge_cost', '1000', 'per m2', 'cost of a bridge, over the formation', 0, 1000000, NULL),
+    ('tunnel_cost', '2000', 'per m2', 'cost of a tunnel, over the formation', 0, 1000000, NULL),
+    ('use_cost', '100', 'per m', 'cost of the use of a road, by its length', 0.01, 1000000000, NULL),
+    ('climb_cost', '300', 'per m', 'cost of the use of a road, by what it climbs and descends', 0, 1000000000, NULL),
+    ('side_slope', '1.5', NULL, 'run of the slope of a cut or fill for a rise of 1', 0.1, 20, NULL),
+    ('fill_greatest', '20', 'm', 'a designed road that lies higher over the ground is a bridge', 0, 1000, NULL),
+    ('cut_greatest', '25', 'm', 'a designed road that lies deeper in the ground is a tunnel', 0, 1000, NULL),
+    ('design_axis_length', '1000', 'm', 'about every so many metres a designed road is cut into axes', 50, 100000,
+        NULL),
+    ('design_live', 'off', NULL, 'roads follow an edit of terrain, zones, nodes or links at once: off or on', NULL,
+        NULL, ARRAY['off', 'on'])
     $$;
 COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model, with their ranges.';
 
@@ -126,7 +200,7 @@ BEGIN
     END IF;
     IF value IS NULL THEN
         IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area',
-            'transition_length') THEN RETURN; END IF;
+            'transition_length', 'kerb_radius_minimal') THEN RETURN; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
@@ -134,6 +208,15 @@ BEGIN
     IF setting = 'radius_function' THEN
         PERFORM streetgen._radius_function(model, value);
         RETURN;
+    ELSIF setting = 'roundabout_score' THEN
+        BEGIN
+            holds := streetgen._roundabout_score_function(value) IS NOT NULL;
+        -- The value is no name at all.
+        EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN
+            holds := false;
+        END;
+        expected := 'A function (shape float8, name float8, network float8, weights float8[]) returning float8, with '
+            'its schema.';
     ELSIF known.choice IS NOT NULL THEN
         holds := value = ANY (known.choice);
         IF NOT holds AND setting = 'trajectory' THEN
@@ -142,29 +225,37 @@ BEGIN
             -- The value is no name at all.
             EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN
             END;
+        ELSIF NOT holds AND setting = 'classifier' THEN
+            holds := streetgen._classifier_function(value) IS NOT NULL;
         END IF;
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory'
             THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
-            'geometry' ELSE '' END || '.';
+            'geometry' WHEN 'classifier' THEN ', or a function (arms streetgen.junction_arm[]) returning text'
+            ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
         expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit) || '.';
-    ELSIF setting = 'taper_ratio' THEN
-        expected := 'Expected a JSON object of speed (0 to 999 km/h) to ratio (0 to 100), such as {"0": 10, "60": 20}.';
+    ELSIF setting IN ('taper_ratio', 'grade_maximal') THEN
+        expected := format('Expected a JSON object of speed (0 to 999 km/h) to %s, such as %s.', CASE setting
+            WHEN 'taper_ratio' THEN 'ratio (0 to 100)' ELSE 'grade (0.1 to 100 %)' END, known.value);
         BEGIN
-            SELECT count(*) > 0 AND bool_and(e.key ~ '^\d{1,3}$' AND coalesce(e.value::float8 BETWEEN 0 AND 100, false))
+            SELECT count(*) > 0 AND bool_and(e.key ~ '^\d{1,3}$' AND coalesce(e.value::float8
+                BETWEEN CASE setting WHEN 'taper_ratio' THEN 0 ELSE 0.1 END AND 100, false))
                 INTO holds FROM jsonb_each_text(value::jsonb) e;
         EXCEPTION WHEN data_exception THEN
             holds := false;
         END;
     ELSE
-        expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
+        expected := CASE setting WHEN 'sidewalk_by_importance'
+            THEN 'Expected a JSON object of importance to metres, 0 to 50, such as {"1": 3, "4": 1.5}.'
+            ELSE 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.' END;
         BEGIN
             -- Only a radius has another law to fall back on.
             holds := value = '' AND setting = 'radius_by_importance'
                 OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^[1-9]\d?$'
-                OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND 400));
+                OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND CASE setting
+                    WHEN 'sidewalk_by_importance' THEN 50 ELSE 400 END));
         EXCEPTION WHEN data_exception THEN
             holds := false;
         END;

@@ -41,6 +41,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
 BEGIN
     PERFORM streetgen._make_views(model), streetgen._make_functions(model), streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model), streetgen._make_edit_log(model);
+    IF streetgen._has_design(model) THEN
+        PERFORM streetgen._make_design_views(model);
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_dependents(name) IS
     'Makes the views, functions and triggers of a model for the subjects that it computes, again and again.';
@@ -126,6 +129,13 @@ BEGIN
     EXECUTE (SELECT 'DROP TABLE ' || string_agg(format('%I.%I', model, t.relation), ', ')
         FROM streetgen._computed_table() t WHERE t.subject = switch_subject.subject);
     PERFORM streetgen._make_dependents(model);
+    PERFORM streetgen._give_to_owner(model, before);
+    PERFORM streetgen._grant_like_axes(model, ARRAY(
+        SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
+    -- Where traffic went round it goes as the axes say.
+    IF subject = 'roundabout' AND streetgen._stale_axes(model) > 0 THEN
+        RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
+    END IF;
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;

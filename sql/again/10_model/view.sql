@@ -2,41 +2,19 @@
 
 CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES ('conflict'::name, 'interconnection'), ('corner_on_kerb', 'kerb') $$;
+    AS $$ VALUES ('conflict'::name, 'junction'), ('right_of_way', 'junction'), ('movement', 'junction'),
+        ('rim_marking', 'junction'), ('junction_link', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
+        ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
+        ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment') $$;
 COMMENT ON FUNCTION streetgen._subject_view() IS
-    'The views of a model that are there only while it computes a subject.';
-
-CREATE OR REPLACE FUNCTION streetgen._make_conflict_view(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
-SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b, kind,
-       CASE WHEN kind = 'merging' OR meets_in_out THEN ST_EndPoint(a.geom) WHEN kind = 'opposing'
-           THEN ST_StartPoint(a.geom)
-            ELSE ST_Intersection(a.geom, b.geom) END AS geom
-FROM %1$I.interconnection a JOIN %1$I.interconnection b ON b.node_id = a.node_id
-    AND a.interconnection_id < b.interconnection_id
--- A lane for both directions is entered and left at one end: the other way there.
-CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_in) AS meets_in_out,
-                           (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) AS meets_in_in,
-                           (a.lane_out, a.along_out) = (b.lane_out, b.along_out) AS merges) m
-CROSS JOIN LATERAL (
-    SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing'
-        END AS kind) k
-WHERE a.connecting AND b.connecting AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
-    AND (kind <> 'crossing' OR ST_Intersects(a.geom, b.geom))
-$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.conflict
-        IS 'Pairs of connecting interconnections of a node from two lanes whose paths cross, merge in one lane, or '
-        'oppose each other in one that both directions use; geom is where'$sql$, model);
-END $$;
-COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';
+    'The views of a model that read tables of a subject, and go with it; one that reads another comes before it. One '
+    'that can do without the subject is made again.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
 BEGIN
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
     -- settings.
@@ -44,9 +22,11 @@ BEGIN
 CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
 SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
            concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
-               THEN streetgen._predictor_definition(value) END), ',' ORDER BY name), 2) AS setting_hash
-FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log')
-$sql$, model);
+               THEN streetgen._predictor_definition(value) END), ',' ORDER BY name)%2$s, 2) AS setting_hash
+FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log', 'road_friction')
+    AND name <> ALL (streetgen._design_settings())
+$sql$, model, CASE WHEN with_rings THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
+    FROM %I.roundabout_pattern), '')$sql$, model) END);
     EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$,
         model);
     EXECUTE format($sql$
@@ -54,7 +34,7 @@ CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
     width_used) AS width_end,
        forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward,
-           backward_used AS lanes_backward, both_used AS lanes_both, direction,
+           backward_used AS lanes_backward, both_used AS lanes_both, direction_used AS direction,
        kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
        streetgen._wanted_radius(
@@ -67,10 +47,12 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                               THEN 'width_end' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL
                               AND stated_backward IS NULL THEN 'lane_count' END,
                           CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL
-                              THEN 'importance' END], NULL) AS estimated,
+                              THEN 'importance' END, CASE WHEN sidewalk_left IS NULL THEN 'sidewalk_left' END,
+                          CASE WHEN sidewalk_right IS NULL THEN 'sidewalk_right' END], NULL) AS estimated,
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
            class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
+               OR any_sidewalk OR any_junction OR any_bend
                THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
                SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
                    0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
@@ -78,12 +60,31 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
                UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius),
                    0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 8, sidewalk_override_id, hash_record_extended(ROW(abscissa, side, width), 0)
+                   FROM %1$I.sidewalk_override WHERE any_sidewalk AND axis_id = a.axis_id
                UNION ALL SELECT 4, lane_override_id,
                    hash_record_extended(ROW(abscissa, ordinality, along_axis, both_ways, width, line::bytea), 0)
-                   FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id) o) END,
-           direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-               lane_width_backward, turn_forward, turn_backward, by_hand), 0) AS input_hash,
-       setting_hash
+                   FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id
+               UNION ALL SELECT 5, control_point_id, hash_record_extended(ROW(abscissa, control.kind,
+                   control.direction), 0)
+                   FROM %1$I.control_point control WHERE any_control AND control.axis_id = a.axis_id
+               UNION ALL SELECT 6, overpass_override_id,
+                   hash_record_extended(ROW(geom::bytea, axis_above, axis_below, clearance), 0)
+                   FROM %1$I.overpass_override
+                   WHERE any_overpass AND (axis_above = a.axis_id OR axis_below = a.axis_id)
+               UNION ALL SELECT 7, junction_override_id, hash_record_extended(ROW(junction.geom::bytea, inside,
+                   junction.kind), 0)
+                   FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
+               UNION ALL SELECT 8, road_override_id, hash_record_extended(ROW(abscissa, radius), 0)
+                   FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id) o) END,
+           direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
+               lane_width_forward,
+               lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
+           -- Sidewalks are the seed, so that it stays the same where nothing is said of them.
+           CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END) AS input_hash,
+       setting_hash, coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
+       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance FROM %1$I.axis_class) c USING (kind)
 LEFT JOIN %1$I.setting_used ON true
@@ -101,16 +102,27 @@ LEFT JOIN (
                AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode,
            (max(value) FILTER (WHERE name = 'turning_radius_minimal'))::float8 AS turning_minimal,
            (max(value) FILTER (WHERE name = 'turning_radius_maximal'))::float8 AS turning_maximal,
-           streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'sidewalk_by_importance'))::jsonb)
+               AS sidewalks,
+           streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor,
+           bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
 LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
     EXISTS (SELECT FROM %1$I.transition_override) AS any_transition,
     EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
-    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane
-        HAVING true) o ON true
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
+    EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
+    EXISTS (SELECT FROM %1$I.control_point) AS any_control,
+    EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
+    EXISTS (SELECT FROM %1$I.overpass_override) AS any_overpass,
+    EXISTS (SELECT FROM %1$I.junction_override) AS any_junction HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
 -- asked for does.
+-- The ways of OpenStreetMap that are tagged so run one way round, in their direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN direction = 'both' AND tags_count AND roundabout_tag IN ('roundabout', 'circular') THEN 'direct'
+        ELSE direction END AS direction_used HAVING true) way ON true
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
         FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
@@ -142,26 +154,29 @@ LEFT JOIN LATERAL (
     SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
         HAVING true) r ON true
 LEFT JOIN LATERAL (
-    SELECT CASE direction WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
+    SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
                coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
                    HAVING true) t ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), kind, sidewalks)
+        AS sidewalk_usual HAVING true) f ON true
 -- What these leave to the lanes of one direction.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
         THEN 0
                 ELSE greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1
                     ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
-                              CASE direction WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
+                              CASE direction_used WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
            CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
 LEFT JOIN LATERAL (
-    SELECT streetgen.lanes_of_way(direction <> 'reverse', kind_forward IS NOT NULL, stated_forward,
-               CASE WHEN direction = 'both' THEN coalesce(stated_backward, count_used / 2) WHEN kind_backward IS NULL
-                   THEN 0 ELSE stated_backward END, count_used, fewest) AS forward_used,
-           streetgen.lanes_of_way(direction <> 'direct', kind_backward IS NOT NULL, stated_backward,
-               CASE WHEN direction = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
+    SELECT streetgen.lanes_of_way(direction_used <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_backward, count_used / 2)
+                   WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used, fewest) AS forward_used,
+           streetgen.lanes_of_way(direction_used <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
-$sql$, model);
+$sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END);
     EXECUTE format($sql$COMMENT ON VIEW %I.axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$,
         model);
@@ -180,11 +195,21 @@ WITH RECURSIVE crossed AS (
 SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id)
     GROUP BY node_id, i.level
 $sql$, model);
+    IF 'lane' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_lane_driving_view(model), streetgen._make_lane_group_view(model),
+            streetgen._make_lane_adjacency_views(model);
+    END IF;
+    IF 'junction' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_junction_views(model);
+    END IF;
     IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_conflict_view(model);
     END IF;
     IF 'kerb' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_corner_on_kerb_view(model);
+    END IF;
+    IF 'alignment' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_road_arc_view(model);
     END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS

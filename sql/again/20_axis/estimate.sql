@@ -70,6 +70,16 @@ COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
     'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
     'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, kind text, widths float8[]) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN kind ~ '^(motorway|motorway_link|trunk_link|runway|taxiway)$' THEN 0
+        ELSE coalesce(streetgen._of_importance(importance, widths), 0) END;
+COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, text, float8[]) IS
+    'Width in metres of the sidewalk on each side of an axis that says none, from its importance (1 the highest) and '
+    'the widths from importance 1 on, the last also for what is less important. 0 for the kinds motorway, '
+    'motorway_link, trunk_link, runway and taxiway, and for an importance that is NULL. An argument that is NULL is '
+    'unknown.';
+
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) +

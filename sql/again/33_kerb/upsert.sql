@@ -47,7 +47,8 @@ kerb_edge AS MATERIALIZED (
             OR c.to_node IN (SELECT number FROM new_node WHERE kerbs_affected))),
 kerb_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM kerb_edge)$part$, places),
     streetgen._upsert_rows(places, 'kerb',
-        columns => 'edge_id, node_id, level, side, part, geom, curve, surface, method', rows => $part$
+        columns => 'edge_id, node_id, level, side, part, geom, curve, surface, method',
+        read => places -> 'subjects' ? 'sidewalk', rows => $part$
         SELECT number, edge_id, node_id, level, side, part, geom, curve, surface, method
         FROM streetgen._computed_kerb((SELECT streets FROM computed), (SELECT ids FROM node_ids),
             (SELECT ids FROM kerb_edge_ids))$part$,

@@ -7,6 +7,19 @@ COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], bytea[],
     'The mesh (TIN Z as EWKB) of each surface (MULTIPOLYGON, EWKB) that is wanted, by its number from 1. The others '
     'give their vertices on common borders. axes (EWKB): those that give the heights, of their levels; none: 0.';
 
+CREATE OR REPLACE FUNCTION streetgen._height_query(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT format(CASE WHEN 'height' = ANY (streetgen._subjects(model)) THEN $q$
+    SELECT edge_id, level, p.geom FROM %1$I.profile p JOIN %1$I.edge USING (edge_id)
+    WHERE p.geom && ST_Expand($3, 200)$q$ ELSE $q$
+    SELECT e.edge_id, e.level, ST_SetPoint(ST_SetPoint(e.geom, 0, f.geom), -1, t.geom) AS geom FROM %1$I.edge e
+        JOIN %1$I.node f ON f.node_id = e.from_node JOIN %1$I.node t ON t.node_id = e.to_node
+    WHERE $4 = 3 AND e.geom && ST_Expand($3, 200)$q$ END, model) $$;
+COMMENT ON FUNCTION streetgen._height_query(name) IS
+    'The query of the lines that say how high the roadway of a model lies: its profiles where it computes them, else '
+    'its axes where it has heights. $3: the extent, $4: the dimension of the model.';
+
 CREATE OR REPLACE FUNCTION streetgen.road_mesh(model name, extent geometry DEFAULT NULL,
     tolerance float8 DEFAULT 0.05) RETURNS TABLE(edge_id bigint, node_id bigint, level integer, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -35,10 +48,7 @@ WITH member AS MATERIALIZED (
         $1 IS NULL OR ST_Intersects(surface, $1) AS wanted
     FROM %2$s WHERE surface && $3 AND NOT ST_IsEmpty(surface)),
 -- A surface has an axis of its own, and no street is wider than 200 m. Edges have one height where they meet.
-height AS MATERIALIZED (
-    SELECT e.edge_id, e.level, ST_SetPoint(ST_SetPoint(e.geom, 0, f.geom), -1, t.geom) AS geom FROM %1$I.edge e
-        JOIN %1$I.node f ON f.node_id = e.from_node JOIN %1$I.node t ON t.node_id = e.to_node
-    WHERE $4 = 3 AND e.geom && ST_Expand($3, 200))
+height AS MATERIALIZED (%3$s)
 SELECT m.edge_id, m.node_id, m.level, t.mesh::geometry
 FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(level ORDER BY number) AS levels,
         array_agg(wanted ORDER BY number) AS wanted FROM member) s,
@@ -46,14 +56,15 @@ FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(le
         coalesce(array_agg(level ORDER BY edge_id), '{}') AS axis_levels FROM height) h,
     streetgen._road_mesh(surfaces, levels, s.wanted, axes, axis_levels, $2, $5) t JOIN member m USING (number)
 ORDER BY m.edge_id, m.node_id
-$sql$, model, ground) USING extent, tolerance, about, place.dimension, place.srid;
+$sql$, model, ground, streetgen._height_query(model)) USING extent, tolerance, about, place.dimension, place.srid;
 END $$;
 COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'The roadway of a model, or of what of it meets an extent (geometry in the model''s SRID; NULL: all), as '
     'triangles: a row for each section (edge_id) and each intersection (node_id) whose surface is not empty, with its '
     'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
     'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
-    'those of the nearest axis of the level where the model has dimension 3, else 0; edges that meet at a node have '
+    'those of the nearest profile of the level where the model computes subject height, else of the nearest axis where '
+    'it has dimension 3, else 0; edges that meet at a node have '
     'its height there. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to 10 m, and those '
     'along borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are'
     ' not finite, and a bad tolerance: 22023.';

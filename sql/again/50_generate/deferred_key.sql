@@ -80,6 +80,10 @@ BEGIN
     LOOP
         EXIT WHEN streetgen._restore_key(model) IS NULL;
     END LOOP;
+    PERFORM streetgen._fill_chains(model);
+    PERFORM FROM streetgen._update_later(model, NULL);
     EXECUTE format('DROP TABLE %I.deferred_key', model);
+    PERFORM streetgen._complete_sidewalks(model);
 END $$;
-COMMENT ON FUNCTION streetgen._make_keys(name) IS 'Makes all keys that are missing, for who is alone in the model.';
+COMMENT ON FUNCTION streetgen._make_keys(name) IS
+    'Makes all keys that are missing, what is computed of whole chains, and sidewalks, for who is alone in the model.';

@@ -203,6 +203,7 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL,
         CASE back WHEN '{}' THEN 'whole' ELSE 'empty' END);
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;

@@ -1,4 +1,4 @@
--- What an edit or a run locks: the model, its cells, and the axes that it names at the door.
+-- What an edit or a run locks: the model, cells and chains, and the axes that it names at the door.
 
 CREATE OR REPLACE FUNCTION streetgen._holders(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -164,21 +164,24 @@ COMMENT ON FUNCTION streetgen._wait_at_door(name) IS
     'Waits until the door of a model is open, and holds nothing then. A lock_timeout that ends: 55P03, naming who '
         'holds places.';
 
-CREATE OR REPLACE FUNCTION streetgen._held_by_others(model name, OUT axes bigint[], OUT cells bigint[])
+CREATE OR REPLACE FUNCTION streetgen._held_by_others(model name, OUT axes bigint[], OUT cells bigint[],
+    OUT chains integer[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     keys bigint[];
     all_cells constant bigint := 4294967295;
+    all_chains constant integer := streetgen._all_chains();
 BEGIN
     keys := ARRAY(SELECT DISTINCT objid::bigint FROM pg_locks
         WHERE locktype = 'advisory' AND objsubid = 2 AND granted AND pid <> pg_backend_pid()
             AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
             AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid
-            -- All who hold single places share the key of all.
-            AND (objid::bigint <> all_cells OR mode = 'ExclusiveLock'));
+            -- All who hold single cells or chains share the key of all.
+            AND (objid::bigint NOT IN (all_cells, all_chains) OR mode = 'ExclusiveLock'));
     cells := CASE WHEN all_cells = ANY (keys) THEN ARRAY(SELECT generate_series(1, 1024))
                   ELSE ARRAY(SELECT key FROM unnest(keys) key WHERE key BETWEEN 1 AND 1024) END;
+    chains := ARRAY(SELECT key FROM unnest(keys) key WHERE key BETWEEN 4096 AND 1073745919 OR key = all_chains);
     -- Axes far from each other share keys: of those that have edges only the ones at places that are held.
     EXECUTE format($sql$
 WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
@@ -193,8 +196,8 @@ SELECT coalesce(array_agg(axis_id), '{}') FROM (
 $sql$, model) INTO axes USING keys, cells;
 END $$;
 COMMENT ON FUNCTION streetgen._held_by_others(name) IS
-    'The axes of which other sessions write rows, as far as this session sees these axes, and the cells that others '
-        'hold.';
+    'The axes of which other sessions write rows, as far as this session sees these axes, and the cells and the keys '
+    'of chains that others hold.';
 
 CREATE OR REPLACE FUNCTION streetgen._stale_beside(model name, axes bigint[], cells bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -255,7 +258,6 @@ BEGIN
     gathered := '{}';
     PERFORM streetgen._lock_places(model, ARRAY[streetgen._door()], '{}', wait => true);
     others := streetgen._held_by_others(model);
-    held := others.axes || streetgen._stale_beside(model, others.axes, others.cells);
     IF axes IS NULL THEN
         EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
             INTO requested;
@@ -269,6 +271,8 @@ BEGIN
         written := reach.written;
         gathered := reach.gathered;
     END IF;
+    held := others.axes || streetgen._axes_at_chains(model, written, others.chains);
+    held := held || streetgen._stale_beside(model, held, others.cells);
     requested := ARRAY(SELECT unnest(requested) EXCEPT SELECT unnest(held));
     changed := ARRAY(SELECT unnest(changed) EXCEPT SELECT unnest(held));
     written := ARRAY(SELECT unnest(written) EXCEPT SELECT unnest(held));
@@ -288,11 +292,11 @@ CREATE OR REPLACE FUNCTION streetgen._lock_places(
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- More cells than this are not worth their locks.
-    most_cells constant integer := 64;
     -- The first key of each lock is the model; of the second 0 is the model, -1 all its cells.
     model_key constant integer := hashtext('streetgen.' || model);
-    wanted integer[];
+    cells integer[];
+    chains integer[];
+    places record;
     named bigint[];
     -- Were all places free, and was the door open?
     free boolean;
@@ -301,17 +305,15 @@ DECLARE
     seen pg_snapshot := pg_current_snapshot();
 BEGIN
     reach := streetgen._reach_of(model, axes);
-    wanted := reach.cells;
+    cells := reach.cells;
+    chains := reach.chains;
     named := reach.written;
     LOOP
         -- Locks are taken in one order: where more turn out to be needed, those taken here are given back first.
         BEGIN
             entered := false;
-            IF cardinality(wanted) > most_cells THEN
-                free := streetgen._lock_places(model, ARRAY[-1], '{}', wait);
-            ELSE
-                free := streetgen._lock_places(model, wanted, ARRAY[-1], wait);
-            END IF;
+            places := streetgen._places_of(cells, chains);
+            free := streetgen._lock_places(model, places.alone, places.shared, wait);
             IF free THEN
                 -- Told first, requested then: a run that shuts the door sees either this or nobody.
                 PERFORM pg_advisory_xact_lock_shared(model_key, key)
@@ -325,8 +327,9 @@ BEGIN
             IF pg_current_snapshot()::text <> seen::text THEN
                 reach := streetgen._reach_of(model, axes);
             END IF;
-            IF NOT (reach.cells <@ wanted AND reach.written <@ named) THEN
-                wanted := ARRAY(SELECT DISTINCT c FROM unnest(wanted || reach.cells) c ORDER BY c);
+            IF NOT (reach.cells <@ cells AND reach.chains <@ chains AND reach.written <@ named) THEN
+                cells := ARRAY(SELECT DISTINCT c FROM unnest(cells || reach.cells) c);
+                chains := ARRAY(SELECT DISTINCT c FROM unnest(chains || reach.chains) c);
                 named := named || reach.written;
                 RAISE SQLSTATE 'SG001';
             END IF;
@@ -351,8 +354,7 @@ BEGIN
     gathered := reach.gathered;
 END $$;
 COMMENT ON FUNCTION streetgen._lock_places(name, bigint[], boolean) IS
-    'Locks the places of all that a run for the axes reads or writes, for this transaction, in one order, and tells '
-        'of which axes '
-    'it writes rows; without wait, where a place is not free: as streetgen._lock_places_beside. Gives these axes, the '
-    'same with stale '
-    'ones near them, and what the run writes and gathers. A lock_timeout that ends: 55P03, naming who holds places.';
+    'Locks the cells and the chains of all that a run for the axes reads or writes, for this transaction, in one '
+    'order, and tells of which axes it writes rows; without wait, where a place is not free: as '
+    'streetgen._lock_places_beside. Gives these axes, the same with stale ones near them, and what the run writes and '
+    'gathers. A lock_timeout that ends: 55P03, naming who holds places.';

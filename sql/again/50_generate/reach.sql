@@ -1,4 +1,4 @@
--- How far an edit or a run reaches: the axes that it writes, those it computes with, and the cells of both.
+-- How far an edit or a run reaches: the axes that it writes, those it computes with, the cells of both, and chains.
 
 CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8)
     RETURNS SETOF integer
@@ -17,13 +17,27 @@ CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float
 COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS
     'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
 
+CREATE OR REPLACE FUNCTION streetgen._reach_value() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN 'CASE name WHEN ''roundabout_radius_greatest'' THEN 2 * value::float8 + 10 ELSE value::float8 END';
+COMMENT ON FUNCTION streetgen._reach_value() IS
+    'How far each of the settings of streetgen._reach_names lets a change reach, metres, as SQL: a ring that it '
+    'touches is as far as it is wide.';
+
+CREATE OR REPLACE FUNCTION streetgen._reach_names(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE
+    RETURN $$'reach', 'max_arc_distance'$$ || CASE WHEN 'roundabout' = ANY (streetgen._subjects(model))
+        THEN $$, 'roundabout_radius_greatest'$$ ELSE '' END;
+COMMENT ON FUNCTION streetgen._reach_names(name) IS
+    'The settings that say how far a change of an axis reaches, as SQL.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
-    OUT gathered bigint[], OUT cells integer[])
+    OUT gathered bigint[], OUT cells integer[], OUT chains integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
@@ -38,14 +52,15 @@ DECLARE
     widths float8[];
 BEGIN
     -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
-    SELECT max(value::float8) FILTER (WHERE name IN ('reach', 'max_arc_distance')), max(value::float8)
+    SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
         FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
                (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a),
                (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
         INTO reach, size, tolerance, widest FROM %1$I.setting
-            WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default');
+            WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default',
+            %3$s);
     SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)) INTO present, widths FROM %1$I.axis_used u
         WHERE u.axis_id = ANY (requested);
     -- What the requested axes can change: along the network, and by their roadway.
@@ -136,16 +151,18 @@ BEGIN
            (SELECT array_agg(DISTINCT cell ORDER BY cell)
                FROM box, streetgen._cell(west, south, east, north, size) cell)
         INTO gathered, cells;
-END $body$ $sql$, model);
+    chains := ARRAY(SELECT DISTINCT key FROM %1$I._chain_keys(written));
+END $body$ $sql$, model, streetgen._reach_value(), streetgen._reach_names(model));
     PERFORM streetgen._own_function(model, '_reach(bigint[])',
         'Of requested axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
-        'these are computed with, and the cells of all that it reads or writes, ascending');
+        'these are computed with, the cells of all that it reads or writes, ascending, and the keys of the chains that '
+        'it touches');
 END $$;
 COMMENT ON FUNCTION streetgen._make_reach(name) IS
     'Makes the function of a model that tells how far a run for some axes reaches.';
 
 CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT requested bigint[], OUT written bigint[],
-    OUT gathered bigint[], OUT cells integer[])
+    OUT gathered bigint[], OUT cells integer[], OUT chains integer[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -155,16 +172,18 @@ BEGIN
     written := '{}';
     gathered := '{}';
     cells := '{}';
+    chains := '{}';
     -- An axis that changed while nobody followed changes what is around it too.
     WHILE stale <> '{}' LOOP
         requested := requested || stale;
-        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells USING requested;
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells, chains
+            USING requested;
     END LOOP;
     cells := coalesce(cells, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS
-    'What a run for some axes requests, writes and gathers, and its cells: stale axes near the requested ones are '
-    'requested too.';
+    'What a run for some axes requests, writes and gathers, its cells and the keys of its chains: stale axes near the '
+    'requested ones are requested too.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -5,19 +5,23 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     limits streetgen.street_limit[], corners streetgen.street_corner[], lanes streetgen.street_lane[],
         restrictions streetgen.street_restriction[],
     former_edges streetgen.former_edge[], former_nodes streetgen.former_node[], may_spread boolean DEFAULT true,
-    subjects text[] DEFAULT '{lane,interconnection}', neighbours streetgen.street_neighbour[] DEFAULT NULL)
+    subjects text[] DEFAULT '{lane,interconnection}', neighbours streetgen.street_neighbour[] DEFAULT NULL,
+    controls streetgen.street_control[] DEFAULT NULL, overpasses streetgen.street_overpass[] DEFAULT NULL,
+    bends streetgen.street_bend[] DEFAULT NULL, circulations streetgen.street_circulation[] DEFAULT NULL)
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[],
     streetgen.street_limit[], streetgen.street_corner[],
     streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[], boolean,
-        text[], streetgen.street_neighbour[])
+        text[], streetgen.street_neighbour[], streetgen.street_control[], streetgen.street_overpass[],
+        streetgen.street_bend[], streetgen.street_circulation[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
-        'interconnection, kerb; words of SQL alone are passed over. neighbours: for kerbs, all surfaces near that '
+        'interconnection, kerb, overpass; words of SQL alone are passed over. neighbours: for kerbs, all surfaces '
+        'near that '
         'stay; NULL: unknown. No axes (NULL) or no subjects (NULL): NULL; any other '
         'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
         'or unknown, a geometry that is none: 22023.';
@@ -50,12 +54,12 @@ COMMENT ON FUNCTION streetgen._computed_node(bigint) IS
 CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
     RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, kerbs_affected boolean,
         spreads_to boolean, axis_id bigint, from_node integer, to_node integer, level integer,
-        start_abscissa float8, end_abscissa float8, geom geometry)
+        start_abscissa float8, end_abscissa float8, geom geometry, curve geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
     'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
     'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its '
-    'axis is due; abscissas along the axis, m.';
+    'axis is due; abscissas along the axis, m; curve: the arc road of which geom is chords, NULL where there is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8,
@@ -124,6 +128,13 @@ CREATE OR REPLACE FUNCTION streetgen._computed_kerb(streets bigint, nodes bigint
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_kerb';
 COMMENT ON FUNCTION streetgen._computed_kerb(bigint, bigint[], bigint[]) IS
     'The kerbs of streets computed in this statement: of sections, where node_id is NULL, and of intersections.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_overpass(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_above bigint, abscissa_above float8, edge_below bigint, abscissa_below float8,
+        geom geometry, clearance float8, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_overpass';
+COMMENT ON FUNCTION streetgen._computed_overpass(bigint, bigint[]) IS
+    'The overpasses of streets computed in this statement; abscissas along the edge, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
     RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)

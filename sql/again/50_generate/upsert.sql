@@ -12,7 +12,10 @@ COMMENT ON FUNCTION streetgen._fill_template(text, jsonb) IS 'A text with its pl
 CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT jsonb_build_object('run', run, 'subjects', streetgen._subjects(model), 'model', quote_ident(model),
+    SELECT jsonb_build_object('run', run, 'model', quote_ident(model),
+        -- Chains of a first run by clusters are left for its end.
+        'subjects', (SELECT array_agg(s ORDER BY n) FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n)
+            WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_at_end())),
         'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
         'whole', run IN ('whole', 'empty'), 'empty', run = 'empty',
         'by_key', CASE WHEN run IN ('whole', 'empty') THEN '' ELSE 'OFFSET 0' END,
@@ -50,6 +53,7 @@ DECLARE
     part text;
 BEGIN
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
+        CONTINUE WHEN subject = ANY (streetgen._later_subjects());
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
     END LOOP;
@@ -139,8 +143,11 @@ DECLARE
     most_planned constant integer := 400;
     spreads_to bigint[];
     locked record;
+    blocks bigint[] := '{}';
 BEGIN
     LOOP
+        EXECUTE format('SELECT ARRAY(SELECT unnest($1) UNION SELECT block_id FROM %I._touched_blocks($2))', model)
+            INTO blocks USING blocks, written;
         IF cardinality(changed) > most_planned THEN
             RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed, 'part',
                 may_spread);
@@ -156,6 +163,7 @@ BEGIN
         EXIT WHEN locked.changed <@ changed;
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '

@@ -32,9 +32,11 @@ setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.
 used AS MATERIALIZED (
     SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward,
         kind_backward,
-           lane_width_forward, lane_width_backward, turn_forward, turn_backward, speed, importance, radius, estimated,
+           lane_width_forward, lane_width_backward, turn_forward, turn_backward, sidewalk_left, sidewalk_right, speed,
+           importance, radius, direction, estimated,
                CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
+{rings}
 computed AS MATERIALIZED (
     SELECT streetgen._streets({srid},
         settings => (
@@ -46,7 +48,7 @@ computed AS MATERIALIZED (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, radius, importance, speed,
                 lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
                     lane_width_backward, turn_forward, turn_backward,
-                {whole} OR axis_id IN (SELECT unnest($3)), input_hash IS NULL
+                {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
         transitions => (
@@ -70,6 +72,12 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn,
                 except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
             FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
+        controls => (
+            SELECT array_agg(ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
+                ORDER BY control_point_id)
+            FROM (SELECT control_point_id, axis_id, abscissa, kind, direction FROM {model}.control_point
+                WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2) {yields}) c),
+        circulations => {circulations},
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
                 wanted_end, "end", border_end, surface, contested, level)::streetgen.former_edge)
@@ -79,11 +87,16 @@ computed AS MATERIALIZED (
                 contested_area > 0, level)::streetgen.former_node)
             FROM former_node),
         may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
-        neighbours => {neighbours}) AS streets)$part$,
-            places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
+        neighbours => {neighbours}, overpasses => {overpasses},
+        bends => (
+            SELECT array_agg(ROW (axis_id, abscissa, radius)::streetgen.street_bend ORDER BY road_override_id)
+            FROM {model}.road_override WHERE {whole} OR axis_id = ANY ($2))) AS streets)$part$,
+            places || streetgen._ring_places(places) || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
             FROM jsonb_array_elements_text(places -> 'subjects') s), 'neighbours',
             -- A first run has no neighbours yet, a whole one none.
             CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'
-                THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END))) $$;
+                THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END,
+            'overpasses', CASE WHEN places -> 'subjects' ? 'overpass'
+                THEN streetgen._upsert_overpass_override(places) ELSE 'NULL' END))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
     'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

@@ -31,7 +31,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
     (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
-    FROM streetgen._computed_table() WHERE key IS NOT NULL AND places -> 'subjects' ? subject $$;
+    FROM streetgen._computed_table() WHERE key IS NOT NULL AND places -> 'subjects' ? subject
+        AND subject <> ALL (streetgen._later_subjects()) $$;
 COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
     'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those '
         'computed '

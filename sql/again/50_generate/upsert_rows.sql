@@ -43,7 +43,7 @@ COMMENT ON FUNCTION streetgen._upsert_changed(text) IS
     'set_relation: writes the rows that changed. Fresh rows of a cluster are left to add_relation.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, columns text, rows text,
-    named boolean DEFAULT false, there text DEFAULT NULL) RETURNS text
+    named boolean DEFAULT false, there text DEFAULT NULL, read boolean DEFAULT false) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT streetgen._fill_template(
@@ -74,22 +74,23 @@ gone_{relation} AS (
         FROM count_{relation})) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh)))
             RETURNING 1)$part$ END,
-        streetgen._upsert_row_places(places, relation, columns, rows, named, there))
+        streetgen._upsert_row_places(places, relation, columns, rows, named, there, read))
     FROM (SELECT places ->> 'run' AS run) r $$;
-COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, text) IS
+COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, text, boolean) IS
     'Part of the one statement: a computed table (relation) gets the rows of a query, which has their number. Its '
     'key, and the columns that tell which row there is the same, stand in streetgen._computed_table(); a new row gets '
     'a new key, {next_id} in a query that gives it, by their numbers, in whose order rows come. columns: what else is '
     'written, where it differs, all columns of the table in its order: so a row that is there is compared as it lies, '
     'and none is formed of it. named: other things computed name the rows by number: relation_ids has the id at each '
     'number, 0 where no row has it. there: a query of ids that are gone where the rows lack them; NULL: they go with '
-    'others. new_relation has all columns of the query (of a whole model only where they changed; in an empty one none '
-    'but id and method, unless named), id, fresh (not there yet) and changed (fresh ones too), count_relation says '
+    'others. read: another part reads all columns of the rows. new_relation has all columns of the query (of a '
+    'whole model only where they changed; in an empty one none but id and method, unless named or read), id,'
+    ' fresh (not there yet) and changed (fresh ones too), count_relation says '
     'how many, and of how many method is other than hypothesis (fallbacks), gone_relation has a row for each that is '
     'gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_row_places(places jsonb, relation text, columns text, rows text,
-    named boolean, there text) RETURNS jsonb
+    named boolean, there text, read boolean) RETURNS jsonb
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT places || jsonb_build_object('relation', relation, 'id', id, 'written', columns,
@@ -105,11 +106,11 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_row_places(places jsonb, relation t
         'id_new', CASE WHEN identity IS NULL THEN id WHEN run = 'empty' AND NOT named THEN next_id
             ELSE format('coalesce(%s, %s)', id, next_id) END,
         -- Of a whole model what stays as it is need not be stored.
-        'stored', CASE WHEN named OR run <> 'whole' THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id,
+        'stored', CASE WHEN named OR read OR run <> 'whole' THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id,
             regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
         'fallbacks', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')'
             ELSE '0::bigint' END,
-        'returned', concat_ws(', ', id, substring(columns FROM '\mmethod\M')))
+        'returned', concat_ws(', ', id, CASE WHEN read THEN columns ELSE substring(columns FROM '\mmethod\M') END))
     FROM (SELECT key AS id, identity, coalesce(identity, key) AS same, places ->> 'run' AS run,
             substring(coalesce(identity, key) FROM '^\w+') AS parent,
             (SELECT string_agg(c, ', ') FROM string_to_table(columns, ', ') c
@@ -118,5 +119,5 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_row_places(places jsonb, relation t
             format(CASE places ->> 'run' WHEN 'empty' THEN '((SELECT nextval(''%s.%s_%s_seq'')) + number - 1)'
                 ELSE 'nextval(''%s.%s_%s_seq'')' END, places ->> 'quoted_model', c.relation, key) AS next_id
         FROM streetgen._computed_table() c WHERE c.relation = _upsert_row_places.relation::name) t $$;
-COMMENT ON FUNCTION streetgen._upsert_row_places(jsonb, text, text, text, boolean, text) IS
+COMMENT ON FUNCTION streetgen._upsert_row_places(jsonb, text, text, text, boolean, text, boolean) IS
     'The places of one computed table, beside those of the whole statement: arguments as of streetgen._upsert_rows.';

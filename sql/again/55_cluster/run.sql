@@ -10,8 +10,9 @@ DECLARE
     -- No two roadways are wider.
     widest constant float8 := 200;
 BEGIN
-    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name = 'reach'), max(value::float8)
-        FILTER (WHERE name = 'cell_size') FROM %I.setting$sql$, model) INTO reach, size;
+    EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
+        FILTER (WHERE name = 'cell_size') FROM %1$I.setting WHERE name IN ('cell_size', %3$s)$sql$, model,
+        streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, size;
     -- A block is five cells wide. Its key is below those of cells.
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
@@ -65,9 +66,9 @@ DECLARE
     -- No roadway is wider.
     widest constant float8 := 200;
 BEGIN
-    EXECUTE format($sql$SELECT max(value::float8) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
-        FILTER (WHERE name = 'tolerance') FROM %I.setting
-        WHERE name IN ('reach', 'max_arc_distance', 'tolerance')$sql$, model) INTO reach, near;
+    EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
+        FILTER (WHERE name = 'tolerance') FROM %1$I.setting WHERE name IN (%3$s, 'tolerance')$sql$, model,
+        streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, near;
     -- What lies around is less than what lies inside: it looks for that.
     EXECUTE format($sql$
 WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis
@@ -152,7 +153,9 @@ BEGIN
             ELSE
                 places := coalesce(places, streetgen._footprint(model, axes, '{}'));
                 -- Cells are hashed, so that clusters share them with each other.
-                free := streetgen._lock_places(model, places.blocks, ARRAY[streetgen._door(), -1] || places.cells,
+                -- A cluster touches more chains than are worth their locks.
+                free := streetgen._lock_places(model, places.blocks || CASE WHEN streetgen._has_chains(model)
+                    THEN ARRAY[streetgen._all_chains()] ELSE '{}' END, ARRAY[streetgen._door(), -1] || places.cells,
                     wait);
             END IF;
             IF NOT free THEN

@@ -56,6 +56,11 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             'width of the axis that the point means, metres', 'the place on the kerb'],
         $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$,
             'surface'),
+    ('road_arc_editing', 'Edit layer: drag the centre of a bend or type its radius; DELETE takes back what was '
+        'decided by hand',
+        ARRAY['key', 'the axis', 'where it bends, metres along the axis', 'radius of the bend, metres, 0: it is sharp',
+            'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
+        streetgen._road_arc_handles(), 'alignment'),
     ('lane_editing', 'Edit layer: flip a lane, open it to both directions, redraw it, give it a width of its own; '
         'DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'number from the middle outwards', 'does traffic run in the direction of the axis',
@@ -65,6 +70,31 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             EXISTS (SELECT FROM %1$I.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
         FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
+    ('sidewalk_editing',
+        'Edit layer: type the width of the sidewalk on one side of an edge; DELETE takes back what was decided by hand',
+        ARRAY['key', 'the edge', 'left or right', 'width, metres; 0: none', 'decided by hand; false takes it back',
+            'its ground'],
+        $sql$SELECT s.sidewalk_id, s.edge_id, s.side, s.width,
+            EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
+                AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
+        FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk'),
+    ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
+        'decided by hand',
+        ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below', 'from roadway to roadway, metres',
+            'decided by hand; false takes it back', 'the crossing'],
+        $sql$SELECT o.overpass_id, a.axis_id AS axis_above, b.axis_id AS axis_below, o.clearance,
+            o.method = 'by_hand' AS by_hand, o.geom
+        FROM %1$I.overpass o JOIN %1$I.edge a ON a.edge_id = o.edge_above
+            JOIN %1$I.edge b ON b.edge_id = o.edge_below$sql$, 'overpass'),
+    ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
+        'come first; DELETE takes back what was decided by hand',
+        ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini or double', 'radius, metres',
+            'score, 0 to 1', 'how far its score is from setting roundabout_accept', 'does traffic go round',
+            'the ring'],
+        $sql$SELECT r.roundabout_id, r.confirmed, r.kind, r.radius, r.score,
+            abs(r.score - (SELECT value::float8 FROM %1$I.setting WHERE name = 'roundabout_accept')) AS nearness,
+            r.accepted, r.geom
+        FROM %1$I.roundabout r ORDER BY nearness, r.roundabout_id$sql$, 'roundabout'),
     ('interconnection_editing',
         'Edit layer: say whether a lane goes on to another, or drag the middle point of its path; DELETE takes back '
         'what was decided by hand',
@@ -75,7 +105,13 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             c.method = 'by_hand' AS by_hand,
             ST_MakeLine(ARRAY[ST_StartPoint(c.geom), coalesce(c.control, ST_LineInterpolatePoint(c.geom, 0.5)),
                 ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
-        FROM %1$I.interconnection c$sql$, 'interconnection')) v(name, description, columns, query, subject) $$;
+        FROM %1$I.interconnection c$sql$, 'interconnection'),
+    ('block_editing', 'Edit layer: say what kind of block a piece of ground is; DELETE takes back what was decided by '
+        'hand',
+        ARRAY['key', 'block, island or strip', 'decided by hand; false takes it back', 'the ground'],
+        $sql$SELECT b.block_id, b.kind, EXISTS (SELECT FROM %1$I.block_override o WHERE o.geom && b.surface
+                AND ST_Intersects(o.geom, b.surface)) AS by_hand, b.surface AS geom
+            FROM %1$I.block b$sql$, 'block')) v(name, description, columns, query, subject) $$;
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS
     'The edit views of a model: their comments, those of their columns, and their queries.';
 

@@ -24,9 +24,19 @@ BEGIN
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE axis_id = OLD.axis_id;
     ELSIF TG_TABLE_NAME = 'corner' THEN
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (OLD.edge_a, OLD.edge_b);
-    ELSIF TG_TABLE_NAME IN ('node', 'intersection', 'interconnection') THEN
+    ELSIF TG_TABLE_NAME = 'road' THEN
+        -- Its rows of road_edge may be gone with it.
+        UPDATE %1$I.edge e SET input_hash = streetgen._changed_by_hand() WHERE NOT EXISTS (
+            SELECT FROM %1$I.road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> OLD.road_id);
+    ELSIF TG_TABLE_NAME IN ('node', 'intersection', 'interconnection', 'junction_node') THEN
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.node_id
             OR to_node = OLD.node_id;
+    ELSIF TG_TABLE_NAME = 'block' THEN
+        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (
+            SELECT edge_id FROM %1$I.block_edge WHERE block_id = OLD.block_id);
+    ELSIF TG_TABLE_NAME IN ('junction', 'junction_movement') THEN
+        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.junction_id
+            OR to_node = OLD.junction_id;
     ELSE
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id = OLD.edge_id;
     END IF;

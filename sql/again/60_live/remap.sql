@@ -76,7 +76,8 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
-        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override')
+        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
+            'control_point', 'junction_override', 'road_override')
             AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
@@ -92,7 +93,7 @@ WITH changed AS MATERIALIZED (SELECT axis_id, ST_Force2D(before) AS before, ST_F
 tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance'),
 place AS MATERIALIZED (
     SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, p.relation IN ('interconnection_override',
-        'turn_restriction', 'corner_override') AS at_node,
+        'turn_restriction', 'corner_override', 'overpass_override') AS at_node,
            (SELECT ST_Force2D(a.geom) FROM %1$I.axis a WHERE a.axis_id = p.axis_id) AS line
     FROM %1$I.override_place p LEFT JOIN changed c USING (axis_id)
     WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation
@@ -118,8 +119,9 @@ heir AS (
     SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
            CASE WHEN a.axis_id = p.axis_id THEN 1 WHEN c.axis_id IS NOT NULL
                AND streetgen._remap_comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
-                WHEN p.before IS NOT NULL AND p.line IS NULL
-                    AND ST_DWithin(a.geom, streetgen._remap_point_beside(p.before, p.geom), t.value) THEN 3 END AS turn
+                -- A control point on a node stands on all the axes that meet there.
+                WHEN p.before IS NOT NULL AND p.line IS NULL AND (p.relation = 'control_point'
+                    OR ST_DWithin(a.geom, streetgen._remap_point_beside(p.before, p.geom), t.value)) THEN 3 END AS turn
     FROM place p CROSS JOIN tolerance t JOIN %1$I.axis a ON ST_DWithin(a.geom, p.geom, p.reach)
         LEFT JOIN changed c ON c.axis_id = a.axis_id
     WHERE ST_DWithin(streetgen._remap_part_of_axis(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
@@ -188,6 +190,16 @@ UPDATE %1$I.section_limit_override o SET axis_id = n.axis_id, abscissa = n.absci
     FROM new n
 WHERE o.section_limit_override_id = n.id AND (o.axis_id, o.abscissa, o.which, o.geom) IS DISTINCT FROM (n.axis_id,
     n.abscissa, n.which, n.geom)$sql$
+        WHEN 'sidewalk_override' THEN $sql$,
+new AS (
+    SELECT o.sidewalk_override_id AS id, f.axis_id, at.abscissa, at.geom, CASE WHEN NOT f.turned THEN o.side
+        WHEN o.side = 'left' THEN 'right' ELSE 'left' END AS side
+    FROM found f JOIN %1$I.sidewalk_override o ON o.sidewalk_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'sidewalk_override')
+UPDATE %1$I.sidewalk_override o SET axis_id = n.axis_id, abscissa = n.abscissa, side = n.side, geom = n.geom FROM new n
+WHERE o.sidewalk_override_id = n.id AND (o.axis_id, o.abscissa, o.side, o.geom) IS DISTINCT FROM (n.axis_id,
+    n.abscissa, n.side, n.geom)$sql$
         WHEN 'kerb_point_override' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, 2 * ST_Distance(f.line, f.geom) AS width
@@ -197,6 +209,34 @@ new AS (
 UPDATE %1$I.kerb_point_override o SET axis_id = n.axis_id, abscissa = n.abscissa, width = n.width FROM new n
 WHERE o.kerb_point_override_id = n.id AND (o.axis_id, o.abscissa, o.width) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.width)$sql$
+        WHEN 'road_override' THEN $sql$,
+new AS (
+    -- With its vertex, where that moved.
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
+    FROM found f JOIN %1$I.road_override o ON o.road_override_id = f.override_id
+        LEFT JOIN changed c ON c.axis_id = f.axis_id
+        CROSS JOIN LATERAL (SELECT streetgen._moved_vertex(c.before, c.after, f.geom, (SELECT value FROM tolerance))
+            AS vertex) v
+        CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn OR v.vertex IS NOT NULL,
+            o.abscissa) at
+    WHERE f.relation = 'road_override')
+UPDATE %1$I.road_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
+WHERE o.road_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.geom)$sql$
+        WHEN 'control_point' THEN $sql$,
+new AS (
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, CASE WHEN f.turned THEN CASE o.direction WHEN 'direct'
+        THEN 'reverse' WHEN 'reverse' THEN 'direct' ELSE o.direction END ELSE o.direction END AS direction
+    FROM found f JOIN %1$I.control_point o ON o.control_point_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, true, o.abscissa) at
+    WHERE f.relation = 'control_point')
+UPDATE %1$I.control_point o SET axis_id = n.axis_id, abscissa = n.abscissa, direction = n.direction FROM new n
+WHERE o.control_point_id = n.id AND (o.axis_id, o.abscissa, o.direction) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.direction)$sql$
+        WHEN 'junction_override' THEN $sql$,
+new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'junction_override')
+UPDATE %1$I.junction_override o SET axis_id = n.axis_id FROM new n
+WHERE o.junction_override_id = n.id AND o.axis_id <> n.axis_id$sql$
         WHEN 'interconnection_override' THEN $sql$,
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom,
@@ -234,8 +274,9 @@ new AS (
     WHERE m.override_id IS NOT NULL OR a.override_id IS NOT NULL OR b.override_id IS NOT NULL)
 UPDATE %1$I.%2$I o SET geom = n.geom, %3$I = n.axis_a, %4$I = n.axis_b FROM new n
 WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.axis_a, n.axis_b)$sql$ END, model,
-    relation, CASE relation WHEN 'corner_override' THEN 'axis_a' ELSE 'from_axis' END, CASE relation
-    WHEN 'corner_override' THEN 'axis_b' ELSE 'to_axis' END)
+    relation, CASE relation WHEN 'corner_override' THEN 'axis_a' WHEN 'overpass_override' THEN 'axis_above'
+    ELSE 'from_axis' END, CASE relation WHEN 'corner_override' THEN 'axis_b' WHEN 'overpass_override'
+    THEN 'axis_below' ELSE 'to_axis' END)
     $$;
 COMMENT ON FUNCTION streetgen._remap_statement(name, name) IS
     'The statement that puts the overrides of one relation near changed axes on the axis that they lie on now. What '
@@ -312,8 +353,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_remap(model name) RETURNS void
     AS $$
 DECLARE
     overrides constant name[] :=
-        '{transition_override,lane_override,section_limit_override,kerb_point_override,corner_override,'
-        'interconnection_override,turn_restriction}';
+        '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
+        'corner_override,'
+        'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
+        'road_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -324,8 +367,17 @@ UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (S
     WHERE name = 'tolerance') FROM %1$I.lane_override
 UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
+UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.road_override
+UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.sidewalk_override
 UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,
     width / 2 + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.kerb_point_override
+UNION ALL SELECT 'control_point', control_point_id, 'axis_id', axis_id, geom,
+    coalesce(axis_distance, 0) + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance')
+    FROM %1$I.control_point
+UNION ALL SELECT 'junction_override', junction_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.junction_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8
@@ -338,6 +390,10 @@ UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
 UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_above', axis_above, geom, 20
+    FROM %1$I.overpass_override
+UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_below', axis_below, geom, 20
+    FROM %1$I.overpass_override
 $sql$, model);
     EXECUTE format($sql$
 COMMENT ON VIEW %1$I.override_place IS
@@ -366,10 +422,13 @@ BEGIN
             held := '{}';
             %2$s
             IF streetgen._live(%3$L) THEN
+                -- Control points are many, and only those on a changed axis move.
                 concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
+                                       AND (relation <> 'control_point' OR o.geom && ST_Expand(extent, o.reach))
                                    UNION SELECT a.axis_id FROM %1$I.override_place o
                                        JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach)
-                                       WHERE o.geom && ST_Expand(extent, 110));
+                                       WHERE o.geom && ST_Expand(extent, 110)
+                                       AND (relation <> 'control_point' OR o.geom && ST_Expand(extent, o.reach)));
                 IF concerned <> '{}' THEN
                     PERFORM FROM streetgen._lock_places(%3$L, concerned || $1, wait => true);
                 END IF;

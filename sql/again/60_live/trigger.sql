@@ -204,7 +204,8 @@ DECLARE
     changed jsonb[];
     named bigint[];
 BEGIN
-    IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override') THEN
+    IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override')
+        THEN
         RETURN NULL;
     ELSIF TG_OP = 'TRUNCATE' THEN
         -- What goes is known only before: as if deleted.
@@ -219,8 +220,13 @@ BEGIN
             UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
     END IF;
     named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
-        CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis']) role
-        JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint);
+        CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis',
+            'axis_above', 'axis_below']) role
+        JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint)
+        || CASE TG_TABLE_NAME WHEN 'roundabout_override' THEN streetgen._axes_of_rings(%2$L, changed) ELSE '{}' END;
+    IF TG_TABLE_NAME = 'block_override' THEN
+        named := streetgen._axes_at_blocks(%2$L, changed);
+    END IF;
     IF live AND remapped IS NOT NULL THEN
         PERFORM streetgen._note_remapped(%2$L, remapped || named);
     ELSIF live THEN
@@ -234,7 +240,8 @@ END $body$ $sql$, model, model);
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
     FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
-        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point')
+            OR relname LIKE '%\_override') LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR '
             'EACH STATEMENT EXECUTE FUNCTION %1$I._begin_edit()', model, relation);
         EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation,
@@ -264,7 +271,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_setting_changed(model), streetgen._make_reach(model), streetgen._make_upsert(model),
+    PERFORM streetgen._make_setting_changed(model), streetgen._make_block_functions(model),
+        streetgen._make_chain_keys(model), streetgen._make_reach(model),
+        streetgen._make_upsert(model), streetgen._make_update_junctions(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model);
 END $$;
@@ -301,7 +310,8 @@ BEGIN
         -- What deletes the results of an axis with it, or marks axes as stale, stays on.
         WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%'
             AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
-            AND (relname NOT IN ('turn_restriction', 'interconnection_override') OR live) AND (tgenabled <> 'D') <> live
+            AND (relname NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override') OR live)
+            AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE'
             ELSE 'DISABLE' END, trigger.name);
@@ -334,7 +344,9 @@ BEGIN
                 WHEN bool_or(l.granted AND l.objid = 2147483648 AND l.mode = 'ExclusiveLock')
                     THEN 'all places that were free'
                 WHEN bool_or(l.granted AND l.mode = 'ShareRowExclusiveLock') THEN 'the settings'
-                ELSE format('%s places', count(*) FILTER (WHERE l.granted AND l.objid::bigint BETWEEN 1 AND 1024)) END,
+                -- Keys of cells, and those of chains.
+                ELSE format('%s places', count(*) FILTER (WHERE l.granted AND (l.objid::bigint BETWEEN 1 AND 1024
+                    OR l.objid::bigint BETWEEN 4096 AND 1073745919))) END,
            pg_blocking_pids(l.pid), a.query
     FROM pg_locks l LEFT JOIN pg_stat_activity a ON a.pid = l.pid
     WHERE l.database = (SELECT oid FROM pg_database WHERE datname = current_database()) AND CASE l.locktype

@@ -273,6 +273,18 @@ SELECT 'warning', 'lane override without its lane', 'lane_override', o.lane_over
     FROM %1$I.lane_override o
     WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN %1$I.lane l USING (edge_id) WHERE e.axis_id = o.axis_id
         AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality)$part$),
+    (80, 'sidewalk', 'rule', $part$
+SELECT 'error', 'invalid surface', 'sidewalk', sidewalk_id, ST_Area(surface), surface FROM %1$I.sidewalk
+    WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)$part$),
+    (81, 'sidewalk', 'rule', $part$
+SELECT 'error', 'sidewalk without its kerb', 'sidewalk', s.sidewalk_id, ST_Area(s.surface), s.surface
+    FROM %1$I.sidewalk s WHERE NOT EXISTS (SELECT FROM %1$I.kerb k
+        WHERE (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part)
+            AND ST_DWithin(k.geom, s.surface, 0.001))$part$),
+    (82, 'network', 'rule', $part$
+SELECT 'warning', 'sidewalk override without its edge', 'sidewalk_override', o.sidewalk_override_id, o.width, o.geom
+    FROM %1$I.sidewalk_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id
+        AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa)$part$),
     (55, 'network', 'rule', $part$
 SELECT 'warning', 'section limit override without its limit', 'section_limit_override',
     o.section_limit_override_id, o.abscissa, o.geom FROM %1$I.section_limit_override o
@@ -291,6 +303,30 @@ SELECT 'warning', 'corner override without its corner', 'corner_override', o.cor
 SELECT 'warning', 'kerb point override without its axis', 'kerb_point_override', o.kerb_point_override_id,
     o.width, o.geom FROM %1$I.kerb_point_override o
     WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id)$part$),
+    (67, 'network', 'rule', $part$
+SELECT 'warning', 'control point off all axes', 'control_point', p.control_point_id, 0, p.geom
+    FROM %1$I.control_point p WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = p.axis_id)$part$),
+    (68, 'junction', 'rule', $part$
+SELECT 'error', 'node of degree three and more without a junction', 'node', d.node_id, d.degree, n.geom FROM degree d
+    JOIN %1$I.node n USING (node_id) WHERE d.degree >= 3
+        AND NOT EXISTS (SELECT FROM %1$I.junction_node j WHERE j.node_id = d.node_id)$part$),
+    (69, 'junction', 'rule', $part$
+SELECT 'warning', 'stale: the junction of a node changed since', 'node', m.node_id, m.junction_id, n.geom
+    FROM unnest((%1$I._junction_members(NULL)).members) m JOIN %1$I.junction_node j USING (node_id)
+        JOIN %1$I.node n USING (node_id) WHERE j.junction_id <> m.junction_id$part$),
+    (70, 'junction', 'rule', $part$
+SELECT 'notice', 'edge that junction_extent keeps out of a junction', 'edge', m.edge_id, e.end_abscissa
+    - e.start_abscissa, e.geom FROM unnest((%1$I._junction_members(NULL)).members) m JOIN %1$I.edge e USING (edge_id)
+    WHERE m.parted$part$),
+    (71, 'junction', 'rule', $part$
+SELECT 'notice', 'junction wider than junction_extent, m', 'junction', j.junction_id, c.width, j.geom
+    FROM %1$I.junction j JOIN (SELECT n.junction_id, ST_MaxDistance(ST_Collect(p.geom), ST_Collect(p.geom)) AS width
+        FROM %1$I.junction_node n JOIN %1$I.node p USING (node_id) GROUP BY n.junction_id HAVING count(*) > 1) c
+        USING (junction_id)
+    WHERE c.width > (SELECT value::float8 FROM %1$I.setting WHERE name = 'junction_extent')$part$),
+    (72, 'junction', 'rule', $part$
+SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
+    FROM %1$I.junction_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$),
     (58, 'lane', 'rule', $part$
 SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
     FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
@@ -314,16 +350,132 @@ SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_
     FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
     WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')),
         used))$part$),
+    (67, 'overpass', 'rule', $part$
+SELECT 'warning', 'overpass override without its crossing', 'overpass_override', o.overpass_override_id,
+    o.clearance, o.geom FROM %1$I.overpass_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.overpass p JOIN %1$I.edge a ON a.edge_id = p.edge_above
+        JOIN %1$I.edge b ON b.edge_id = p.edge_below
+        WHERE (a.axis_id, b.axis_id) = (o.axis_above, o.axis_below) AND p.method = 'by_hand'
+            AND ST_DWithin(p.geom, o.geom, 20))$part$),
+    (70, 'roundabout', 'rule', $part$
+SELECT 'error', 'ring of a roundabout is not closed', 'roundabout', r.roundabout_id, count(n.edge_id), r.geom
+    FROM %1$I.roundabout r LEFT JOIN %1$I.roundabout_edge n USING (roundabout_id)
+    GROUP BY r.roundabout_id
+    HAVING NOT ST_IsClosed(r.geom) OR count(n.edge_id) <> coalesce(max(n.ordinality), -1)$part$),
+    (71, 'roundabout', 'rule', $part$
+SELECT 'warning', 'traffic of a source against a roundabout', 'edge', e.edge_id, e.lane_count, e.geom
+    FROM %1$I.roundabout r JOIN %1$I.roundabout_edge n USING (roundabout_id)
+        JOIN %1$I.edge e ON e.edge_id = n.edge_id
+    WHERE r.accepted AND CASE WHEN n.along_axis THEN lanes_backward ELSE lanes_forward END > 0
+        -- Between the halves of a double one traffic goes as the axis says.
+        AND NOT EXISTS (SELECT FROM %1$I.roundabout_edge o JOIN %1$I.roundabout p USING (roundabout_id)
+            WHERE o.edge_id = n.edge_id AND o.along_axis <> n.along_axis AND p.accepted)$part$),
+    (72, 'roundabout', 'rule', $part$
+SELECT 'warning', 'arm of a roundabout that nobody may enter or leave', 'edge', e.edge_id, e.lane_count, e.geom
+    FROM %1$I.roundabout r JOIN %1$I.roundabout_arm n USING (roundabout_id)
+        JOIN %1$I.edge e ON e.edge_id = n.edge_id
+    WHERE r.accepted AND lanes_forward + lanes_backward + lanes_both = 0$part$),
+    (73, 'network', 'rule', $part$
+SELECT 'warning', 'roundabout override without its ring', 'roundabout_override', o.roundabout_override_id, 0, o.geom
+    FROM %1$I.roundabout_override o WHERE NOT streetgen._has_ring(%1$L, o.geom)$part$),
+    (68, 'height', 'rule', $part$
+SELECT 'error', 'clearance not kept, m', 'overpass', o.overpass_id, h.over, o.geom
+    FROM %1$I.overpass o JOIN %1$I.profile a ON a.edge_id = o.edge_above
+        JOIN %1$I.profile b ON b.edge_id = o.edge_below,
+        LATERAL (SELECT streetgen._height_along(a.geom, o.abscissa_above)
+            - streetgen._height_along(b.geom, o.abscissa_below) AS over) h
+    WHERE h.over < o.clearance - 1e-3$part$),
     (64, 'network', 'rule', $part$
 SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$),
     (66, 'interconnection', 'rule', $part$
 SELECT 'notice', 'path with a corner that no car drives, the only way', 'interconnection', interconnection_id, angle,
     geom FROM %1$I.interconnection WHERE plausible AND reason = 'not_drivable'$part$),
+    (70, 'kerb', 'rule', $part$
+SELECT 'error', 'kerb does not end where another one begins', 'kerb', k.kerb_id, 0, ST_EndPoint(k.geom)
+    FROM %1$I.kerb k WHERE NOT EXISTS (SELECT FROM %1$I.kerb n WHERE n.level = k.level
+        AND n.geom && ST_Expand(ST_EndPoint(k.geom), 1e-5)
+        AND ST_DWithin(ST_StartPoint(n.geom), ST_EndPoint(k.geom), 1e-5))$part$),
+    (71, 'block', 'rule', $part$
+SELECT 'error', 'invalid surface', 'block', block_id, ST_Area(surface), surface FROM %1$I.block
+    WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)$part$),
+    (72, 'block', 'rule', $part$
+SELECT 'error', 'block without an edge about it', 'block', block_id, ST_Area(surface), surface FROM %1$I.block b
+    WHERE NOT EXISTS (SELECT FROM %1$I.block_edge e WHERE e.block_id = b.block_id)$part$),
+    (73, 'block', 'rule', $part$
+SELECT 'error', 'side of an edge that faces no block nor the outside', 'edge', e.edge_id, 0, e.geom
+    FROM %1$I.edge e, (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level') g
+    WHERE e.level = g.level AND (SELECT count(DISTINCT side) FROM %1$I.block_edge b
+        WHERE b.edge_id = e.edge_id) < 2$part$),
+    (74, 'block', 'rule', $part$
+SELECT 'notice', 'kerbs of a block cross or are missing', 'block', block_id, ST_Area(surface), surface
+    FROM %1$I.block WHERE method = 'robust_fallback'$part$),
+    (75, 'block', 'rule', $part$
+SELECT 'warning', 'block override on no block', 'block_override', o.block_override_id, 0, o.geom
+    FROM %1$I.block_override o WHERE NOT EXISTS (SELECT FROM %1$I.block b WHERE b.surface && o.geom
+        AND ST_Intersects(b.surface, o.geom))$part$),
     (65, 'network', 'rule', $part$
 SELECT 'warning', 'driving side is not that of the one-way axes', 'setting', NULL::bigint,
     sum(CASE side WHEN 'left' THEN count_left ELSE count_right END)::float8, NULL::geometry
     FROM streetgen.driving_side(%1$L) WHERE streetgen._found_driving_side(%1$L) <> streetgen._driving_side(%1$L)
-        AND side IS NOT NULL HAVING count(*) > 0$part$) $$;
+        AND side IS NOT NULL HAVING count(*) > 0$part$),
+    (70, 'alignment', 'with', $part$
+-- The ends of each edge in the direction of its road.
+member AS MATERIALIZED (
+    SELECT m.road_id, m.position, m.edge_id, m.start_abscissa, e.end_abscissa - e.start_abscissa AS length, e.geom,
+        e.speed, CASE WHEN along_road THEN from_node ELSE to_node END AS first_node,
+        CASE WHEN along_road THEN to_node ELSE from_node END AS last_node
+    FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id))$part$),
+    (71, 'alignment', 'rule', $part$
+SELECT 'error', 'edge in no road', 'edge', edge_id, 0, e.geom FROM %1$I.edge e
+    WHERE NOT EXISTS (SELECT FROM %1$I.road_edge m WHERE m.edge_id = e.edge_id)$part$),
+    (72, 'alignment', 'rule', $part$
+SELECT 'error', 'edges of a road do not follow each other', 'road', m.road_id, m.position, m.geom
+    FROM member m LEFT JOIN member b ON (b.road_id, b.position) = (m.road_id, m.position - 1)
+        LEFT JOIN %1$I.road r ON r.road_id = m.road_id AND m.position = 1
+    WHERE m.first_node IS DISTINCT FROM coalesce(b.last_node, r.from_node)$part$),
+    (73, 'alignment', 'rule', $part$
+SELECT 'error', 'road goes through a node of other degree than two', 'road', m.road_id, d.degree, n.geom
+    FROM member m JOIN degree d ON d.node_id = m.first_node JOIN %1$I.node n ON n.node_id = m.first_node
+    WHERE m.position > 1 AND d.degree <> 2$part$),
+    (74, 'alignment', 'rule', $part$
+SELECT 'error', 'road ends at a node of degree two', 'road', r.road_id, 2, n.geom
+    FROM %1$I.road r JOIN degree d ON d.node_id IN (r.from_node, r.to_node) JOIN %1$I.node n USING (node_id)
+    WHERE NOT r.closed AND d.degree = 2$part$),
+    (75, 'alignment', 'rule', $part$
+SELECT 'error', 'length of a road is not that of its edges, m', 'road', r.road_id, r.length - m.length, r.geom
+    FROM %1$I.road r LEFT JOIN (SELECT road_id, sum(length) AS length FROM member GROUP BY road_id) m USING (road_id)
+    WHERE abs(r.length - m.length) <= 1e-6 IS NOT TRUE$part$),
+    (76, 'alignment', 'rule', $part$
+-- Edges that turn by more than a right angle, or change their level, meet at a corner.
+SELECT 'error', 'gap of tangent, degrees', 'road', r.road_id, degrees(k.angle), k.place::geometry
+    FROM %1$I.road r, LATERAL streetgen._arc_road_kinks(r.geom) k
+    WHERE NOT EXISTS (SELECT FROM member m JOIN %1$I.node n ON n.node_id = m.first_node
+        WHERE m.road_id = r.road_id AND ST_DWithin(n.geom, k.place::geometry, 1e-3))$part$),
+    (77, 'network', 'rule', $part$
+SELECT 'error', 'smoothed line off its axis, m', 'edge', e.edge_id, off, e.geom
+    FROM %1$I.edge e JOIN used u USING (axis_id), (SELECT max(value) FILTER (WHERE name = 'smoothing') AS smoothing,
+            (max(value) FILTER (WHERE name = 'smoothing_shift'))::float8
+                + 3 * (max(value) FILTER (WHERE name = 'tolerance'))::float8 AS bound FROM %1$I.setting
+            WHERE name IN ('smoothing', 'smoothing_shift', 'tolerance')) s,
+        LATERAL (SELECT ST_HausdorffDistance(ST_Force2D(e.geom), ST_LineSubstring(ST_Force2D(u.geom),
+            least(e.start_abscissa / ST_Length2D(u.geom), 1), least(e.end_abscissa / ST_Length2D(u.geom), 1)))
+            AS off) o
+    WHERE smoothing = 'arcs' AND e.curve IS NOT NULL AND off > bound AND NOT EXISTS (
+        SELECT FROM %1$I.road_override o WHERE o.axis_id = e.axis_id)$part$),
+    (78, 'network', 'rule', $part$
+SELECT 'warning', 'road override without its bend', 'road_override', o.road_override_id, o.abscissa, o.geom
+    FROM %1$I.road_override o WHERE NOT EXISTS (SELECT FROM used u JOIN %1$I.edge e USING (axis_id), LATERAL
+        streetgen._bend_of(u.geom, ST_LineInterpolatePoint(ST_Force2D(u.geom),
+            least(o.abscissa / ST_Length2D(u.geom), 1)), e.start_abscissa, e.end_abscissa) b
+        WHERE u.axis_id = o.axis_id AND abs(b.abscissa - o.abscissa) <= 1)$part$),
+    (79, 'alignment', 'rule', $part$
+SELECT 'notice', 'road with a bend tighter than 5 m, m', 'road', road_id, min(radius),
+    ST_Collect(centre) FROM %1$I.road_arc WHERE radius < 5 GROUP BY road_id$part$),
+    (80, 'alignment', 'rule', $part$
+SELECT 'notice', 'road with a bend slower than its speed, km/h', 'road', a.road_id, min(a.speed_limit),
+    ST_Collect(a.centre) FROM %1$I.road_arc a
+    JOIN (SELECT road_id, max(speed) AS speed FROM member GROUP BY road_id) m USING (road_id)
+    WHERE a.speed_limit < m.speed GROUP BY a.road_id$part$) $$;
 COMMENT ON FUNCTION streetgen._check_part() IS
     'The parts of the query of streetgen.check_model in their order, over a model %1$I. subject: the part stands only '
     'in models that compute it. kind with: a query that rules share, after WITH; kind rule: the rows of one rule '
@@ -334,6 +486,7 @@ CREATE OR REPLACE FUNCTION streetgen._check_statement(model name) RETURNS text
     AS $$
     SELECT format('WITH ' || string_agg(query, ',' ORDER BY place) FILTER (WHERE kind = 'with')
         || string_agg(query, E'\nUNION ALL' ORDER BY place) FILTER (WHERE kind = 'rule'), model)
-    FROM streetgen._check_part() WHERE subject = ANY (streetgen._subjects(model)) $$;
+    FROM (SELECT * FROM streetgen._check_part() WHERE subject = ANY (streetgen._subjects(model))
+        UNION ALL SELECT 1000, 'design', 'rule', streetgen._design_check() WHERE streetgen._has_design(model)) p $$;
 COMMENT ON FUNCTION streetgen._check_statement(name) IS
-    'The query of streetgen.check_model for the subjects that a model computes.';
+    'The query of streetgen.check_model for the subjects that a model computes, and its design.';

@@ -42,7 +42,37 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
     count(*), NULL FROM %1$I.interconnection GROUP BY plausible, reason ORDER BY plausible DESC, reason)$part$),
     (18, 'kerb', $part$
     SELECT 'kerbs, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km' FROM %1$I.kerb$part$),
-    (19, 'network', $part$
+    (20, 'block', $part$
+    (SELECT 'blocks, ' || kind, count(*), NULL FROM %1$I.block GROUP BY kind ORDER BY kind)$part$),
+    (21, 'block', $part$
+    SELECT 'blocks, ground', round((coalesce(sum(ST_Area(surface)), 0) / 1e6)::numeric, 6), 'km2'
+        FROM %1$I.block$part$),
+    (22, 'block', $part$
+    (SELECT 'blocks, ' || method, count(*), NULL FROM %1$I.block WHERE method <> 'hypothesis' GROUP BY method
+        ORDER BY method)$part$),
+    (30, 'alignment', $part$
+    (SELECT 'roads' || CASE WHEN closed THEN ', closed' ELSE '' END, count(*), NULL FROM %1$I.road GROUP BY closed
+    ORDER BY closed)$part$),
+    (31, 'alignment', $part$
+    SELECT 'roads, length', round((coalesce(sum(length), 0) / 1000)::numeric, 3), 'km' FROM %1$I.road$part$),
+    (35, 'sidewalk', $part$
+    SELECT 'sidewalks', round(coalesce(sum(ST_Area(surface)), 0)::numeric, 1), 'm2' FROM %1$I.sidewalk$part$),
+    (19, 'overpass', $part$
+    (SELECT 'overpasses by ' || method, count(*), NULL FROM %1$I.overpass GROUP BY method ORDER BY method)$part$),
+    (30, 'roundabout', $part$
+    (SELECT 'roundabouts, ' || CASE WHEN accepted THEN kind ELSE 'not accepted' END, count(*), NULL FROM %1$I.roundabout
+        GROUP BY 1 ORDER BY 1)$part$),
+    (23, 'height', $part$
+    (SELECT 'profiles, ' || method, count(*), NULL FROM %1$I.profile GROUP BY method ORDER BY method)$part$),
+    (40, 'junction', $part$
+    (SELECT 'junctions, ' || kind, count(*), NULL FROM %1$I.junction GROUP BY kind ORDER BY kind)$part$),
+    (41, 'junction', $part$
+    SELECT 'junctions of several nodes', count(*), NULL FROM %1$I.junction WHERE method = 'grouped'$part$),
+    (42, 'junction', $part$
+    (SELECT 'edges in junctions, ' || role, count(*), NULL FROM %1$I.junction_edge GROUP BY role ORDER BY role)$part$),
+    (43, 'junction', $part$
+    SELECT 'paths across junctions, plausible', count(*), NULL FROM %1$I.junction_movement WHERE plausible$part$),
+    (99, 'network', $part$
     (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)$part$) $$;
 COMMENT ON FUNCTION streetgen._summary_part() IS
     'What streetgen.summary counts, query by query, over a model %1$I: the first of a row names a thing, then come its '
@@ -54,7 +84,9 @@ CREATE OR REPLACE FUNCTION streetgen.summary(model name) RETURNS TABLE(subject t
 BEGIN
     PERFORM streetgen._require_reader(model);
     RETURN QUERY EXECUTE (SELECT format(string_agg(query, E'\nUNION ALL ' ORDER BY place), model)
-        FROM streetgen._summary_part() p WHERE p.subject = ANY (streetgen._subjects(model)));
+        FROM (SELECT p.place, p.query FROM streetgen._summary_part() p
+                WHERE p.subject = ANY (streetgen._subjects(model))
+            UNION ALL SELECT 1000, streetgen._design_summary() WHERE streetgen._has_design(model)) p);
 END $$;
 COMMENT ON FUNCTION streetgen.summary(name) IS
     'How much there is in a model, and how it came about. An unknown model: 3F000.';

@@ -15,7 +15,8 @@ BEGIN
     -- Not every source knows of single lanes.
     FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
         ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
-            ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text')) c(name, type)
+            ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
+            ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('roundabout_tag', 'text')) c(name, type)
         WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
     LOOP
         EXECUTE format('ALTER TABLE pg_temp._import ADD %I %s', missing.name, missing.type);
@@ -57,12 +58,13 @@ BEGIN
             ('radius', i.radius, 0, 200),
             ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30),
                 ('lanes_backward', i.lanes_backward, 0, 30), ('lanes_both', i.lanes_both, 0, 30),
-                ('importance', i.importance, 0, 99)) v(name, value, low, high)
+                ('importance', i.importance, 0, 99), ('sidewalk_left', i.sidewalk_left, 0, 50),
+                ('sidewalk_right', i.sidewalk_right, 0, 50)) v(name, value, low, high)
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023',
-            HINT = 'Widths and radii go up to 200 m, speeds up to 400 km/h, lane_count up to 30, importance up to '
-            '99; NULL is unknown.';
+            HINT = 'Widths and radii go up to 200 m, sidewalks up to 50 m, speeds up to 400 km/h, lane_count up to 30, '
+            'importance up to 99; NULL is unknown.';
     END IF;
     SELECT i.label, v.name AS name, v.list AS list INTO bad FROM pg_temp._import i,
         LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'),
@@ -107,14 +109,18 @@ BEGIN
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
-    -- Lanes for both directions are the seed of the hash, so that it stays the same where a source has none.
+    -- Lanes for both directions, tags of roundabouts and sidewalks are the seed of the hash, so that it stays the
+    -- same where a source has none.
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line,
             NULL::geometry AS cleaned, (d.path)[1] AS nth,
             hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed,
                 i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward,
                 i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward,
-                i.turn_backward), coalesce(i.lanes_both, 0)) AS hash
+                i.turn_backward),
+                coalesce(i.lanes_both, 0) + coalesce(hashtextextended(i.roundabout_tag, 1), 0)
+                # CASE WHEN coalesce(i.sidewalk_left, i.sidewalk_right) IS NULL THEN 0
+                    ELSE hash_record_extended(ROW(i.sidewalk_left, i.sidewalk_right), 0) END) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
             ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
@@ -189,34 +195,39 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
         ELSE a.width END, CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.lane_count,
         a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
         a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
-        a.turn_backward)
+        a.turn_backward, a.roundabout_tag, a.sidewalk_left, a.sidewalk_right)
         IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance,
             p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
             p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward,
-            p.turn_backward)) $sql$, model) USING source;
+            p.turn_backward, p.roundabout_tag, coalesce(p.sidewalk_left, a.sidewalk_left),
+            coalesce(p.sidewalk_right, a.sidewalk_right))) $sql$, model) USING source;
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
     EXECUTE format($sql$
 INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind,
     radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-    lane_width_backward, turn_forward, turn_backward, source, source_ref, source_geom, source_hash)
+    lane_width_backward, turn_forward, turn_backward, roundabout_tag, sidewalk_left, sidewalk_right, source,
+    source_ref, source_geom, source_hash)
 SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed,
     p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
-    p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward, $1,
+    p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward,
+    p.roundabout_tag, p.sidewalk_left, p.sidewalk_right, $1,
     p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET
     width = CASE WHEN a.width_by_hand THEN a.width ELSE excluded.width END, source_width = CASE WHEN a.width_by_hand
         THEN excluded.width END,
     width_end = CASE WHEN a.width_by_hand THEN a.width_end ELSE excluded.width_end END,
         source_width_end = CASE WHEN a.width_by_hand THEN excluded.width_end END,
-    geom = excluded.geom, lane_count = excluded.lane_count, direction = excluded.direction, speed = excluded.speed,
-        importance = excluded.importance, name = excluded.name, level = excluded.level, kind = excluded.kind,
-        radius = excluded.radius, lanes_forward = excluded.lanes_forward, lanes_backward = excluded.lanes_backward,
-        lanes_both = excluded.lanes_both, kind_forward = excluded.kind_forward, kind_backward = excluded.kind_backward,
-        lane_width_forward = excluded.lane_width_forward, lane_width_backward = excluded.lane_width_backward,
-        turn_forward = excluded.turn_forward, turn_backward = excluded.turn_backward,
-        source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model) USING source;
+    %2$s,
+        sidewalk_left = coalesce(excluded.sidewalk_left, a.sidewalk_left),
+        sidewalk_right = coalesce(excluded.sidewalk_right, a.sidewalk_right),
+        source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model,
+        -- Widths of sidewalks of a table of their own stay where the source says none.
+        (SELECT string_agg(format('%1$I = excluded.%1$I', attribute), ', ') FROM unnest(ARRAY['geom', 'lane_count',
+            'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward',
+            'lanes_both', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward',
+            'turn_forward', 'turn_backward', 'roundabout_tag']) attribute)) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;

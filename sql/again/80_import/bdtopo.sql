@@ -50,7 +50,7 @@ SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 A
        CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END AS importance,
        s.name, CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
            ELSE 0 END AS level,
-       s.class, NULL::float8 AS radius,
+       s.class, CASE s.class WHEN 'Rond-point' THEN s.class END AS roundabout_tag, NULL::float8 AS radius,
        streetgen.lane_kinds(forward, NULL, bus_forward, '%13$s', cycle_forward, false, false, false) AS kind_forward,
        streetgen.lane_kinds(backward, NULL, bus_backward, '%13$s', cycle_backward, false, false,
            false) AS kind_backward,

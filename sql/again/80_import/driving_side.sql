@@ -34,7 +34,7 @@ WITH RECURSIVE bent AS MATERIALIZED (
     FROM (SELECT axis_id, geom, streetgen._turning(geom) AS turning
           FROM (SELECT axis_id, CASE direction WHEN 'reverse' THEN ST_Reverse(ST_Force2D(geom)) ELSE ST_Force2D(geom)
                     END AS geom
-                FROM %1$I.axis WHERE direction <> 'both' AND ST_NPoints(geom) > 2 AND ST_Length(geom) < 400) a) t
+                FROM %1$I.axis_used WHERE direction <> 'both' AND ST_NPoints(geom) > 2 AND ST_Length(geom) < 400) a) t
     WHERE abs(turning) > radians(20)),
 walk AS (
     SELECT axis_id AS first, ARRAY[axis_id] AS axes, geom AS line, sense, tail, tip, metres FROM bent

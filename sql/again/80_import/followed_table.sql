@@ -29,7 +29,8 @@ CREATE OR REPLACE FUNCTION streetgen._refs_of(source_ref text, geom geometry) RE
 COMMENT ON FUNCTION streetgen._refs_of(text, geometry) IS
     'The source_refs of the axes of a source row: its own, and of a line of several parts one each.';
 
-CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, among text[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, among text[],
+    clean boolean DEFAULT true) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- A few rows among many.
     SET jit = off SET enable_seqscan = off
@@ -53,14 +54,14 @@ BEGIN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
     PERFORM streetgen._drop_vanished(model, source, among);
-    FOR told IN SELECT * FROM streetgen._write_axes(model, source) t WHERE t.source_refs IS NOT NULL LOOP
+    FOR told IN SELECT * FROM streetgen._write_axes(model, source, clean) t WHERE t.source_refs IS NOT NULL LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
     DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
 END $$;
-COMMENT ON FUNCTION streetgen._import_change(name, text, text[]) IS
+COMMENT ON FUNCTION streetgen._import_change(name, text, text[], boolean) IS
     'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the '
-    'source_refs of what they were.';
+    'source_refs of what they were; their lines are cleaned if asked to.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_follower(model name, source regclass, mapping jsonb) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -52,6 +52,16 @@ COMMENT ON FUNCTION streetgen._osm_kerb(text, text, text, text, text, text, text
     'What the tags of one kind (cycleway, busway) say of the left or right kerb of a way: lane, opposite (against the '
     'direction of the street) or NULL.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_sidewalk(of_side text, of_way text, width text, side text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE
+        WHEN coalesce(of_side, of_way) IN ('no', 'none') THEN 0
+        WHEN of_side IS NULL AND of_way IN ('left', 'right') AND of_way <> side THEN 0
+        WHEN streetgen._osm_metres(width) <= 50 THEN streetgen._osm_metres(width) END;
+COMMENT ON FUNCTION streetgen._osm_sidewalk(text, text, text, text) IS
+    'Width in metres of the sidewalk on one side (left or right) of a way, from what its tags say of this side, of '
+    'the way and of the width; 0: none; NULL: unknown.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_beside(kerb text, way text, direction text, near text, far text)
     RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -84,7 +94,8 @@ DECLARE
         'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right',
             'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
         'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both',
-            'parking_lane_left', 'parking_lane_right', 'parking_lane_both'];
+            'parking_lane_left', 'parking_lane_right', 'parking_lane_both', 'sidewalk', 'sidewalk_left',
+        'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width', 'sidewalk_right_width', 'sidewalk_both_width'];
     -- Tables written by an older flex file lack some.
     tags constant text := (
         SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
@@ -100,7 +111,9 @@ WITH line AS MATERIALIZED (
         bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
 meaning AS MATERIALIZED (
 SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end,
-    coalesce(lanes_total, lanes_sum) AS lane_count, direction,
+    coalesce(lanes_total, lanes_sum) AS lane_count,
+    CASE WHEN tagged AND NOT stated THEN 'both' ELSE direction END AS direction,
+    CASE WHEN tagged AND direction <> 'both' THEN junction END AS roundabout_tag,
        CASE WHEN kmh <= 400 THEN kmh END AS speed, NULL::integer AS importance,
        coalesce(CASE WHEN layer ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, layer::integer)) END,
                 CASE WHEN coalesce(bridge, 'no') <> 'no' THEN 1 WHEN coalesce(tunnel, 'no') <> 'no' THEN -1
@@ -120,6 +133,8 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 A
            streetgen._osm_beside('near', 'reverse', direction, parking_far, parking_near),
                streetgen._osm_beside('far', 'reverse', direction, parking_far, parking_near)) AS kind_backward,
        lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       streetgen._osm_sidewalk(walk_left, sidewalk, said_walk_left, 'left') AS sidewalk_left,
+       streetgen._osm_sidewalk(walk_right, sidewalk, said_walk_right, 'right') AS sidewalk_right,
        array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
                           CASE WHEN lanes IS NOT NULL AND lanes_total IS NULL
                               OR coalesce(lanes_forward, lanes_backward) IS NOT NULL
@@ -136,13 +151,25 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 A
                               THEN 'turn' END,
                           CASE WHEN said_width_forward IS NOT NULL AND lane_width_forward IS NULL
                               OR said_width_backward IS NOT NULL AND lane_width_backward IS NULL
-                              THEN 'lane_width' END], NULL) AS unread
+                              THEN 'lane_width' END,
+                          CASE WHEN said_walk_left IS NOT NULL
+                              AND (streetgen._osm_metres(said_walk_left) <= 50) IS NOT TRUE
+                              OR said_walk_right IS NOT NULL
+                              AND (streetgen._osm_metres(said_walk_right) <= 50) IS NOT TRUE
+                              THEN 'sidewalk width' END], NULL) AS unread
 FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
      streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
          THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
                           WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link')
-                              THEN 'direct' ELSE 'both' END AS direction) d,
+                              THEN 'direct' ELSE 'both' END AS direction,
+         -- A direction that the tag of a roundabout alone implies is left to that tag.
+         junction IN ('roundabout', 'circular') AS tagged,
+         coalesce(oneway IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0'), false) AS stated) d,
+     LATERAL (SELECT coalesce(sidewalk_left, sidewalk_both) AS walk_left,
+         coalesce(sidewalk_right, sidewalk_both) AS walk_right,
+         coalesce(sidewalk_left_width, sidewalk_both_width) AS said_walk_left,
+         coalesce(sidewalk_right_width, sidewalk_both_width) AS said_walk_right) walk,
      -- Lanes that both directions use, in the middle.
      LATERAL (SELECT CASE WHEN direction = 'both' AND n BETWEEN 0 AND 6 THEN n END AS centre
               FROM (SELECT CASE WHEN lanes_both_ways IS NULL THEN 0 ELSE streetgen._osm_count(lanes_both_ways) END
@@ -234,11 +261,14 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
+    RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
     'search_path or named with its schema (gis.osm): lanes (lanes:both_ways and lanes:reversible: in the middle, for '
     'both directions), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; '
-    'turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; and the turn '
-    'restrictions of PREFIX_restriction. A tag that means nothing (width abc, or over 200 m) is unknown, and reported '
+    'turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; sidewalk and '
+    'sidewalk:left, :right and :both with their :width; and the turn '
+    'restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control. A tag that means '
+    'nothing (width abc, or over 200 m) is unknown, and reported '
     'by way.';

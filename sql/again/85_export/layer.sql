@@ -19,7 +19,8 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'surface', 'roadway'),
     (2, 'axes', 'LINESTRING', true,
         'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, u.lane_count, '
-        'u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.lanes_both, u.speed, '
+        'u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.lanes_both, u.sidewalk_left AS walk_left, '
+        'u.sidewalk_right AS walk_right, u.speed, '
         'array_to_string(estimated, '','') AS estimated, source, source_ref', 'u.geom',
         'axis_used u JOIN %1$I.axis a USING (axis_id)'),
     (3, 'edges', 'LINESTRING', true,
@@ -39,7 +40,21 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'connecting', 'geom', 'interconnection'),
     (9, 'corners', 'LINESTRING', false, 'corner_id AS id, node_id, edge_a, edge_b, radius, method',
         'ST_CurveToLine(arc, 16)', 'corner WHERE arc IS NOT NULL'),
-    (10, 'kerbs', 'LINESTRING', false, 'kerb_id AS id, edge_id, node_id, level, side, part, method', 'geom', 'kerb')
+    (11, 'roundabouts', 'LINESTRING', false,
+        'roundabout_id AS id, kind, radius, score, accepted, confirmed, level, method', 'geom', 'roundabout'),
+    (10, 'kerbs', 'LINESTRING', false, 'kerb_id AS id, edge_id, node_id, level, side, part, method', 'geom', 'kerb'),
+    (12, 'blocks', 'MULTIPOLYGON', false, 'block_id AS id, kind, method', 'surface', 'block'),
+    (11, 'roads_arcs', 'LINESTRING', false, 'road_id AS id, from_node, to_node, closed, length',
+        'streetgen.arc_road_line(geom, 0.01)', 'road'),
+    (35, 'sidewalks', 'MULTIPOLYGON', false, 'sidewalk_id AS id, edge_id, node_id, side, part, width, method',
+        'surface', 'sidewalk'),
+    (40, 'junctions', 'MULTIPOLYGON', false, 'junction_id AS id, kind, method', 'surface', 'junction'),
+    (41, 'movements', 'LINESTRING', false, 'row_number() OVER (ORDER BY lane_in, lane_out, along_in, along_out) AS id, '
+        'junction_id AS junction, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, '
+        'connecting', 'geom', 'movement'),
+    (55, 'overpasses', 'POINT', false, 'overpass_id AS id, edge_above, abscissa_above AS at_above, edge_below, '
+        'abscissa_below AS at_below, clearance, method', 'geom', 'overpass'),
+    (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile')
     $$;
 COMMENT ON FUNCTION streetgen._export_layer() IS
     'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: '

@@ -40,7 +40,7 @@ Point middle_of(const RoadPiece& piece, const Point& end) {
 
 }  // namespace
 
-RoadBuilder::RoadBuilder(double least) : body_(std::make_shared<ArcRoad::Body>()), least_(least) {}
+RoadBuilder::RoadBuilder(double least) : body_(std::make_shared<RoadBody>()), least_(least) {}
 
 double RoadBuilder::add(RoadPiece piece) {
   const double start = body_->length;
@@ -117,6 +117,34 @@ std::vector<ArcRoad::Stretch> ArcRoad::stretches() const {
   for (const RoadPiece& piece : body_->pieces)
     found.push_back({piece.start, piece.start + piece.length,
                      turn_of(piece) < 0 ? -piece.radius : piece.radius});
+  return found;
+}
+
+std::vector<ArcRoad::Bend> ArcRoad::bends() const {
+  const CurvedLine pieces = curve();
+  const std::vector<Stretch> along = stretches();
+  std::vector<Bend> found;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].curved) continue;
+    const RoadPiece& piece = body_->pieces[i];
+    const double half = piece.length / piece.radius / 2;
+    const Point corner = piece.origin + piece.forward * (piece.radius * std::tan(half));
+    found.push_back({along[i], piece.centre(), corner, pieces[i].arc});
+  }
+  return found;
+}
+
+std::vector<ArcRoad::Kink> ArcRoad::kinks() const {
+  constexpr double least_jump = 1e-3, rounding = 1e-8;  // radians, metres
+  std::vector<Kink> found;
+  for (std::size_t i = 0; i + 1 < body_->pieces.size(); ++i) {
+    const RoadPiece &before = body_->pieces[i], &after = body_->pieces[i + 1];
+    if (!before.curved() && !after.curved()) continue;
+    const Point in = before.direction(before.length), out = after.forward;
+    const double jump = std::atan2(space::norm(space::cross(in, out)), space::dot(in, out));
+    if (jump > std::max(least_jump, rounding / std::min(before.length, after.length)))
+      found.push_back({after.origin, jump});
+  }
   return found;
 }
 

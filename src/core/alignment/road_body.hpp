@@ -10,7 +10,7 @@
 
 namespace streetgen {
 
-struct ArcRoad::Body {
+struct RoadBody {
   std::vector<RoadPiece> pieces;
   std::vector<double> starts;  // abscissas, beside each other for the search
   std::vector<RoadArc> arcs;
@@ -31,7 +31,7 @@ class RoadBuilder {
   ArcRoad built(const Point& end, std::vector<RoadArc> arcs = {});
 
  private:
-  std::shared_ptr<ArcRoad::Body> body_;
+  std::shared_ptr<RoadBody> body_;
   double least_;
 };
 
@@ -50,10 +50,10 @@ double chord_angle(double radius, double tolerance);
 std::size_t chord_count(double angle, double radius, double tolerance);
 
 // The surface between two offsets of a road, of pieces.
-std::vector<Triangle> road_mesh(const ArcRoad::Body& road, double offset_left, double offset_right,
+std::vector<Triangle> road_mesh(const RoadBody& road, double offset_left, double offset_right,
                                 double tolerance);
 // The road at an offset: exact of a flat one, at the heights of its bends of one in space.
-std::optional<ArcRoad> flat_offset(const ArcRoad::Body& road, double axis_offset);
-ArcRoad offset_in_space(const ArcRoad::Body& road, double axis_offset);
+std::optional<ArcRoad> flat_offset(const RoadBody& road, double axis_offset);
+ArcRoad offset_in_space(const RoadBody& road, double axis_offset);
 
 }  // namespace streetgen

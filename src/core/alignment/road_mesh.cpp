@@ -22,7 +22,7 @@ constexpr int most_halvings = 10;  // of a step in space, where the road comes n
 
 class Stations {
  public:
-  Stations(const ArcRoad::Body& road, double reach, double tolerance)
+  Stations(const RoadBody& road, double reach, double tolerance)
       : reach_(reach), tolerance_(tolerance) {
     for (std::size_t i = 0; i < road.pieces.size(); ++i) {
       poll_cancel();
@@ -142,7 +142,7 @@ Line border_of(const std::vector<Station>& stations, double offset, double toler
 
 }  // namespace
 
-std::vector<Triangle> road_mesh(const ArcRoad::Body& road, double offset_left, double offset_right,
+std::vector<Triangle> road_mesh(const RoadBody& road, double offset_left, double offset_right,
                                 double tolerance) {
   const double reach = std::max(std::abs(offset_left), std::abs(offset_right));
   const Stations stations(road, reach, tolerance);

@@ -110,7 +110,7 @@ std::vector<RoadCorner> corners_of(const std::vector<RoadPiece>& road) {
 
 }  // namespace
 
-std::optional<ArcRoad> flat_offset(const ArcRoad::Body& road, double axis_offset) {
+std::optional<ArcRoad> flat_offset(const RoadBody& road, double axis_offset) {
   const std::vector<RawBorderPiece> border = raw_border(road.pieces, axis_offset);
   const std::vector<BorderPart> parts = without_bend_loops(border, road.pieces, axis_offset);
   RoadBuilder built(rounding);
@@ -119,7 +119,7 @@ std::optional<ArcRoad> flat_offset(const ArcRoad::Body& road, double axis_offset
   return built.built(border[parts.back().index].piece.point(parts.back().to));
 }
 
-ArcRoad offset_in_space(const ArcRoad::Body& road, double axis_offset) {
+ArcRoad offset_in_space(const RoadBody& road, double axis_offset) {
   const std::vector<RoadPiece>& pieces = road.pieces;
   const std::vector<RoadCorner> corners = corners_of(pieces);
   const Point last = pieces.back().direction(pieces.back().length);

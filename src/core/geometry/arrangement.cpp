@@ -192,6 +192,30 @@ bool holds(const std::vector<Cell>& ring, const Cell& place) {
   return odd;
 }
 
+// The nodes that each segment passes, from its first place to its last.
+class PassedNodes {
+ public:
+  void begin_segment(int node) {
+    firsts_.push_back(nodes_.size());
+    nodes_.push_back(node);
+  }
+  void go_on(int node) { nodes_.push_back(node); }
+
+  template <class Use>
+  void each_step(std::size_t segment, bool backwards, Use use) const {
+    const std::size_t first = firsts_[segment],
+                      end = segment + 1 < firsts_.size() ? firsts_[segment + 1] : nodes_.size();
+    for (std::size_t i = first + 1; i < end; ++i) {
+      const std::size_t k = backwards ? end + first - i : i;
+      backwards ? use(nodes_[k], nodes_[k - 1]) : use(nodes_[k - 1], nodes_[k]);
+    }
+  }
+
+ private:
+  std::vector<std::size_t> firsts_;
+  std::vector<int> nodes_;
+};
+
 // A ring that touches itself comes apart into rings that do not.
 // `at` holds `nowhere` for each node.
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
@@ -215,18 +239,18 @@ std::vector<std::vector<int>> apart(const std::vector<int>& ring, std::vector<st
 
 }  // namespace
 
-Arrangement::Arrangement(const std::vector<LineView>& lines) {
-  node(lines);
+Arrangement::Arrangement(const std::vector<LineView>& lines, Asked asked) {
+  node(lines, asked);
   connect();
   walk();
-  place_walks();
+  if (asked == Asked::places) place_walks();
 }
 
 Point Arrangement::on_grid(const GridCell& cell) const {
   return {origin_.x + cell.x * step_, origin_.y + cell.y * step_, 0};
 }
 
-void Arrangement::node(const std::vector<LineView>& lines) {
+void Arrangement::node(const std::vector<LineView>& lines, Asked asked) {
   Box box;
   for (const LineView& line : lines)
     for (const Point& p : line) box.add(p);
@@ -280,17 +304,21 @@ void Arrangement::node(const std::vector<LineView>& lines) {
   const std::vector<int> node_of = number(places, points);
   std::vector<std::pair<int, int>> edges;
   std::vector<std::pair<Wide, int>> along;
+  PassedNodes passed;
   edges.reserve(segments.size() + meetings.all().size());
   auto meeting = meetings.all().begin();
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     int last = node_of[s.first];
+    if (asked == Asked::ways) passed.begin_segment(last);
     if (meeting == meetings.all().end() || meeting->segment != static_cast<int>(i)) {
       if (s.first != s.last) edges.emplace_back(last, node_of[s.last]);
+      if (s.first != s.last && asked == Asked::ways) passed.go_on(node_of[s.last]);
       continue;
     }
     const auto go_on = [&](int node) {
       if (node != last) edges.push_back(std::minmax(last, node));
+      if (node != last && asked == Asked::ways) passed.go_on(node);
       last = node;
     };
     along.clear();
@@ -309,6 +337,22 @@ void Arrangement::node(const std::vector<LineView>& lines) {
   for (const auto& [a, b] : edges) {
     halves_.push_back({a, b});
     halves_.push_back({b, a});
+  }
+  if (asked == Asked::places) return;
+  const auto append = [&](int from, int to) {
+    const std::pair<int, int> pair = std::minmax(from, to);
+    const auto edge = std::lower_bound(edges.begin(), edges.end(), pair) - edges.begin();
+    way_sides_.push_back(2 * static_cast<int>(edge) + (from > to));
+  };
+  place = place_of.begin();
+  for (const LineView& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i, ++place) {
+      if (i == 0) continue;
+      const std::pair<int, int> pair = std::minmax(place[-1], place[0]);
+      const auto segment = std::lower_bound(ends.begin(), ends.end(), pair) - ends.begin();
+      passed.each_step(segment, place[-1] > place[0], append);
+    }
+    ways_.push_back(static_cast<int>(way_sides_.size()));
   }
 }
 

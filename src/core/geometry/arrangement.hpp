@@ -30,10 +30,31 @@ class LineView {
 // both. Hobby, Practical segment intersection with finite precision output, 1999.
 class Arrangement {
  public:
-  explicit Arrangement(const std::vector<LineView>& lines);
+  // What is asked afterwards: a place in each face, or the way of each line along the faces.
+  enum class Asked { places, ways };
+  explicit Arrangement(const std::vector<LineView>& lines, Asked asked = Asked::places);
 
   // A place in the face beside each walk along its border; a face with islands has several.
   const std::vector<Point>& places() const { return places_; }
+
+  // The sides of all segments between places where lines end, bend, meet or cross.  Side `side ^ 1`
+  // is the other side of the same segment, and runs the other way.
+  int side_count() const { return static_cast<int>(halves_.size()); }
+  int walk_count() const { return static_cast<int>(walks_.size()); }
+  int walk_of(int side) const { return halves_[side].walk; }
+  // Where the side begins.
+  const Point& start_of(int side) const { return nodes_[halves_[side].from].point; }
+  // The sides of a walk, in their order.
+  std::vector<int> sides_of(int walk) const;
+  // The sides along a line that has the faces on its left, in the line's order.  Lines that lie on
+  // each other share sides.
+  std::vector<int> way(int line) const;
+  // Square metres, exact to rounding: positive of a walk that goes about its face, and not of one
+  // that goes about an island.
+  std::vector<double> areas() const;
+  // For each walk about an island the walk about the face that holds the island; -1: none does.
+  // For a walk about its face the walk itself.
+  std::vector<int> faces_of_walks() const;
 
   // The walk on whose left the place lies: counter-clockwise, but about an island.
   Ring border(int walk) const;
@@ -55,7 +76,7 @@ class Arrangement {
     int walk = -1;
   };
 
-  void node(const std::vector<LineView>& lines);
+  void node(const std::vector<LineView>& lines, Asked asked);
   std::vector<int> number(const std::vector<GridCell>& places,
                           const std::vector<const Point*>& points);
   void connect();
@@ -63,6 +84,8 @@ class Arrangement {
   int outer_walk() const;
   void place_walks();
   Point on_grid(const GridCell& cell) const;
+  bool walk_holds(int walk, const GridCell& cell) const;
+  std::vector<int> islands() const;
 
   double step_ = 0;  // metres
   Point origin_;
@@ -72,6 +95,8 @@ class Arrangement {
   std::vector<int> walked_;  // halves, walk by walk
   std::vector<int> walks_;   // where each ends in these
   std::vector<Point> places_;
+  std::vector<int> way_sides_;  // halves, line by line
+  std::vector<int> ways_;       // where each line's end in these
 };
 
 }  // namespace streetgen

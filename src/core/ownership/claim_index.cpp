@@ -16,7 +16,7 @@ constexpr double longest = 10;  // metres of axis in one box
 constexpr int nowhere = -1;
 
 void add_stretch(Extent& extent, const Arm& arm, double start, double end) {
-  const double reach = std::max(arm.half_start, arm.half_end) + coordinate_margin;
+  const double reach = std::max({arm.half_start, arm.half_end, arm.widest}) + coordinate_margin;
   const Line line = substring(arm.line, start, end);
   extent.add(box_of(line.front(), line.front()).grown(reach));
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -97,9 +97,11 @@ Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>&
   return extent;
 }
 
-Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims)
+Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims,
+                   double slit_width)
     : extents_(std::move(extents)),
       claims_(claims),
+      slit_width_(slit_width),
       index_(boxes_of(extents_)),
       touching_(extents_.size()),
       place_(extents_.size(), nowhere) {}
@@ -108,8 +110,8 @@ const std::vector<int>& Vicinity::touching(int claim) {
   auto& found = touching_[claim];
   if (!found) {
     found.emplace();
-    for (const int other : index_.near(extents_[claim].box, 0))
-      if (other != claim && extents_[claim].meets(extents_[other], 0)) found->push_back(other);
+    for (const int other : index_.near(extents_[claim].box, slit_width_))
+      if (other != claim && extents_[claim].meets(extents_[other], slit_width_)) found->push_back(other);
   }
   return *found;
 }

@@ -29,10 +29,11 @@ Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>&
 // Claims by where their surfaces may lie.
 class Vicinity {
  public:
-  // extents[i] is that of claims[i]; the claims outlive the vicinity.
-  Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims);
+  // extents[i] is that of claims[i]; the claims outlive the vicinity. Claims `slit_width` metres
+  // apart may leave a slit.
+  Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims, double slit_width);
 
-  // Those that may share ground with the claim and tile with it, or with one that does.
+  // Those that may share ground or a slit with the claim and tile with it, or with one that does.
   std::vector<int> opponents(int claim);
   // Those that may close a ring around a hole beside the claim, within `hole_extent` of it; none
   // where all near it are known.
@@ -45,6 +46,7 @@ class Vicinity {
 
   std::vector<Extent> extents_;
   const std::vector<Claim>& claims_;
+  double slit_width_;
   BoxIndex index_;
   std::vector<std::optional<std::vector<int>>> touching_;
   std::vector<int> place_;  // among those near the claim that is asked about

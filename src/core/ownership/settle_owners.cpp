@@ -7,11 +7,13 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "geometry/surface_distance.hpp"
 #include "ownership/claim.hpp"
 #include "ownership/claim_index.hpp"
 #include "ownership/crowd.hpp"
 #include "ownership/hole.hpp"
 #include "ownership/ownership.hpp"
+#include "ownership/slit.hpp"
 #include "roadway/street_surface.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -132,7 +134,7 @@ class Owners {
       for (std::size_t n = 0; n < layout_.junctions.size(); ++n)
         extents.push_back(
             intersection_extent(layout_.arms_of(static_cast<int>(n)), layout_.junctions[n].gaps));
-      vicinity_.emplace(std::move(extents), claims_);
+      vicinity_.emplace(std::move(extents), claims_, slit_width());
     }
     return *vicinity_;
   }
@@ -152,6 +154,7 @@ class Owners {
     return *crowds_;
   }
 
+  double slit_width() const { return layout_.settings.slit_width; }
   std::size_t most_overlaps() const { return layout_.settings.overlaps_maximal; }
 
   template <class Use>
@@ -234,14 +237,23 @@ class Owners {
     for (const GivenUp& given_up : given_up_) {
       if (given_up.surface->ground.empty()) continue;
       const PreparedSurface ground(given_up.surface->ground);
-      for (const int i : vicinity().near(ground.box())) {
+      for (const int i : vicinity().near(ground.box().grown(slit_width()))) {
         if (claims_[i].wanted || was_[i] == nullptr) continue;
         if (was_[i]->contested) build(i);
         if (overlap(ground,
-                    PreparedSurface(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)))
+                    PreparedSurface(was_[i]->contested ? surfaces_[i].ground : was_[i]->ground)) ||
+            held_slit_beside(i, given_up.surface->ground))
           mark_affected(i);
       }
     }
+  }
+
+  // Whether it had more than it claims, and that ground may have been a slit beside what is gone.
+  bool held_slit_beside(int i, const MultiPolygon& gone) {
+    if (slit_width() <= 0 || was_[i]->contested) return false;
+    build(i);
+    return !same(was_[i]->ground, surfaces_[i].ground) &&
+           come_near(was_[i]->ground, gone, slit_width());
   }
 
   bool outer(int i) const {
@@ -310,6 +322,8 @@ class Owners {
       ask_below_moved();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
+      for (Hole& slit : slits_between(claims_, holes, slit_width(), layout_.settings.max_hole_area))
+        holes.push_back(std::move(slit));
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();
       vicinity_.reset();

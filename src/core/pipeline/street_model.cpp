@@ -5,19 +5,34 @@
 
 namespace streetgen {
 
+namespace {
+
+std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInput& input) {
+  std::vector<int> importances;
+  for (const Roadway& roadway : streets.roadways) importances.push_back(roadway.importance);
+  return overpasses(streets.network, importances, input.overpass_overrides,
+                    input.settings.tolerance, input.clearance);
+}
+
+}  // namespace
+
 StreetModel street_model(const StreetModelInput& input) {
   StreetModel model;
   model.streets =
       streets(input.axes, input.settings, input.overrides, input.former, input.subjects.kerb);
   if (input.subjects.lane) {
-    model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings);
+    model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
+                        input.controls, input.circulations);
     check_lanes(model.streets, model.lanes);
   }
   if (input.subjects.interconnection) {
     model.interconnections = interconnections(model.streets, input.axes, model.lanes.lanes,
                                               input.restrictions, input.interconnection_settings);
+    forbid_against_rings(model.streets, model.lanes.lanes, input.circulations,
+                         model.interconnections);
     check_interconnections(model);
   }
+  if (input.subjects.overpass) model.overpasses = overpasses_of(model.streets, input);
   return model;
 }
 

@@ -31,7 +31,7 @@ void stay_within(const Streets& streets, const Former& former) {
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
                 const StreetOverrides& overrides, const Former& former, bool with_kerbs) {
-  Layout layout(axes, settings);
+  Layout layout(axes, settings, overrides.bends);
   check_network(layout.streets.network);
   solve_corners(layout, radii_by_hand(layout, overrides.corners));
   check_corners(layout.streets);
@@ -76,6 +76,10 @@ const char* method_name(Method method) noexcept {
       return "by_hand";
     case Method::level_change:
       return "level_change";
+    case Method::covered:
+      return "covered";
+    case Method::axis_bound:
+      return "axis_bound";
   }
   return "";
 }

@@ -11,17 +11,19 @@ struct Arm {
   Line line;              // starts at the node
   double half_start = 0;  // half widths, metres, linear along the line
   double half_end = 0;
-  double limit = 0;  // abscissa where the intersection ends
-  Line border;       // at the limit: left and right kerb, seen from the node
+  double limit = 0;   // abscissa where the intersection ends
+  Line border{};      // at the limit: left and right kerb, seen from the node
+  double widest = 0;  // metres, of what a change of width adds within the section
 };
 
 // Between arm i and the next one counter-clockwise.
 struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
-  double angle = 0;  // counter-clockwise about the node, radians; over pi outside a bend
+  double angle = 0;     // counter-clockwise about the node, radians; over pi outside a bend
+  bool sharp = false;   // no arc is wanted
   bool tapers = false;  // the kerb goes on from one limit to the other as the width changes
-  Polygon beyond{};  // the ground between both kerbs and an arc that lies beyond an arm's end
+  Polygon beyond{};     // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
 double half_at(const Arm& arm, double abscissa);

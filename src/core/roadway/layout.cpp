@@ -10,7 +10,8 @@
 
 namespace streetgen {
 
-Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted)
+Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted,
+               const std::vector<RoadOverride>& overrides)
     : settings(wanted) {
   std::vector<NetworkAxis> lines;
   std::unordered_map<std::int64_t, const StreetAxis*> by_id;
@@ -19,7 +20,7 @@ Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted)
     by_id.emplace(axis.axis_id, &axis);
   }
   streets.network = network(lines, settings.tolerance, settings.crossing);
-  if (settings.smoothing) smooth_edges(streets.network, *settings.smoothing);
+  if (settings.smoothing) smooth_edges(streets.network, *settings.smoothing, overrides);
   for (const Edge& edge : streets.network.edges) axes.push_back(by_id.at(edge.axis_id));
   streets.roadways.reserve(axes.size());
   arms.reserve(2 * axes.size());

@@ -10,13 +10,6 @@
 
 namespace streetgen {
 
-// Where an edge touches a node.
-struct EdgeEnd {
-  int edge = 0;
-  bool at_start = true;
-};
-inline int slot(const EdgeEnd& end) { return 2 * end.edge + (end.at_start ? 0 : 1); }
-
 // What meets at a node.
 struct Junction {
   std::vector<EdgeEnd> ends;  // counter-clockwise
@@ -34,7 +27,8 @@ struct Junction {
 };
 
 struct Layout {
-  Layout(const std::vector<StreetAxis>& axes, const StreetSettings& settings);
+  Layout(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
+         const std::vector<RoadOverride>& overrides);
 
   const StreetAxis& axis_of(int edge) const { return *axes[edge]; }
   const Arm& arm(const EdgeEnd& end) const { return arms[slot(end)]; }

@@ -63,6 +63,7 @@ SolvedCorner without_arc(const Arm& a, const Arm& b, const CornerWish& wish) {
   SolvedCorner solved;
   solved.method = wish.radius <= 0 ? Method::hypothesis : Method::no_arc;
   solve_without_arc(a, b, angle_between(a, b), wish.max_arc_distance, solved);
+  solved.gap.sharp = wish.radius <= 0;
   return solved;
 }
 

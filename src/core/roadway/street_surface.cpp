@@ -1,6 +1,7 @@
 #include "roadway/street_surface.hpp"
 
 #include "geometry/fill_holes.hpp"
+#include "roadway/round_kink.hpp"
 #include "roadway/width_transition.hpp"
 
 namespace streetgen {
@@ -17,19 +18,36 @@ Surface transition_of(Geos& geos, const Junction& junction, const std::vector<Ar
           Method::transition};
 }
 
+// The border lines of the arms, and the corners that are wanted sharp.
+std::vector<Line> unrounded(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+  std::vector<Line> lines;
+  for (const Arm& arm : arms) lines.push_back(arm.border);
+  for (const Gap& gap : gaps)
+    if (gap.meets && gap.sharp) lines.push_back({gap.corner.centre, gap.corner.centre});
+  return lines;
+}
+
+// Holes filled and kinks rounded, clear of `borders`.
+void finish(Geos& geos, const StreetSettings& settings, const std::vector<Line>& borders,
+            MultiPolygon& ground) {
+  fill_holes(ground, settings.max_hole_area);
+  round_kinks(geos, ground, settings.kerb_radius_minimal, borders);
+}
+
 }  // namespace
 
 Surface section_of(Geos& geos, const Layout& layout, int e) {
   if (limits_crossed(layout.streets, e)) return {{}, Method::crossed_limits};
   const SectionLimit &start = layout.streets.limits[2 * e], &end = layout.streets.limits[2 * e + 1];
-  Surface surface = surface_of(build_section(geos, layout.arms[2 * e], start.abscissa, end.abscissa,
-                                             start.border_line, end.border_line));
+  Surface surface =
+      surface_of(build_section(geos, layout.arms[2 * e], layout.streets.roadways[e].profile,
+                               start.abscissa, end.abscissa, start.border_line, end.border_line));
   const Edge& edge = layout.streets.network.edges[e];
   if (layout.settings.round_dead_ends)
     for (const bool at_start : {true, false})
       if (layout.junctions[at_start ? edge.from_node : edge.to_node].dead_end())
         surface.ground = with_round_end(geos, surface.ground, layout.arm({e, at_start}));
-  fill_holes(surface.ground, layout.settings.max_hole_area);
+  finish(geos, layout.settings, {start.border_line, end.border_line}, surface.ground);
   return surface;
 }
 
@@ -39,7 +57,7 @@ Surface intersection_of(Geos& geos, const Layout& layout, int node) {
   const std::vector<Arm> arms = layout.arms_of(node);
   Surface surface = junction.transition ? transition_of(geos, junction, arms)
                                         : surface_of(build_intersection(geos, arms, junction.gaps));
-  fill_holes(surface.ground, layout.settings.max_hole_area);
+  finish(geos, layout.settings, unrounded(arms, junction.gaps), surface.ground);
   return surface;
 }
 

@@ -76,6 +76,11 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
+// From the axis to an end of the border line: a change of width may go on within the section.
+double half_of_border(const Arm& arm, const Point& end) {
+  return distance(planar(position_at(arm.line, arm.limit).point), end);
+}
+
 // From the limit of a through the node to that of b, linear between both half widths; straight
 // where the bend between needs more than a limit leaves.
 KerbLine tapering_kerb(const Arm& a, const Arm& b) {
@@ -83,7 +88,11 @@ KerbLine tapering_kerb(const Arm& a, const Arm& b) {
   const Line on = substring(b.line, 0, b.limit);
   line.insert(line.end(), on.begin() + 1, on.end());
   line = distinct(planar(std::move(line)));
-  KerbLine kerb = kerb_line(line, 0, length(line), half_at(a, a.limit), half_at(b, b.limit), -1);
+  // A change of width may go on within both sections.
+  const auto half = [](const Arm& arm, const Point& end) {
+    return distance(planar(position_at(arm.line, arm.limit).point), end);
+  };
+  KerbLine kerb = kerb_line(line, 0, length(line), half(a, a.border[0]), half(b, b.border[1]), -1);
   return kerb.whole ? kerb : KerbLine{{a.border[0], b.border[1]}};
 }
 
@@ -172,16 +181,20 @@ Polygon disc(const Point& centre, double radius) {
   return {ring};
 }
 
-MultiPolygon arm_pieces(const Arm& arm, double start, double end, const Line& from,
-                        const Line& to) {
+MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double start, double end,
+                        const Line& from, const Line& to) {
   const Line part = distinct(planar(substring(arm.line, start, end)));
-  std::vector<double> half(part.size());
+  std::vector<double> left(part.size()), right(part.size());
   double abscissa = start;
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (i > 0) abscissa += distance(part[i - 1], part[i]);
-    half[i] = half_at(arm, abscissa);
+    const double half = half_at(arm, abscissa);
+    const WidthProfile::Place wide =
+        profile.empty() ? WidthProfile::Place{abscissa, half, half} : profile.at(abscissa);
+    left[i] = wide.left;
+    right[i] = wide.right;
   }
-  return pieces(part, half, half, from, to);
+  return pieces(part, left, right, from, to);
 }
 
 // The ring's vertex nearest to p moves there, or p becomes one on the nearest segment; false where
@@ -319,6 +332,42 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
   return true;
 }
 
+// The kerb of a section, stretch by stretch of its profile.
+KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v, int side) {
+  if (profile.empty()) return kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side);
+  KerbLine kerb;
+  const double total = length(arm.line);
+  profile.each_stretch(std::min(u, v), std::max(u, v), [&](const auto& from, const auto& to) {
+    const auto [start, end] =
+        WidthProfile::extended(from.abscissa, from.on(side), to.abscissa, to.on(side), total);
+    const KerbLine part = kerb_line(arm.line, from.abscissa, to.abscissa, start, end, side);
+    kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
+    kerb.whole = kerb.whole && part.whole;
+  });
+  if (u > v) kerb.line = reversed(std::move(kerb.line));
+  return kerb;
+}
+
+// Of an arm from its node to its limit; empty where neither kerb tapers.
+WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i) {
+  const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
+  const Arm& arm = arms[i];
+  if (!gaps[i].tapers && !gaps[last].tapers) return {};
+  const double own = half_at(arm, 0), own_limit = half_at(arm, arm.limit);
+  WidthProfile::Place node{0, own, own}, limit{arm.limit, own_limit, own_limit};
+  const auto taper = [&](double WidthProfile::Place::*side, const Point& end, const Arm& other,
+                         const Point& other_end) {
+    const double half = half_of_border(arm, end), other_half = half_of_border(other, other_end);
+    limit.*side = half;
+    node.*side = half + (other_half - half) * arm.limit / (arm.limit + other.limit);
+  };
+  if (gaps[i].tapers)
+    taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
+  if (gaps[last].tapers)
+    taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
+  return {{node, limit}};
+}
+
 // What a simple outline holds; of any other nothing.
 MultiPolygon held_by(Geos& geos, Outline outline) {
   MultiPolygon held;
@@ -350,19 +399,19 @@ Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const 
   return {outline.ring};
 }
 
-Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
-                    const Line& end_border) {
+Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start,
+                    double end, const Line& start_border, const Line& end_border) {
   Outline outline;
   outline.reach(start_border[1]);
-  outline.follow(arm, start, end, -1, false, false);
+  outline.follow(kerb_of(arm, profile, start, end, -1), false, false);
   outline.reach(end_border[1]);
   outline.reach(end_border[0]);
-  outline.follow(arm, end, start, +1, false, false);
+  outline.follow(kerb_of(arm, profile, end, start, +1), false, false);
   outline.reach(start_border[0]);
   outline.ring = closed(std::move(outline.ring));
   MultiPolygon held = held_by(geos, std::move(outline));
   if (!held.empty()) return {std::move(held), false};
-  const MultiPolygon parts = arm_pieces(arm, start, end, start_border, end_border);
+  const MultiPolygon parts = arm_pieces(arm, profile, start, end, start_border, end_border);
   return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
           true};
 }
@@ -392,7 +441,8 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   }
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
-    if (a.limit > 0) parts.push_back(arm_pieces(a, 0, a.limit, {}, a.border));
+    if (a.limit > 0)
+      parts.push_back(arm_pieces(a, tapered(arms, gaps, i), 0, a.limit, {}, a.border));
     if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});

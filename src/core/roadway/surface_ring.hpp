@@ -7,6 +7,7 @@
 #include "roadway/arm.hpp"
 #include "roadway/course.hpp"
 #include "streetgen/geometry.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -21,8 +22,9 @@ struct Built {
   bool by_union = false;
 };
 
-// The part of one axis between two abscissas; its ends are the given borders (left, right).
-Built build_section(Geos& geos, const Arm& arm, double start, double end, const Line& start_border,
+// The part of one axis between two abscissas; its ends are the given borders (left, right). As wide
+// as the profile says, or where that is empty as the arm.
+Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start, double end, const Line& start_border,
                     const Line& end_border);
 
 // gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.

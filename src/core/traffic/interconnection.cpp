@@ -10,30 +10,14 @@
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "traffic/kerb_clear_path.hpp"
+#include "traffic/path_choice.hpp"
 #include "traffic/plausibility.hpp"
 
 namespace streetgen {
 
 namespace {
 
-// A driver slows down to this share of the speed, and bears this acceleration to the side.
-constexpr double slowed_down = 0.15;
-constexpr double lateral_acceleration = 3;  // m/s2
-constexpr double car_radius = 3;            // metres, least of a car's path
-constexpr double sharpest_drivable = 30;    // degrees between chords of a path
-
 constexpr double same_direction = 1e-3;  // radians
-constexpr double angle_step = 1e-6;      // degrees, to which angles are rounded
-
-double least_radius(double speed) {
-  const double v = slowed_down * speed / 3.6;
-  return std::max(car_radius, v * v / lateral_acceleration);
-}
-
-double rounded(double angle) {
-  const double steps = std::round(angle / angle_step);
-  return steps * angle_step <= -180 + angle_step / 2 ? 180 : steps * angle_step + 0.0;
-}
 
 // From the place of the first point to the next place; zero where there is none.
 template <class At>
@@ -57,39 +41,6 @@ struct NodeLeg {
   int edge = 0;
   bool at_start = true;
   std::vector<int> in, out;  // indices of lanes, from left to right in their driving direction
-};
-
-bool drivable(const Line& path) { return sharpest_turn(path) <= sharpest_drivable; }
-
-// Of paths that are offered one by one, from the best on: the first that is clear of the kerbs and
-// drivable, else the first that is clear, else the first. The rule of the paper asks for clear
-// alone.
-class PathChoice {
- public:
-  PathChoice(const Kerbs& kerbs, int from, int to, bool papers)
-      : kerbs_(kerbs), from_(from), to_(to), papers_(papers) {}
-
-  // Whether the choice is made.
-  bool offer(std::optional<Trajectory> path) {
-    if (!path) return false;
-    const bool clear = !kerbs_.stop(path->line, from_, to_);
-    const bool made = clear && (papers_ || drivable(path->line));
-    if (made || !offered_ || (clear && !best_is_clear_)) {
-      best_ = std::move(*path);
-      best_is_clear_ = clear;
-      offered_ = true;
-    }
-    return made;
-  }
-
-  Trajectory best() { return std::move(best_); }
-
- private:
-  const Kerbs& kerbs_;
-  int from_, to_;
-  bool papers_;
-  Trajectory best_;
-  bool offered_ = false, best_is_clear_ = false;
 };
 
 class Builder {
@@ -321,7 +272,7 @@ class Builder {
                                     Movement& movement) const {
     const NodeLeg &from = legs_[node][movement.from], &to = legs_[node][movement.to];
     movement.least_radius =
-        least_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
+        speed_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
     std::vector<Interconnection> pairs;
     for (std::size_t i = 0; i < from.in.size(); ++i)
       for (std::size_t o = 0; o < to.out.size(); ++o) {
@@ -332,7 +283,7 @@ class Builder {
         pair.lane_out = to.out[o];
         pair.along_in = runs_along(from, true);
         pair.along_out = runs_along(to, false);
-        pair.angle = rounded(turn_angle(in.direction, out.direction));
+        pair.angle = rounded_degrees(turn_angle(in.direction, out.direction));
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
         Trajectory path = path_between(node, to_node(from.in[i], in, from, true, movement.from),
@@ -413,6 +364,8 @@ const char* reason_name(Reason reason) noexcept {
       return "u_turn";
     case Reason::radius:
       return "radius";
+    case Reason::ring:
+      return "ring";
     case Reason::not_drivable:
       return "not_drivable";
   }

@@ -6,9 +6,11 @@
 #include "geometry/geos.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
+#include "roadway/round_kink.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "streetgen/surface.hpp"
+#include "traffic/circulation.hpp"
 #include "traffic/lane_layout.hpp"
 #include "traffic/marking.hpp"
 
@@ -29,7 +31,10 @@ LaneStrip strip_of(const Streets& streets, int e) {
                   end.abscissa,
                   start.border_line,
                   end.border_line};
-  if (!limits_crossed(streets, e)) return strip;
+  if (!limits_crossed(streets, e)) {
+    strip.profile = roadway.profile;
+    return strip;
+  }
   const double total = length(strip.axis);
   std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
   if (strip.to - strip.from < least_length) {
@@ -95,10 +100,13 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
                    bool with_surface, const LaneSettings& settings) {
   const int count = static_cast<int>(wishes.size());
   const std::vector<double> shares = lane_shares(wishes, strip.width(), settings.narrowest);
-  const auto offset_of = [&](double share) { return strip.half_at(strip.from) * (1 - 2 * share); };
+  const auto offset_of = [&](double share) { return strip.offset_at(strip.from, share); };
   EdgeLanes out;
   std::vector<Line> borders;
   for (const double share : shares) borders.push_back(line_at_share(strip, share));
+  for (Line* kerb : {&borders.front(), &borders.back()})
+    *kerb =
+        with_round_kinks(*kerb, settings.kerb_radius_minimal, {strip.from_border, strip.to_border});
   for (int p = 1; p <= count; ++p) {
     const LaneWish& wish = wishes[p - 1];
     const double middle = (shares[p - 1] + shares[p]) / 2;
@@ -148,11 +156,14 @@ void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_sur
 class Builder {
  public:
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
-          std::vector<LaneOverride> overrides, const LaneSettings& settings)
+          std::vector<LaneOverride> overrides, const LaneSettings& settings,
+          const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations)
       : streets_(streets),
         axes_(std::move(axes)),
         overrides_(std::move(overrides)),
-        settings_(settings) {
+        settings_(settings),
+        controls_(end_controls(streets.network, axes_, controls, settings.control_distance)),
+        circulations_(circulations) {
     std::sort(axes_.begin(), axes_.end(),
               [](const LanesOfAxis& a, const LanesOfAxis& b) { return a.axis_id < b.axis_id; });
     std::stable_sort(
@@ -182,8 +193,8 @@ class Builder {
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       if (!crossed) {
-        append_end_markings(streets_, ranks, strip, made.lanes, settings_.driving_side,
-                            out.markings);
+        append_end_markings(streets_, ranks, controls_, strip, made.lanes,
+                            settings_.driving_side, out.markings);
         append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       }
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
@@ -203,9 +214,11 @@ class Builder {
     const auto found = std::lower_bound(
         axes_.begin(), axes_.end(), edge.axis_id,
         [](const LanesOfAxis& a, std::int64_t axis_id) { return a.axis_id < axis_id; });
-    return found != axes_.end() && found->axis_id == edge.axis_id
-               ? across(found->lanes, settings_.driving_side)
-               : across({}, settings_.driving_side);
+    std::vector<LaneWish> wishes = found != axes_.end() && found->axis_id == edge.axis_id
+                                       ? across(found->lanes, settings_.driving_side)
+                                       : across({}, settings_.driving_side);
+    if (const Circulation* circulation = circulations_.of(edge)) turn_round(*circulation, wishes);
+    return wishes;
   }
 
   struct Decision {
@@ -243,14 +256,19 @@ class Builder {
   std::vector<LanesOfAxis> axes_;
   std::vector<LaneOverride> overrides_;
   const LaneSettings& settings_;
+  std::vector<EndControl> controls_;  // by slot
+  Circulations circulations_;
   Geos geos_;
 };
 
 }  // namespace
 
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
-            std::vector<LaneOverride> overrides, const LaneSettings& settings) {
-  return Builder(streets, std::move(axes), std::move(overrides), settings).run();
+            std::vector<LaneOverride> overrides, const LaneSettings& settings,
+            const std::vector<ControlPoint>& controls,
+            const std::vector<Circulation>& circulations) {
+  return Builder(streets, std::move(axes), std::move(overrides), settings, controls, circulations)
+      .run();
 }
 
 std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,

@@ -13,7 +13,13 @@ double LaneStrip::half_at(double abscissa) const {
   return half_start + (half_end - half_start) * std::clamp(abscissa / length(axis), 0.0, 1.0);
 }
 
-double LaneStrip::width() const { return 2 * half_at(from); }
+double LaneStrip::width() const { return offset_at(from, 0) - offset_at(from, 1); }
+
+double LaneStrip::offset_at(double abscissa, double share) const {
+  if (profile.empty()) return half_at(abscissa) * (1 - 2 * share);
+  const WidthProfile::Place wide = profile.at(abscissa);
+  return wide.left - share * (wide.left + wide.right);
+}
 
 std::vector<LaneWish> across(const AxisLanes& lanes, DrivingSide side) {
   std::vector<LaneWish> forward = lanes.forward, backward = lanes.backward;
@@ -75,12 +81,28 @@ void drop_behind(Line& line, const Line& border, double reach) {
   line.erase(line.begin() + 1, first);
 }
 
+// Not yet ended on the borders.
+Line along(const LaneStrip& strip, double share) {
+  const double of_half = 1 - 2 * share;
+  if (strip.profile.empty())
+    return offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
+                       of_half * strip.half_end);
+  Line line;
+  const double total = length(strip.axis);
+  strip.profile.each_stretch(strip.from, strip.to, [&](const auto& from, const auto& to) {
+    const auto [start, end] =
+        WidthProfile::extended(from.abscissa, strip.offset_at(from.abscissa, share), to.abscissa,
+                               strip.offset_at(to.abscissa, share), total);
+    const Line part = offset_line(strip.axis, from.abscissa, to.abscissa, start, end);
+    line.insert(line.end(), part.begin(), part.end());
+  });
+  return distinct(std::move(line));
+}
+
 }  // namespace
 
 Line line_at_share(const LaneStrip& strip, double share) {
-  const double of_half = 1 - 2 * share;
-  Line line = offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
-                          of_half * strip.half_end);
+  Line line = along(strip, share);
   if (line.size() < 2) line.push_back(line.front());
   const auto on = [&](const Line& border) { return border[0] + (border[1] - border[0]) * share; };
   line.front() = on(strip.from_border);

@@ -14,7 +14,10 @@ struct LaneStrip {
   double half_end = 0;
   double from = 0, to = 0;      // abscissas, from < to
   Line from_border, to_border;  // from the left kerb to the right one
+  WidthProfile profile{};       // where it is not empty, in the place of the half widths
   double width() const;         // metres, at `from`
+  // Metres to the left of the axis, at `share` of the roadway from the left kerb.
+  double offset_at(double abscissa, double share) const;
   double half_at(double abscissa) const;
 };
 

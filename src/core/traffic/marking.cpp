@@ -158,6 +158,16 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
   return parts.size() == 1 ? std::move(parts.front()) : geos.polygons(geos.unite(parts).get());
 }
 
+// The line across the lanes that come by an end: `lower` is its importance less than that of the
+// most important edge at the node.
+std::optional<MarkingKind> end_marking(const EndControl& control, int lower) {
+  if (control.own == ControlKind::signals || control.own == ControlKind::stop)
+    return MarkingKind::stop;
+  if (control.own == ControlKind::yield) return MarkingKind::yield;
+  if (control.beside_signals || lower > 1) return MarkingKind::stop;
+  return lower == 1 ? std::optional(MarkingKind::yield) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<NodeRank> ranks_of(const Streets& streets) {
@@ -188,14 +198,18 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 }
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const LaneStrip& strip, const std::vector<Lane>& lanes,
+                         const std::vector<EndControl>& controls, const LaneStrip& strip,
+                         const std::vector<Lane>& lanes,
                          DrivingSide driving_side, std::vector<Marking>& out) {
   if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
   const Edge& edge = streets.network.edges[lanes.front().edge];
   for (const bool at_start : {true, false}) {
     const int node = at_start ? edge.from_node : edge.to_node;
-    const int lower = streets.roadways[lanes.front().edge].importance - ranks[node].importance;
-    if (ranks[node].degree < 3 || lower < 1) continue;
+    if (ranks[node].degree < 3) continue;
+    const std::optional<MarkingKind> kind =
+        end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)],
+                    streets.roadways[lanes.front().edge].importance - ranks[node].importance);
+    if (!kind) continue;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
       if (!comes || !painted(lane)) continue;
@@ -211,15 +225,16 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
       const bool right_half = at_start != (driving_side == DrivingSide::right);
       const double width = lane.both_ways ? lane.width / 2 : lane.width;
       Marking marking;
-      marking.kind = lower > 1 ? MarkingKind::stop : MarkingKind::yield;
+      marking.kind = *kind;
       marking.edge = lane.edge;
       marking.position = lane.position;
       marking.along_axis = !at_start;
       marking.node = node;
       marking.line = {lane.both_ways && right_half ? middle : middle - across,
                       lane.both_ways && !right_half ? middle : middle + across};
-      const auto spans = lower > 1 ? std::vector<std::pair<double, double>>{{0, width}}
-                                   : dashes(width, yield_dash, yield_dash);
+      const auto spans = *kind == MarkingKind::stop
+                             ? std::vector<std::pair<double, double>>{{0, width}}
+                             : dashes(width, yield_dash, yield_dash);
       for (const auto& [from, to] : spans) {
         const Line piece = substring(marking.line, from, to);
         marking.surface.push_back(

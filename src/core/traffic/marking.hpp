@@ -6,6 +6,7 @@
 
 #include "geometry/geos.hpp"
 #include "streetgen/lane.hpp"
+#include "traffic/end_control.hpp"
 #include "traffic/lane_layout.hpp"
 
 namespace streetgen {
@@ -17,11 +18,14 @@ struct NodeRank {
 };
 std::vector<NodeRank> ranks_of(const Streets& streets);
 
-// Across each lane that comes to a node of three and more edges where another is more important:
-// a yield line, or a stop line where it is so by two.  None on parking and very narrow lanes.  Of a
-// lane for both directions, across the half on which one comes.
+// Across each lane that comes to a node of three and more edges: what its control point says, a
+// stop line for signals; a stop line where another end of the node has signals.  Without a control
+// point a yield line where another edge is more important, a stop line where it is so by two.  None
+// on parking and very narrow lanes.  Of a lane for both directions, across the half on which one
+// comes.  `controls` by slot, as end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const LaneStrip& strip, const std::vector<Lane>& lanes,
+                         const std::vector<EndControl>& controls, const LaneStrip& strip,
+                         const std::vector<Lane>& lanes,
                          DrivingSide driving_side, std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its end, or in the middle of

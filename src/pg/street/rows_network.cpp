@@ -42,11 +42,13 @@ bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row
 
 bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const Edge& edge = computed.streets.network.edges[i];
+  Value curve;
+  if (!edge.curve.empty()) curve = Ewkb{write_curve(edge.curve, flat(computed))};
   return put(row, bool(computed.streets.affected_edges[i]), lanes_affected(computed.streets, edge),
              marked(computed.streets.edges_with_kerbs, i), bool(computed.streets.spreads_to[i]),
              edge.axis_id, number(edge.from_node), number(edge.to_node), edge.level,
              edge.start_abscissa, edge.end_abscissa,
-             Geometry{stored_line(edge.line, with_z(computed))});
+             Geometry{stored_line(edge.line, with_z(computed))}, std::move(curve));
 }
 
 bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {

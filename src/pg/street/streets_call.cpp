@@ -1,84 +1,17 @@
 #include "street/streets_call.hpp"
 
+#include "frame/composite_rows.hpp"
+
 extern "C" {
-#include <access/htup_details.h>
 #include <catalog/pg_type.h>
 #include <utils/array.h>
 #include <utils/builtins.h>
 #include <utils/jsonb.h>
-#include <utils/typcache.h>
 }
 
 namespace streetgen::pg {
 
 namespace {
-
-// An argument that is an array of rows; NULL is none.
-struct Rows {
-  const char* of;
-  int count = 0;
-  TupleDesc type = nullptr;
-  Datum* values = nullptr;  // column by column
-  bool* nulls = nullptr;
-};
-
-Rows rows(FunctionCallInfo fcinfo, int argument, const char* of) {
-  Rows rows{of};
-  if (PG_ARGISNULL(argument)) return rows;
-  ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
-  Datum* elements;
-  bool* missing;
-  deconstruct_array(array, ARR_ELEMTYPE(array), -1, false, TYPALIGN_DOUBLE, &elements, &missing,
-                    &rows.count);
-  rows.type = lookup_rowtype_tupdesc_copy(ARR_ELEMTYPE(array), -1);
-  const int width = rows.type->natts;
-  auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * width));
-  auto* nulls = static_cast<bool*>(palloc(sizeof(bool) * width));
-  rows.values = static_cast<Datum*>(
-      palloc_extended(sizeof(Datum) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
-  rows.nulls = static_cast<bool*>(
-      palloc_extended(sizeof(bool) * width * Max(rows.count, 1), MCXT_ALLOC_HUGE));
-  for (int row = 0; row < rows.count; ++row) {
-    if (missing[row])
-      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("row %d of the %s is NULL", row + 1, of)));
-    HeapTupleHeader header = DatumGetHeapTupleHeader(elements[row]);
-    HeapTupleData tuple;
-    tuple.t_len = HeapTupleHeaderGetDatumLength(header);
-    ItemPointerSetInvalid(&tuple.t_self);
-    tuple.t_tableOid = InvalidOid;
-    tuple.t_data = header;
-    heap_deform_tuple(&tuple, rows.type, values, nulls);
-    for (int i = 0; i < width; ++i) {
-      const Size at = static_cast<Size>(i) * rows.count + row;
-      rows.nulls[at] = nulls[i];
-      const bool packed = TupleDescAttr(rows.type, i)->attlen == -1 && !nulls[i];
-      rows.values[at] = packed ? PointerGetDatum(PG_DETOAST_DATUM_PACKED(values[i])) : values[i];
-    }
-  }
-  return rows;
-}
-
-// A column of the row type, by its name there; NULL where it may be missing.
-Column column_or_null(const Rows& rows, const char* name, Oid type) {
-  if (rows.type == nullptr) return {};
-  for (int i = 0; i < rows.type->natts; ++i) {
-    const FormData_pg_attribute* attribute = TupleDescAttr(rows.type, i);
-    const Size first = static_cast<Size>(i) * rows.count;
-    if (strcmp(NameStr(attribute->attname), name) == 0 && attribute->atttypid == type)
-      return {rows.values + first, rows.nulls + first};
-  }
-  elog(ERROR, "the %s have no column %s", rows.of, name);
-}
-
-Column column(const Rows& rows, const char* name, Oid type) {
-  const Column found = column_or_null(rows, name, type);
-  for (int row = 0; row < rows.count; ++row)
-    if (found.nulls[row])
-      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("%s is NULL in row %d of the %s", name, row + 1, rows.of)));
-  return found;
-}
 
 // A JSON object of words; what is no word there has no value.
 void take_settings(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
@@ -219,6 +152,23 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                       column(neighbours, "surface", BYTEAOID),
                       column(neighbours, "level", INT4OID),
                       !PG_ARGISNULL(12)};
+
+  call->controls = take_controls(fcinfo, 13);
+  const Rows overpasses = rows(fcinfo, 14, "overpasses");
+  call->overpasses = {overpasses.count,
+                      column(overpasses, "axis_above", INT8OID),
+                      column(overpasses, "axis_below", INT8OID),
+                      column(overpasses, "x", FLOAT8OID),
+                      column(overpasses, "y", FLOAT8OID),
+                      column_or_null(overpasses, "clearance", FLOAT8OID)};
+  const Rows bends = rows(fcinfo, 15, "bends");
+  call->bends = {bends.count, column(bends, "axis_id", INT8OID),
+                 column(bends, "abscissa", FLOAT8OID), column(bends, "radius", FLOAT8OID)};
+  const Rows circulations = rows(fcinfo, 16, "circulations");
+  call->circulations = {circulations.count, column(circulations, "axis_id", INT8OID),
+                        column(circulations, "abscissa", FLOAT8OID),
+                        column(circulations, "along_axis", BOOLOID),
+                        column(circulations, "turned", BOOLOID)};
 }
 
 }  // namespace streetgen::pg

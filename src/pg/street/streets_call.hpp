@@ -1,15 +1,10 @@
 // The arguments of streetgen._streets: PostgreSQL's memory, plain pointers.
 #pragma once
 
-#include "frame/border.hpp"
+#include "frame/composite_rows.hpp"
+#include "value/control_rows.hpp"
 
 namespace streetgen::pg {
-
-// A column of rows that are one argument together.
-struct Column {
-  const Datum* values;
-  const bool* nulls;
-};
 
 struct StreetsCall {
   int srid;
@@ -58,6 +53,19 @@ struct StreetsCall {
     Column x, y, x_end, y_end, surface, level;
     bool known;
   } neighbours;
+  struct {
+    int count;
+    Column axis_id, abscissa, radius;
+  } bends;
+  ControlRows controls;
+  struct {
+    int count;
+    Column axis_above, axis_below, x, y, clearance;
+  } overpasses;
+  struct {
+    int count;
+    Column axis_id, abscissa, along_axis, turned;
+  } circulations;
   bool may_spread;
   struct {
     int count;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "frame/argument.hpp"
+#include "value/control_rows.hpp"
 #include "value/lane_text.hpp"
 #include "value/wkb.hpp"
 
@@ -116,6 +117,8 @@ class Settings {
   // Whether a setting that may be NULL is not.
   bool is_given(const char* name) const { return values_.count(name) > 0; }
 
+  double measure_or_none(const char* name) const { return is_given(name) ? measure(name) : 0; }
+
   double measure_or_unbounded(const char* name) const {
     return is_given(name) ? measure(name, 0, 1e6) : std::numeric_limits<double>::infinity();
   }
@@ -185,6 +188,7 @@ StreetSettings street_settings_of(const Settings& given) {
       {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
   settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
   settings.max_hole_area = given.measure("max_hole_area");
+  settings.slit_width = given.measure("slit_width");
   settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
   settings.kerb_stone_width = given.measure("kerb_stone_width");
   settings.reach = given.measure("reach");
@@ -193,6 +197,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);
   settings.island_area = given.measure("island_area", 0, 1e6);
   settings.island_nose_radius = given.measure("island_nose_radius", 1e-6);
+  settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");
   settings.short_axis = given.choice<ShortAxis>(
       "short_axis", {{"reduce", ShortAxis::reduce}, {"follow", ShortAxis::follow}});
   return settings;
@@ -243,6 +248,12 @@ StreetOverrides street_overrides_of(const StreetsCall& call) {
                                  DatumGetInt64(corners.axis_b.values[i]),
                                  in_range(DatumGetFloat8(corners.radius.values[i]), 0, 1000,
                                           "radius of a corner override")});
+  const auto& bends = call.bends;
+  for (int i = 0; i < bends.count; ++i)
+    overrides.bends.push_back(
+        {DatumGetInt64(bends.axis_id.values[i]),
+         finite(DatumGetFloat8(bends.abscissa.values[i]), "abscissa of a road override"),
+         in_range(DatumGetFloat8(bends.radius.values[i]), 0, 1e6, "radius of a road override")});
   return overrides;
 }
 
@@ -273,6 +284,17 @@ std::vector<LaneOverride> lane_overrides_of(const StreetsCall& call) {
   return overrides;
 }
 
+std::vector<Circulation> circulations_of(const StreetsCall& call) {
+  std::vector<Circulation> circulations;
+  const auto& rows = call.circulations;
+  for (int i = 0; i < rows.count; ++i)
+    circulations.push_back(
+        {DatumGetInt64(rows.axis_id.values[i]),
+         finite(DatumGetFloat8(rows.abscissa.values[i]), "abscissa of a circulation"),
+         DatumGetBool(rows.along_axis.values[i]), DatumGetBool(rows.turned.values[i])});
+  return circulations;
+}
+
 LaneSettings lane_settings_of(const Settings& given) {
   // Until an import tells otherwise.
   const std::string side =
@@ -280,6 +302,8 @@ LaneSettings lane_settings_of(const Settings& given) {
   LaneSettings settings = read_lane_settings(given.word("lane_order").c_str(), side.c_str(),
                                              given.measure("lane_width_minimal"));
   settings.edge_lines = given.choice<bool>("edge_line", {{"none", false}, {"solid", true}});
+  settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");
+  settings.control_distance = given.measure("control_distance");
   return settings;
 }
 
@@ -316,6 +340,21 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
   settings.most = static_cast<int>(given.measure("interconnections_maximal", 0, 1e6));
   settings.node_tolerance = given.measure("tolerance", 1e-6);
   return settings;
+}
+
+std::vector<OverpassOverride> overpass_overrides_of(const StreetsCall& call) {
+  std::vector<OverpassOverride> overrides;
+  const auto& rows = call.overpasses;
+  for (int i = 0; i < rows.count; ++i) {
+    OverpassOverride put{place_of(rows.x, rows.y, i, "an overpass override"),
+                         DatumGetInt64(rows.axis_above.values[i]),
+                         DatumGetInt64(rows.axis_below.values[i])};
+    if (!rows.clearance.nulls[i])
+      put.clearance =
+          in_range(DatumGetFloat8(rows.clearance.values[i]), 0, 100, "clearance of an override");
+    overrides.push_back(put);
+  }
+  return overrides;
 }
 
 FormerSurface former_surface(const Column& surface, const Column& contested, const Column& level,
@@ -360,12 +399,13 @@ Former former_of(const StreetsCall& call) {
 }
 
 Subjects subjects_of(const StreetsCall& call) {
-  Subjects subjects{false, false, false};
+  Subjects subjects{false, false, false, false};
   for (int i = 0; i < call.subjects.count; ++i) {
     const std::string_view word = call.subjects.words[i];
     subjects.lane = subjects.lane || word == "lane";
     subjects.interconnection = subjects.interconnection || word == "interconnection";
     subjects.kerb = subjects.kerb || word == "kerb";
+    subjects.overpass = subjects.overpass || word == "overpass";
   }
   return subjects;
 }
@@ -384,8 +424,12 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.overrides = street_overrides_of(call);
   input.model.lane_overrides = lane_overrides_of(call);
   input.model.lane_settings = lane_settings_of(settings);
+  input.model.controls = read_controls(call.controls);
+  input.model.circulations = circulations_of(call);
   input.model.restrictions = restrictions_of(call);
   input.model.interconnection_settings = interconnection_settings_of(settings);
+  input.model.overpass_overrides = overpass_overrides_of(call);
+  input.model.clearance = settings.measure("clearance", 0, 100);
   return input;
 }
 

@@ -173,6 +173,16 @@ TEST(Kerb, OfContestedGroundIsWhatBordersTheRoadway) {
   EXPECT_TRUE(contested);
 }
 
+TEST(Kerb, OfRoundKinksIsTheBorderOfTheRoadway) {
+  StreetSettings settings;
+  settings.kerb_radius_minimal = 2;
+  expect_border(with_kerbs(narrow_streets(), settings), "narrow streets");
+  expect_border(with_kerbs({axis(1, {{0, 0}, {40, 0}, {60, 40}, {20, 70}}, 8, 4),
+                            axis(2, {{60, 40}, {90, 30}}, 6, 0)},
+                           settings),
+                "bends");
+}
+
 TEST(Kerb, GoesAcrossWhereTheRoadwayGoesOnOnAnotherLevel) {
   const Streets town =
       with_kerbs({axis(1, {{0, 0}, {50, 0}}, 6, 3), axis(2, {{50, 0}, {100, 0}}, 6, 3),
@@ -192,6 +202,7 @@ TEST(Kerb, IsTheBorderOfTheRoadwayWhateverTheTown) {
     StreetSettings settings;
     settings.crossing = Crossing::split;
     settings.round_dead_ends = seed % 2 == 0;
+    settings.kerb_radius_minimal = 0;
     expect_border(with_kerbs(random_town(seed, 30), settings), "seed " + std::to_string(seed));
   }
 }

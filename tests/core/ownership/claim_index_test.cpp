@@ -78,8 +78,8 @@ TEST(Vicinity, AnExtentHoldsTheSurfaceThatIsBuilt) {
         << "seed " << seed;
     for (const Arm& arm : node.arms()) {
       const double start = length(arm.line) / 4, end = length(arm.line) / 2;
-      const Built section =
-          build_section(geos, arm, start, end, border_across(arm, start), border_across(arm, end));
+      const Built section = build_section(geos, arm, {}, start, end, border_across(arm, start),
+                                          border_across(arm, end));
       EXPECT_TRUE(holds(section_extent(arm, start, end), section.surface)) << "seed " << seed;
     }
   }
@@ -103,7 +103,7 @@ TEST(Vicinity, OpponentsMeetTheClaimAndTileWithIt) {
   for (int i = 0; i < 4; ++i) claims[i].edges = {i};
   Vicinity vicinity(
       {from_to(0, 0, 2, 2), from_to(1, 1, 3, 3), from_to(1, 1, 3, 3), from_to(2.5, 2.5, 4, 4)},
-      claims);
+      claims, 0);
   EXPECT_EQ(vicinity.opponents(0), std::vector<int>{1});
   EXPECT_EQ(vicinity.opponents(1), (std::vector<int>{0, 3}));
   EXPECT_EQ(vicinity.opponents(2), std::vector<int>{});
@@ -118,7 +118,7 @@ TEST(Vicinity, OnlyWhatMeetsTwoNeighboursEnclosesAHole) {
   const std::vector<bool> none(6);
   Vicinity vicinity({from_to(0, 0, 9, 1), from_to(0, 1, 1, 5), from_to(8, 1, 9, 5),
                      from_to(0, 5, 9, 6), from_to(4, -3, 5, 0), from_to(4, -6, 5, -3)},
-                    claims);
+                    claims, 0);
   EXPECT_EQ(vicinity.enclosing(0, none), (std::vector<int>{1, 2, 3}));
 }
 
@@ -131,8 +131,8 @@ TEST(Vicinity, WhatEnclosesAHoleIsNear) {
     return std::vector<Extent>{from_to(0, 0, 9, 1), from_to(0, 1, 1, y), from_to(8, 1, 9, y),
                                from_to(0, y, 9, y + 1)};
   };
-  EXPECT_EQ(Vicinity(ring(far - 1), claims).enclosing(0, none), (std::vector<int>{1, 2, 3}));
-  EXPECT_EQ(Vicinity(ring(far + 1), claims).enclosing(0, none), std::vector<int>{});
+  EXPECT_EQ(Vicinity(ring(far - 1), claims, 0).enclosing(0, none), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(Vicinity(ring(far + 1), claims, 0).enclosing(0, none), std::vector<int>{});
 }
 
 }  // namespace

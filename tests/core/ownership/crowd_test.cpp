@@ -119,7 +119,9 @@ TEST(Crowd, ParallelAxesShareTheirBand) {
 
 TEST(Crowd, OfEqualAxesTheFirstHasTheGround) {
   const Budget budget(3000000);
-  const Streets bundle = streets(beside_each_other(300, 0), {});
+  StreetSettings sharp;
+  sharp.kerb_radius_minimal = 0;
+  const Streets bundle = streets(beside_each_other(300, 0), sharp);
   EXPECT_NEAR(summed_area(surfaces_of(bundle)), 600, 0.001);
   EXPECT_GT(area(bundle.sections.front().surface), 590);
   for (std::size_t i = 1; i < bundle.sections.size(); ++i)

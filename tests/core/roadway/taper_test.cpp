@@ -39,10 +39,11 @@ double kerb_at(const Streets& town, double x) {
 
 TEST(Taper, HasNoStepWhereASideStreetLeaves) {
   const Streets town = widening({});
-  const double west = -town.network.edges[0].line.back().x + (100 - town.limits[1].abscissa),
-               east = town.limits[2].abscissa;
-  ASSERT_GT(west, 5);
-  ASSERT_GT(east, 5);
+  // 10 m along the street for each metre aside, half of that on each edge.
+  const double limit_west = 100 - town.limits[1].abscissa, limit_east = town.limits[2].abscissa;
+  ASSERT_GT(limit_west, 5);
+  ASSERT_GT(limit_east, 5);
+  const double west = std::max(limit_west, 10.0), east = std::max(limit_east, 10.0);
   for (double x = -west; x <= east; x += 0.37)
     EXPECT_NEAR(kerb_at(town, x), 3 + 2 * (x + west) / (west + east), 2e-6) << x;
   EXPECT_NEAR(kerb_at(town, -west - 0.1), 3, 1e-5);

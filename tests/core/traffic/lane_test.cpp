@@ -210,6 +210,7 @@ const Town& town(unsigned seed) {
   if (found != made.end()) return found->second;
   StreetSettings settings;
   settings.crossing = Crossing::split;
+  settings.kerb_radius_minimal = 0;  // arcs beside a surface may close a hole, which has no lane
   Town town{streetgen::streets(bent_town(seed, 30), settings), {}};
   LaneSettings with_edges;
   with_edges.edge_lines = true;
@@ -234,6 +235,20 @@ TEST(Lanes, TileTheirSection) {
         EXPECT_NEAR(sum[section.edge], area(section.surface), 1e-6 * area(section.surface));
       }
     }
+  }
+}
+
+TEST(Lanes, TileTheirSectionWhereKinksOfItsKerbsAreRound) {
+  StreetSettings settings;
+  settings.kerb_radius_minimal = 1.5;
+  LaneSettings as_wide;
+  as_wide.kerb_radius_minimal = settings.kerb_radius_minimal;
+  for (const Point& end : {Point{60, 40, 0}, Point{30, 40, 0}, Point{45, -20, 0}}) {
+    const Streets bent = streets({{1, {{0, 0, 0}, {40, 0, 0}, end}, 0, 7, 9, 6, 3}}, settings);
+    double sum = 0;
+    for (const Lane& lane : lanes(bent, {{1, {{{}}, {{}}}}}, {}, as_wide).lanes)
+      sum += area(lane.surface);
+    EXPECT_NEAR(sum, area(bent.sections.front().surface), 1e-9);
   }
 }
 

@@ -23,7 +23,28 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$
     || CASE WHEN to_regclass(format('%I.kerb', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
-      FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END,
+      FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text, b.interior::text)
+      FROM @.block b JOIN @.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'block side', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, s.end_abscissa, s.ring, s.ordinality, s.block_id IS NULL)
+      FROM @.block_edge s JOIN @.edge e USING (edge_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.road', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'road', a.geom::text, b.geom::text, r.closed, r.length, ST_AsText(r.geom, 6))
+      FROM @.road r JOIN @.node a ON a.node_id = r.from_node JOIN @.node b ON b.node_id = r.to_node
+    UNION ALL SELECT concat_ws(' ', 'road_edge', e.axis_id, e.start_abscissa, f.axis_id, f.start_abscissa, m.position, m.along_road, m.start_abscissa)
+      FROM @.road_edge m JOIN @.edge e USING (edge_id) JOIN @.road_edge first ON first.road_id = m.road_id AND first.position = 1 JOIN @.edge f ON f.edge_id = first.edge_id$q$ END
+    || CASE WHEN to_regclass(format('%I.junction', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'junction', j.kind, j.method, j.geom::text, j.surface::text) FROM @.junction j
+    UNION ALL SELECT concat_ws(' ', 'junction_node', n.geom::text, j.geom::text) FROM @.junction_node k JOIN @.node n USING (node_id) JOIN @.junction j USING (junction_id)
+    UNION ALL SELECT concat_ws(' ', 'junction_edge', e.axis_id, e.start_abscissa, k.role, j.geom::text) FROM @.junction_edge k JOIN @.edge e USING (edge_id) JOIN @.junction j USING (junction_id)
+    UNION ALL SELECT concat_ws(' ', 'junction_movement', a.axis_id, a.start_abscissa, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality, m.along_out, m.turn, m.angle, m.plausible, m.reason, m.connecting, cardinality(m.interconnections), m.geom::text)
+      FROM @.junction_movement m JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id$q$ END
+    || CASE WHEN to_regclass(format('%I.overpass', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'overpass', a.axis_id, a.start_abscissa, o.abscissa_above, b.axis_id, b.start_abscissa, o.abscissa_below, o.ordinality, o.clearance, o.method, o.geom::text)
+      FROM @.overpass o JOIN @.edge a ON a.edge_id = o.edge_above JOIN @.edge b ON b.edge_id = o.edge_below$q$ END
+    || CASE WHEN to_regclass(format('%I.profile', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'profile', e.axis_id, e.start_abscissa, p.grade_max, p.method, p.geom::text) FROM @.profile p JOIN @.edge e USING (edge_id)$q$ END,
     '@', quote_ident(model));
 END $$;
 
@@ -49,7 +70,7 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
 BEGIN

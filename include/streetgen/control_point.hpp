@@ -1,0 +1,22 @@
+// Control points: what tells traffic to wait, or to look out, before or at a junction.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace streetgen {
+
+enum class ControlKind { signals, stop, yield, pedestrian_crossing };
+const char* control_kind_name(ControlKind kind) noexcept;
+
+// A place of an axis.  One that lies on a node speaks to all traffic that comes to the node, unless
+// it has a direction.  Elsewhere it speaks to the traffic of its direction: that of a one-way
+// street, else that towards the nearer junction.
+struct ControlPoint {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;  // metres along the axis
+  ControlKind kind = ControlKind::signals;
+  enum class Direction { unknown, along, against, both } direction = Direction::unknown;
+};
+
+}  // namespace streetgen

@@ -1,0 +1,70 @@
+// Heights of roads that pass over and under each other.  Wilkie, Sewall, Lin, section 5.2.
+//
+// A road follows the ground.  Where it passes over another one it lies at least the clearance above
+// it, nowhere steeper than its grade.  The heights are the least ones that hold all this: at each
+// place the greatest of the ground and of every lift less grade times distance.  A crossing whose
+// lower road has a level under 0 is mirrored: that road sinks, as little as holds.
+//
+// Lifts that raise each other without end cannot all hold.  Of such a circle the last one is left
+// unmet, so that heights stay finite.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+struct ProfileEdge {
+  std::int64_t from_node = 0;  // edges of one node have one height there
+  std::int64_t to_node = 0;
+  Line line;  // z: the ground, metres; at least two distinct points in the plane
+  // Greatest rise for each metre along the road, positive. A road whose ground is steeper over 20
+  // m, or over its length where that is less, keeps that grade.
+  double grade = 0.06;
+  double radius = 0;  // metres, of vertical arcs; 0: kinks stay
+};
+
+struct ProfileLift {
+  int above = 0;        // index of the edge that passes over
+  double at_above = 0;  // metres along it
+  int below = 0;
+  double at_below = 0;
+  double clearance = 0;  // metres from road to road, not negative
+  bool sinks = false;    // the road below sinks, else the one above is lifted
+};
+
+// By hand: the road lies at least so high there.
+struct ProfileHeight {
+  int edge = 0;
+  double abscissa = 0;  // metres along it
+  double height = 0;
+};
+
+enum class ProfileMethod {
+  ground,  // as its line
+  lifted,
+  sunk,  // lifted elsewhere or not
+};
+
+struct Profile {
+  Line
+      line;  // the edge's, with the heights of the road, and further points where its grade changes
+  ProfileMethod method = ProfileMethod::ground;
+  double grade = 0;  // that it keeps
+};
+
+struct Profiles {
+  std::vector<Profile> edges;  // one per edge
+  std::vector<bool> unmet;     // one per lift: the road above lies lower than it should
+};
+
+// Independent of the order of edges, but for the choice among the lifts of a circle, which goes by
+// their order.  A vertical arc bends a change of grade: over a crossing the road is lifted by what
+// the arc takes, and an arc ends where it would touch another crossing, so that clearances hold.
+// Ground by itself is not bent.
+Profiles profiles(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
+                  const std::vector<ProfileHeight>& by_hand);
+
+}  // namespace streetgen

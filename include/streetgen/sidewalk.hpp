@@ -1,0 +1,40 @@
+// Sidewalks: strips on the left of kerbs, which have the roadway on their right.
+//
+// Each is as wide as wanted behind its kerb, round about outer bends. Where the widths of two
+// sections differ, the width changes linearly along the kerb of the corner between them. Ground
+// that two sidewalks want belongs to the nearer kerb, and none lies on a roadway.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/method.hpp"
+
+namespace streetgen {
+
+// A kerb with what is known of the ground behind it.
+struct SidewalkKerb {
+  Line line;
+  int level = 0;
+  // Metres behind it, 0: none; without a value it leads from the width of the kerb before to that
+  // of the kerb after.
+  std::optional<double> width;
+  bool across = false;   // of a dead end: a sidewalk leads around where both sides have one
+  bool ends = false;     // the roadway goes on there: no sidewalk leads around
+  bool wanted = true;    // its sidewalk comes out; else the kerb is there for the others
+  bool by_hand = false;  // the width is a user's
+};
+
+struct Sidewalk {
+  int kerb = 0;      // index
+  double width = 0;  // metres: as wanted, of one that changes the mean of its ends
+  MultiPolygon surface;
+  Method method = Method::hypothesis;  // contested where other kerbs hold part of it, or by_hand
+};
+
+// Of the wanted kerbs, in their order, those with a sidewalk. A change of width takes `transition`
+// metres of kerb. Kerbs follow each other where one ends as the next one starts.
+std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition);
+
+}  // namespace streetgen

@@ -1,0 +1,138 @@
+-- Lanes beside lanes: where one can change from one to the other, and to which place.  Wilkie, Sewall and Lin, 4.2.
+CREATE OR REPLACE FUNCTION streetgen._make_lane_adjacency_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.lane_extent WITH (security_invoker = true) AS
+SELECT l.lane_id, e.axis_id, e.edge_id, e.start_abscissa + least(f.at, t.at) AS start_abscissa,
+    e.start_abscissa + greatest(f.at, t.at) AS end_abscissa
+FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
+    JOIN %1$I.section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
+    JOIN %1$I.section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
+    CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN a.wanted_abscissa ELSE a.abscissa END AS at) f
+    CROSS JOIN LATERAL (
+        SELECT CASE WHEN l.method = 'crossed_limits' THEN b.wanted_abscissa ELSE b.abscissa END AS at) t;
+COMMENT ON VIEW %1$I.lane_extent IS 'Where each lane begins and ends along its axis';
+CREATE OR REPLACE VIEW %1$I.lane_adjacency WITH (security_invoker = true) AS
+SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id,
+    CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
+    CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, x.start_abscissa, x.end_abscissa,
+    CASE WHEN s.kind = 'centre' THEN 'opposite'
+        WHEN s.dashed AND 'parking' NOT IN (l.kind, r.kind) AND (l.kind = 'cycle') = (r.kind = 'cycle') THEN 'allowed'
+        ELSE 'forbidden' END AS change
+FROM %1$I.lane_separator s JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
+    JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)
+    JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side);
+COMMENT ON VIEW %1$I.lane_adjacency IS
+    'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
+    'lane_b. change follows from the line between them: allowed over a dashed one between lanes of one direction that '
+    'the same traffic uses, opposite where traffic comes against one, else forbidden';
+CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
+SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
+    (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,
+    (a.start_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS os,
+    (a.end_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS oe, a.lane_b AS l
+FROM %1$I.lane_adjacency a JOIN %1$I.lane_extent i ON i.lane_id = a.lane_a
+    JOIN %1$I.lane_extent o ON o.lane_id = a.lane_b
+WHERE i.end_abscissa > i.start_abscissa AND o.end_abscissa > o.start_abscissa AND a.change = 'allowed';
+COMMENT ON VIEW %1$I.lane_interval IS
+    'The adjacency intervals of the paper: from share s to share e of a lane, along the axis, lane l lies beside it, '
+    'there from os to oe; where one may change'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
+    'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8,
+    OUT on_axis float8[], OUT on_lane float8[])
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- About a vertex of the axis a lane inside has a point where one outside has an arc: both are one stretch there.
+    WITH size AS (SELECT ST_Length(axis) AS total, ST_Length(lane) AS lane_total),
+    vertex AS (
+        SELECT d.path[1] AS i, d.geom, ST_Distance(d.geom, lag(d.geom) OVER w) AS before,
+            ST_Distance(d.geom, lead(d.geom) OVER w) AS behind,
+            ST_Azimuth(d.geom, lead(d.geom) OVER w) - ST_Azimuth(lag(d.geom) OVER w, d.geom) AS turn
+        FROM ST_DumpPoints(axis) d WINDOW w AS (ORDER BY d.path[1])),
+    placed AS (SELECT *, sum(coalesce(before, 0)) OVER (ORDER BY i) AS abscissa FROM vertex),
+    corner AS (
+        SELECT abscissa, least(widest * abs(tan(turn / 2)), before / 2, behind / 2) AS half FROM placed
+        WHERE before > 0 AND behind > 0 AND abs(sin(turn)) > 1e-9),
+    ends AS (
+        SELECT ST_LineLocatePoint(axis, ST_StartPoint(lane)) * total AS first,
+            ST_LineLocatePoint(axis, ST_EndPoint(lane)) * total AS last FROM size),
+    breaks AS (
+        SELECT first AS at, 0::float8 AS measure FROM ends UNION ALL SELECT last, lane_total FROM ends, size
+        UNION ALL SELECT c.at, ST_LineLocatePoint(lane, ST_LineInterpolatePoint(axis, least(c.at / total, 1)))
+            * lane_total
+        FROM size, ends, corner, LATERAL (VALUES (abscissa - half), (abscissa + half)) c(at)
+        WHERE c.at > first + 1e-6 AND c.at < last - 1e-6)
+    SELECT array_agg(at ORDER BY at, measure), array_agg(grown ORDER BY at, measure)
+    FROM (SELECT at, measure, max(measure) OVER (ORDER BY at, measure) AS grown FROM breaks) b $$;
+COMMENT ON FUNCTION streetgen._lane_measures(geometry, geometry, float8) IS
+    'Places along an axis and the same places along a lane of it, ascending, m: between two of them shares are equal. '
+    'widest: the largest offset of a lane from the axis, m, so that all lanes of an edge have the same places.';
+
+CREATE OR REPLACE FUNCTION streetgen._measure_at(places float8[], measures float8[], place float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN place <= places[1] THEN measures[1] WHEN i IS NULL THEN measures[cardinality(measures)]
+        ELSE measures[i] + (measures[i + 1] - measures[i]) * (place - places[i]) / (places[i + 1] - places[i]) END
+    FROM (SELECT min(i) AS i FROM generate_subscripts(places, 1) i
+        WHERE place <= places[i + 1] AND places[i + 1] > places[i]) s $$;
+COMMENT ON FUNCTION streetgen._measure_at(float8[], float8[], float8) IS
+    'What belongs to a place between others, by equal shares; before the first and after the last what belongs to '
+    'these.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_beside(model name, lane bigint, place_on_lane float8, side text)
+    RETURNS TABLE(lane_id bigint, metres float8)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    place record;
+    here record;
+    there record;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._check_given('lane', lane::text,
+        'metres', place_on_lane::text, 'side', side);
+    IF side NOT IN ('left', 'right') THEN
+        RAISE EXCEPTION 'side is "%", expected left or right', side USING ERRCODE = '22023',
+            HINT = 'Sides are seen along the axis.';
+    END IF;
+    EXECUTE format($sql$
+SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
+    (SELECT max(abs(w.axis_offset)) + max(w.width) FROM %1$I.lane w WHERE w.edge_id = l.edge_id) AS widest
+FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) LEFT JOIN %1$I.lane o ON o.edge_id = l.edge_id
+    AND o.lane_position = l.lane_position + CASE $2 WHEN 'left' THEN -1 ELSE 1 END
+WHERE l.lane_id = $1
+$sql$, model) INTO place USING lane, side;
+    IF place.line IS NULL THEN
+        RAISE EXCEPTION 'there is no lane %', lane USING ERRCODE = '22023',
+            HINT = format('SELECT lane_id FROM %I.lane lists them.', model);
+    ELSIF NOT place_on_lane BETWEEN -1e-6 AND ST_Length(place.line) + 1e-6 THEN
+        RAISE EXCEPTION 'lane % has no place at % m', lane, place_on_lane USING ERRCODE = '22023',
+            DETAIL = format('It is %s m long.', round(ST_Length(place.line)::numeric, 3)),
+            HINT = 'Metres count along the line of the lane.';
+    ELSIF place.other IS NULL THEN
+        RETURN;
+    END IF;
+    here := streetgen._lane_measures(place.axis, place.line, place.widest);
+    there := streetgen._lane_measures(place.axis, place.other_line, place.widest);
+    RETURN QUERY SELECT place.other, streetgen._measure_at(there.on_axis, there.on_lane,
+        streetgen._measure_at(here.on_lane, here.on_axis, place_on_lane));
+END $$;
+COMMENT ON FUNCTION streetgen._lane_beside(name, bigint, float8, text) IS
+    'What streetgen.lane_beside gives.';
+
+-- PL/pgSQL takes no name twice.
+CREATE OR REPLACE FUNCTION streetgen.lane_beside(model name, lane bigint, metres float8, side text)
+    RETURNS TABLE(lane_id bigint, metres float8)
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ SELECT * FROM streetgen._lane_beside($1, $2, $3, $4) $$;
+COMMENT ON FUNCTION streetgen.lane_beside(name, bigint, float8, text) IS
+    'The lane beside a lane, and the place there beside a place of it: metres along the line of each lane, side left '
+    'or right along the axis. Through the axis: straight pieces have equal lengths on all lanes, at a bend the inner '
+    'lane has less; there and back is the same place. No lane on that side: no row. An unknown lane, a place off the '
+    'lane, NaN or another side: 22023; NULL: 22004; an unknown model: 3F000. Wilkie, Sewall and Lin, section 4.2.';

@@ -1,0 +1,163 @@
+-- The one statement, sidewalks: behind the kerbs that moved, and behind those that these come near.
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalks(kerbs bytea[], levels integer[], widths float8[], across boolean[],
+    ends boolean[], by_hand boolean[], wanted boolean[], transition float8, srid integer)
+    RETURNS TABLE(number integer, width float8, surface geometry, method text)
+    LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_sidewalks';
+COMMENT ON FUNCTION streetgen._sidewalks(bytea[], integer[], float8[], boolean[], boolean[], boolean[], boolean[],
+    float8, integer) IS
+    'The sidewalks (MULTIPOLYGON) behind the kerbs (LINESTRING, EWKB) that are wanted, by their numbers from 1. '
+    'widths: metres, 0 for none, NULL for a kerb that leads from the width before it to that after it. across: of a '
+    'dead end, whose sidewalk leads around where both sides have one. ends: the '
+    'roadway goes on there. transition: metres of kerb that a change of width takes. Lists of different '
+    'length: 2202E. NULL lists: no row.';
+
+-- What is known of the kerbs of a query with the columns of table kerb and `wanted`, as the core asks for it.
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs(kerbs text, edges text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format($part$
+    SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
+        k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
+        k.side IN ('start', 'end') AS across, o.width IS NOT NULL AS by_hand,
+        CASE k.side WHEN 'left' THEN coalesce(o.width, e.sidewalk_left)
+            WHEN 'right' THEN coalesce(o.width, e.sidewalk_right) END AS width
+    FROM (%s) k JOIN (%s) e USING (edge_id) LEFT JOIN LATERAL (
+        SELECT width FROM {model}.sidewalk_override o WHERE o.axis_id = e.axis_id AND o.side = k.side
+            AND k.node_id IS NULL AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+        ORDER BY sidewalk_override_id DESC LIMIT 1) o ON true$part$, kerbs, edges) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_kerbs(text, text) IS
+    'A query of kerbs with the widths of their sidewalks, from queries of kerbs and of their edges.';
+
+-- The rows of sidewalks, from a query `sidewalk_kerb`.
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_rows() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$
+        SELECT w.number, k.edge_id, k.node_id, k.side, k.part, w.width, w.surface, w.method
+        FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level ORDER BY number) AS levels,
+                array_agg(width ORDER BY number) AS widths, array_agg(ends ORDER BY number) AS ends,
+                array_agg(across ORDER BY number) AS across,
+                array_agg(by_hand ORDER BY number) AS by_hand, array_agg(wanted ORDER BY number) AS wanted
+            FROM sidewalk_kerb) g,
+            streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
+                FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
+            JOIN sidewalk_kerb k ON k.number = w.number$part$ $$;
+COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of sidewalks behind the kerbs sidewalk_kerb.';
+
+-- The kerbs of an edit. A sidewalk depends on kerbs as near as two sidewalks are wide, and on the widths at the ends
+-- of the corners beside it.
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$
+sidewalk_edge AS MATERIALIZED (
+    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right
+    FROM new_edge),
+former_kerb AS MATERIALIZED (
+    SELECT k.* FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
+        WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k WHERE e.kerbs_affected AND NOT e.fresh
+    UNION ALL SELECT k.* FROM new_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
+    WHERE n.kerbs_affected AND NOT n.fresh AND k.edge_id IN (SELECT edge_id FROM kerb_edge)
+    -- Of an edge that goes.
+    UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
+    WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
+-- Two sidewalks side by side.
+sidewalk_reach AS MATERIALIZED (
+    SELECT 0.01 + 2 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
+            FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
+    FROM sidewalk_edge),
+-- Where a kerb came, went or moved, or its width is another.
+moved_kerb AS MATERIALIZED (
+    SELECT geom, node_id, edge_id FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
+        WHERE axis_id IN (SELECT unnest($3)))
+    UNION ALL SELECT geom, node_id, edge_id FROM former_kerb WHERE kerb_id NOT IN (SELECT kerb_id FROM new_kerb
+        WHERE NOT changed)
+    UNION ALL SELECT k.geom, k.node_id, k.edge_id FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
+        WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
+    WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
+moved_node AS MATERIALIZED (
+    SELECT node_id FROM moved_kerb WHERE node_id IS NOT NULL
+    UNION SELECT unnest(ARRAY[e.from_node, e.to_node]) FROM new_edge e WHERE e.edge_id IN (SELECT edge_id
+        FROM moved_kerb)),
+-- Kerbs that stay as they are, and whose sidewalks may be others.
+near_kerb AS MATERIALIZED (
+    SELECT DISTINCT k.kerb_id FROM moved_kerb m, sidewalk_reach r, LATERAL (SELECT kerb_id FROM {model}.kerb k
+        WHERE k.geom && ST_Expand(m.geom, r.metres) AND ST_DWithin(k.geom, m.geom, r.metres) OFFSET 0) k
+    UNION SELECT k.kerb_id FROM moved_node n, LATERAL (SELECT kerb_id FROM {model}.kerb k
+        WHERE k.node_id = n.node_id OFFSET 0) k
+    UNION SELECT k.kerb_id FROM moved_node n, LATERAL (
+        SELECT edge_id FROM {model}.edge e WHERE e.from_node = n.node_id
+        UNION SELECT edge_id FROM {model}.edge e WHERE e.to_node = n.node_id OFFSET 0) e,
+        LATERAL (SELECT kerb_id FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k),
+wanted_kerb AS MATERIALIZED (
+    SELECT NULL::bigint AS kerb_id, edge_id, node_id, level, side, part, geom, method FROM new_kerb
+    UNION ALL SELECT k.kerb_id, k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method FROM near_kerb n,
+        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) k
+    WHERE k.kerb_id NOT IN (SELECT kerb_id FROM former_kerb)),
+-- They are computed with the kerbs near them, and with the widths on both sides of the corners at their ends.
+wanted_node AS MATERIALIZED (
+    SELECT DISTINCT n.node_id FROM (SELECT DISTINCT edge_id FROM wanted_kerb) w, LATERAL (
+        SELECT unnest(ARRAY[from_node, to_node]) AS node_id FROM {model}.edge e WHERE e.edge_id = w.edge_id OFFSET 0) n
+    UNION SELECT unnest(ARRAY[from_node, to_node]) FROM new_edge),
+beside_kerb AS MATERIALIZED (
+    SELECT DISTINCT k.kerb_id FROM wanted_kerb w, sidewalk_reach r, LATERAL (SELECT kerb_id FROM {model}.kerb k
+        WHERE k.geom && ST_Expand(w.geom, r.metres) OFFSET 0) k
+    UNION SELECT k.kerb_id FROM wanted_node n, LATERAL (SELECT kerb_id FROM {model}.kerb k
+        WHERE k.node_id = n.node_id OFFSET 0) k
+    UNION SELECT k.kerb_id FROM wanted_node n, LATERAL (
+        SELECT edge_id FROM {model}.edge e WHERE e.from_node = n.node_id
+        UNION SELECT edge_id FROM {model}.edge e WHERE e.to_node = n.node_id OFFSET 0) e,
+        LATERAL (SELECT kerb_id FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
+    EXCEPT SELECT kerb_id FROM former_kerb
+    EXCEPT SELECT kerb_id FROM wanted_kerb WHERE kerb_id IS NOT NULL),
+standing_kerb AS MATERIALIZED (
+    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM wanted_kerb
+    UNION ALL SELECT k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method, false FROM beside_kerb b,
+        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = b.kerb_id OFFSET 0) k),
+sidewalk_kerb AS MATERIALIZED ($part$ || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
+        SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM sidewalk_edge
+        UNION ALL SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.sidewalk_left, e.sidewalk_right
+        FROM (SELECT DISTINCT edge_id FROM standing_kerb) n, LATERAL (SELECT * FROM {model}.edge e
+            WHERE e.edge_id = n.edge_id OFFSET 0) e WHERE e.edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)$part$)
+    || ')', places) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_kerbs_of_part(jsonb) IS
+    'Part of the one statement in a run for some axes: sidewalk_kerb, the kerbs near what the run moved; wanted: their '
+    'sidewalks may be others.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
+        ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
+            -- A cluster does not know its neighbours' kerbs: its sidewalks come with the keys, after the last one.
+            'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb'
+                || CASE places ->> 'run' WHEN 'cluster' THEN ' WHERE false' ELSE '' END,
+            'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM new_edge')
+            || ')', places) END,
+    streetgen._upsert_rows(places, 'sidewalk',
+        columns => 'edge_id, node_id, side, part, width, surface, method', rows => streetgen._sidewalk_rows(),
+        there => CASE places ->> 'run' WHEN 'part' THEN $part$
+        SELECT s.sidewalk_id FROM (SELECT edge_id, side, part FROM former_kerb
+                UNION SELECT edge_id, side, part FROM sidewalk_kerb WHERE wanted) k,
+            LATERAL (SELECT sidewalk_id FROM {model}.sidewalk s
+                WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) OFFSET 0) s$part$
+            WHEN 'cluster' THEN 'SELECT sidewalk_id FROM {model}.sidewalk WHERE false'
+            ELSE 'SELECT sidewalk_id FROM {model}.sidewalk' END)) $$;
+COMMENT ON FUNCTION streetgen._upsert_sidewalk(jsonb) IS
+    'Part of the one statement: sidewalks behind new_kerb, and behind kerbs near those that moved.';
+
+CREATE OR REPLACE FUNCTION streetgen._complete_sidewalks(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
+    EXECUTE streetgen._fill_template('WITH sidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
+        'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM {model}.kerb',
+        'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM {model}.edge')
+        || $sql$)
+        INSERT INTO {model}.sidewalk (edge_id, node_id, side, part, width, surface, method)
+        SELECT edge_id, node_id, side, part, width, surface, method FROM ($sql$ || streetgen._sidewalk_rows() || $sql$
+        ) n ORDER BY number ON CONFLICT DO NOTHING$sql$, streetgen._upsert_places(model, 'whole'));
+END $$;
+COMMENT ON FUNCTION streetgen._complete_sidewalks(name) IS
+    'Makes the sidewalks of a model whose first run by clusters has made all kerbs.';

@@ -1,0 +1,85 @@
+-- What kind of junction a place is: by rules, as the paper has it, or by a function of the user.
+
+CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE
+        WHEN bool_or(a.on_ring) THEN 'roundabout'
+        WHEN count(*) <= 1 THEN 'end'
+        WHEN bool_or(a.control = 'signals') THEN 'signals'
+        WHEN count(*) = 2 THEN 'continuation'
+        WHEN bool_or(a.kind LIKE '%\_link') AND bool_or(a.kind IN ('motorway', 'trunk')) THEN 'ramp'
+        WHEN bool_and(coalesce(a.kind, '') LIKE 'motorway%' OR coalesce(a.kind, '') LIKE '%\_link') THEN 'ramp'
+        -- Without classes: fast one-way streets that meet at acute angles.
+        WHEN bool_and(a.kind IS NULL) AND count(*) = 3 AND bool_and(a.lanes_in = 0 OR a.lanes_out = 0)
+            AND max(a.speed) >= 80 AND streetgen._least_angle(array_agg(a.azimuth)) <= 30 THEN 'ramp'
+        WHEN bool_or(a.control = 'stop') THEN 'stop'
+        WHEN bool_or(a.control = 'yield') OR min(a.importance) <> max(a.importance) THEN 'priority'
+        ELSE 'right_before_left' END
+    FROM unnest(arms) a $$;
+COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
+    'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring), end (one arm), '
+    'signals, continuation (two arms), ramp (a link at a motorway or trunk road, or motorways and links alone; where '
+    'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
+    'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
+    'unknown, and gives end; an arm may leave out all that is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen._least_angle(azimuths float8[]) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT min(degrees(acos(greatest(-1, least(1, cos(radians(a - b)))))))
+    FROM unnest(azimuths) WITH ORDINALITY u(a, i), unnest(azimuths) WITH ORDINALITY v(b, j) WHERE i < j $$;
+COMMENT ON FUNCTION streetgen._least_angle(float8[]) IS
+    'The least angle between two of some azimuths, degrees; NULL where there are not two.';
+
+CREATE OR REPLACE FUNCTION streetgen._classifier_function(value text) RETURNS regprocedure
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    found oid := to_regprocedure(value || '(streetgen.junction_arm[])');
+BEGIN
+    RETURN (SELECT oid::regprocedure FROM pg_proc WHERE oid = found AND prorettype = 'text'::regtype);
+END $$;
+COMMENT ON FUNCTION streetgen._classifier_function(text) IS
+    'The function that setting classifier names, (arms streetgen.junction_arm[]) returning text; NULL: there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._classified(classifier text, junction bigint, arms streetgen.junction_arm[])
+    RETURNS text
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    called constant regprocedure := streetgen._classifier_function(classifier);
+    kind text;
+BEGIN
+    IF called IS NULL THEN
+        RAISE EXCEPTION 'setting classifier names "%", and there is no such function', classifier
+            USING ERRCODE = '22023', HINT = 'A function (arms streetgen.junction_arm[]) returning text, with its '
+                'schema; streetgen.junction_kind is the default.';
+    END IF;
+    BEGIN
+        EXECUTE format('SELECT %s($1)', called::regproc) INTO kind USING arms;
+    EXCEPTION WHEN OTHERS THEN
+        RAISE EXCEPTION 'classifier % fails at junction %: %', called::regproc, junction, SQLERRM
+            USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set classifier to streetgen.junction_kind.';
+    END;
+    IF kind IS NULL OR kind NOT IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
+        'continuation', 'end') THEN
+        RAISE EXCEPTION 'classifier % gives "%" for junction %', called::regproc, coalesce(kind, 'NULL'), junction
+            USING ERRCODE = '22023', HINT = 'The kinds are ramp, signals, stop, priority, right_before_left, '
+                'roundabout, continuation and end.';
+    END IF;
+    RETURN kind;
+END $$;
+COMMENT ON FUNCTION streetgen._classified(text, bigint, streetgen.junction_arm[]) IS
+    'The kind of a junction by a function of the user. One that is not there, or that gives another word: 22023; what '
+    'the function raises comes with its SQLSTATE, naming function and junction.';
+
+CREATE OR REPLACE FUNCTION streetgen._paper_kind(arms streetgen.junction_arm[]) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN bool_or(a.on_ring) THEN 'roundabout' WHEN count(*) <= 1 THEN 'end'
+        WHEN count(*) = 2 THEN 'continuation'
+        WHEN bool_or(a.kind ~ '^(motorway|trunk)') THEN 'ramp' ELSE 'signals' END
+    FROM unnest(arms) a $$;
+COMMENT ON FUNCTION streetgen._paper_kind(streetgen.junction_arm[]) IS
+    'The kind of a junction as Wilkie, Sewall and Lin have it: a ramp where a highway takes part, else signals.';

@@ -1,0 +1,89 @@
+-- Paths across junctions of several nodes.
+
+CREATE OR REPLACE FUNCTION streetgen._junction_movements(grounds streetgen.junction_ground[],
+    legs streetgen.junction_leg[], lanes streetgen.junction_lane[], inner_edges streetgen.junction_inner_edge[],
+    steps streetgen.junction_step[], restrictions streetgen.junction_restriction[], srid integer, u_turn boolean,
+    arcs boolean, tolerance float8, node_tolerance float8, most integer)
+    RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
+        angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
+    LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_junction_movements';
+COMMENT ON FUNCTION streetgen._junction_movements(streetgen.junction_ground[], streetgen.junction_leg[],
+    streetgen.junction_lane[], streetgen.junction_inner_edge[], streetgen.junction_step[],
+    streetgen.junction_restriction[], integer, boolean, boolean, float8, float8, integer)
+    IS 'The paths across junctions of several nodes, lane to lane, with the chain of paths at single nodes that lead '
+        'the same way. u_turn: also back by the edge that one came by; arcs: by rule arcs, else bezier; tolerances in '
+        'm; most: pairs of lanes above which a junction gets none. geom: LINESTRING, EWKB. Bad geometry, a number out '
+        'of its range: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_found_movements(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE streetgen._fill_template($sql$
+CREATE OR REPLACE FUNCTION {model}._found_movements(junctions bigint[])
+    RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
+        angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+    AS $body$
+#variable_conflict use_column
+DECLARE
+    rules record;
+BEGIN
+    SELECT max(value) FILTER (WHERE name = 'u_turn') = 'true' AS u_turn,
+        max(value) FILTER (WHERE name = 'trajectory') = 'arcs' AS arcs,
+        (max(value) FILTER (WHERE name = 'trajectory_tolerance'))::float8 AS chords,
+        (max(value) FILTER (WHERE name = 'tolerance'))::float8 AS tolerance,
+        (max(value) FILTER (WHERE name = 'interconnections_maximal'))::float8::integer AS most INTO rules
+        FROM {model}.setting;
+    RETURN QUERY
+    WITH member AS MATERIALIZED (
+        SELECT j.junction_id, j.node_id FROM {model}.junction_node j WHERE j.junction_id = ANY (junctions)),
+    ending AS MATERIALIZED (
+        SELECT m.junction_id, m.node_id, e.*, at_start, l.border_line
+        FROM member m CROSS JOIN (VALUES (true, 'start'), (false, 'end')) w(at_start, which)
+            JOIN LATERAL (SELECT e.* FROM {model}.edge e WHERE at_start AND e.from_node = m.node_id
+                UNION ALL SELECT e.* FROM {model}.edge e WHERE NOT at_start AND e.to_node = m.node_id) e ON true
+            JOIN {model}.section_limit l ON (l.edge_id, l.which) = (e.edge_id, w.which)),
+    leg AS MATERIALIZED (
+        SELECT * FROM ending e WHERE NOT EXISTS (SELECT FROM {model}.junction_edge j WHERE j.edge_id = e.edge_id)),
+    way AS MATERIALIZED (
+        SELECT g.junction_id, g.edge_id, g.at_start, l.lane_id, l.along_axis AS along, l.kind, l.turn, l.lane_position,
+            v.along AS driven_along, v.along <> g.at_start AS comes_in, l.geom
+        FROM leg g JOIN {model}.lane l USING (edge_id) JOIN (VALUES (true), (false)) v(along)
+            ON l.both_ways OR l.along_axis = v.along
+        WHERE l.kind <> 'parking')
+    SELECT * FROM streetgen._junction_movements(
+        ARRAY(SELECT ROW (j.junction_id, j.surface::bytea)::streetgen.junction_ground FROM {model}.junction j
+            WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id),
+        ARRAY(SELECT ROW (junction_id, edge_id, at_start, axis_id, node_id, importance, speed,
+            border_line::bytea)::streetgen.junction_leg FROM leg
+            ORDER BY junction_id, axis_id, start_abscissa, at_start),
+        -- From left to right in their driving direction; positions run from the left of the axis.
+        ARRAY(SELECT ROW (junction_id, edge_id, at_start, lane_id, comes_in, driven_along, kind, turn,
+                CASE WHEN driven_along THEN geom ELSE ST_Reverse(geom) END::bytea)::streetgen.junction_lane
+            FROM way ORDER BY junction_id, edge_id, at_start, comes_in,
+                CASE WHEN driven_along THEN lane_position ELSE -lane_position END),
+        ARRAY(SELECT ROW (j.junction_id, e.axis_id, e.from_node, e.to_node, e.lanes_forward + e.lanes_both > 0,
+                e.lanes_backward + e.lanes_both > 0, coalesce(o.along, 0), coalesce(o.against, 0),
+                ST_Force2D(e.geom)::bytea)::streetgen.junction_inner_edge
+            FROM {model}.junction_edge j JOIN {model}.edge e USING (edge_id) LEFT JOIN LATERAL (
+                SELECT avg(l.axis_offset) FILTER (WHERE l.along_axis) AS along,
+                    avg(l.axis_offset) FILTER (WHERE NOT l.along_axis OR l.both_ways) AS against
+                FROM {model}.lane l WHERE l.edge_id = e.edge_id AND l.kind <> 'parking') o ON true
+            WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id, e.axis_id, e.start_abscissa),
+        ARRAY(SELECT ROW (m.junction_id, i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out,
+                i.plausible)::streetgen.junction_step
+            FROM member m JOIN {model}.interconnection i USING (node_id)
+            ORDER BY m.junction_id, i.interconnection_id),
+        ARRAY(SELECT ROW (m.junction_id, r.from_axis, r.to_axis, ST_X(n.geom), ST_Y(n.geom), r.kind, r.turn,
+                r.except_kinds)::streetgen.junction_restriction
+            FROM member m JOIN {model}.node n USING (node_id)
+                JOIN {model}.turn_restriction r ON ST_DWithin(r.geom, n.geom, 3 * rules.tolerance)
+            ORDER BY m.junction_id, r.turn_restriction_id),
+        {srid}, rules.u_turn, rules.arcs, rules.chords, rules.tolerance, rules.most);
+END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'srid', (SELECT srid FROM streetgen.model m
+        WHERE m.name = model)));
+    PERFORM streetgen._own_function(model, '_found_movements(bigint[])', 'The paths across junctions of several nodes');
+END $$;
+COMMENT ON FUNCTION streetgen._make_found_movements(name) IS
+    'Makes the function of a model that computes the paths across junctions.';

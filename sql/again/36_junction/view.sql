@@ -1,0 +1,50 @@
+-- What is seen of junctions: the collapsed graph, every movement, and who waits for whom.
+
+CREATE OR REPLACE FUNCTION streetgen._make_junction_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.junction_link WITH (security_invoker = true) AS
+SELECT e.edge_id, e.axis_id, coalesce(f.junction_id, e.from_node) AS from_junction,
+    coalesce(t.junction_id, e.to_node) AS to_junction, e.lanes_forward + e.lanes_both AS lanes_along,
+    e.lanes_backward + e.lanes_both AS lanes_against, e.geom
+FROM %1$I.edge e LEFT JOIN %1$I.junction_node f ON f.node_id = e.from_node
+    LEFT JOIN %1$I.junction_node t ON t.node_id = e.to_node
+WHERE NOT EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id);
+COMMENT ON VIEW %1$I.junction_link IS
+    'The network with each junction as one point: the edges that lie in none, each from junction to junction. Where '
+    'an edge ends at a node that is no junction, that node stands in its place';
+CREATE OR REPLACE VIEW %1$I.rim_marking WITH (security_invoker = true) AS
+SELECT m.* FROM %1$I.marking m WHERE NOT EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = m.edge_id);
+COMMENT ON VIEW %1$I.rim_marking IS
+    'What is painted on lanes, without the lanes inside junctions: traffic waits at the rim';
+CREATE OR REPLACE VIEW %1$I.movement WITH (security_invoker = true) AS
+SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
+    m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom
+FROM %1$I.junction_movement m
+UNION ALL SELECT n.junction_id, i.node_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn, i.angle,
+    i.plausible, i.reason, i.connecting, ARRAY[i.interconnection_id], NULL::bigint, i.geom
+FROM %1$I.interconnection i LEFT JOIN %1$I.junction_node n USING (node_id)
+WHERE NOT EXISTS (SELECT FROM %1$I.junction_node o WHERE o.junction_id = n.junction_id AND o.node_id <> n.node_id);
+COMMENT ON VIEW %1$I.movement IS
+    'Every way from lane to lane: across junctions of several nodes, and at single nodes. Its two lanes, with the '
+    'directions in which they are driven, name a movement';
+CREATE OR REPLACE VIEW %1$I.right_of_way WITH (security_invoker = true) AS
+SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
+    CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
+        WHEN j.kind IN ('signals', 'right_before_left') THEN j.kind
+        WHEN p.kind IS NOT NULL THEN p.kind
+        WHEN j.kind = 'ramp' AND a.kind LIKE '%%\_link' THEN 'yield'
+        ELSE 'priority' END AS rule
+FROM %1$I.movement m LEFT JOIN %1$I.junction j USING (junction_id) JOIN %1$I.lane l ON l.lane_id = m.lane_in
+    JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, kind FROM %1$I.axis) a USING (axis_id)
+    LEFT JOIN %1$I.rim_marking p ON (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position,
+        m.along_in) AND p.kind IN ('stop', 'yield');
+COMMENT ON VIEW %1$I.right_of_way IS
+    'What each movement obeys: signals, stop, yield, right_before_left, priority (others wait for it) or free (nothing '
+    'to wait for)'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_junction_views(name) IS
+    'Makes the views of a model that computes junctions, again and again.';

@@ -1,0 +1,58 @@
+-- The edit view of overpasses.
+
+CREATE OR REPLACE FUNCTION streetgen._edit_overpass() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    taken_back boolean := TG_OP = 'DELETE';
+    -- Those of the two axes that lie nearer to this crossing than to another one of theirs.
+    known bigint[];
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        RAISE EXCEPTION 'an overpass cannot be drawn' USING ERRCODE = '0A000',
+            HINT = 'It stands where two axes cross without a node: draw these.';
+    END IF;
+    subject := 'overpass ' || OLD.overpass_id;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
+        format('SELECT unnest(ARRAY[%s, %s])', OLD.axis_above, OLD.axis_below));
+    EXECUTE format($sql$
+SELECT coalesce(array_agg(overpass_override_id ORDER BY overpass_override_id), '{}') FROM %1$I.overpass_override o
+WHERE (axis_above, axis_below) IN (($1, $2), ($2, $1)) AND ST_DWithin(o.geom, $3, 20)
+    AND NOT EXISTS (SELECT FROM %1$I.overpass_editing e WHERE (e.axis_above, e.axis_below) IN (($1, $2), ($2, $1))
+        AND ST_Distance(e.geom, o.geom) < ST_Distance($3, o.geom)) $sql$, TG_TABLE_SCHEMA)
+        INTO known USING OLD.axis_above, OLD.axis_below, OLD.geom;
+    IF NOT taken_back THEN
+        taken_back := OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.clearance IS NULL);
+    END IF;
+    IF taken_back THEN
+        EXECUTE format('DELETE FROM %I.overpass_override WHERE overpass_override_id = ANY ($1)', TG_TABLE_SCHEMA)
+            USING known;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+    END IF;
+    IF NEW.axis_above IS NULL OR NEW.axis_above NOT IN (OLD.axis_above, OLD.axis_below) THEN
+        RAISE EXCEPTION 'axis % does not pass at %', coalesce(NEW.axis_above::text, 'NULL'), subject
+            USING ERRCODE = '22023',
+                HINT = format('Axes %s and %s cross there.', OLD.axis_above, OLD.axis_below);
+    END IF;
+    PERFORM streetgen._check_edit_number('the clearance of ' || subject, NEW.clearance, 0, 100, 'm',
+        'Delete the row to take back what was decided by hand.');
+    NEW.axis_below := OLD.axis_above + OLD.axis_below - NEW.axis_above;
+    EXECUTE format('DELETE FROM %I.overpass_override WHERE overpass_override_id = ANY ($1)', TG_TABLE_SCHEMA)
+        USING known[2:];
+    IF known = '{}' THEN
+        EXECUTE format('INSERT INTO %I.overpass_override (geom, axis_above, axis_below, clearance) '
+            'VALUES ($1, $2, $3, $4)', TG_TABLE_SCHEMA)
+            USING OLD.geom, NEW.axis_above, NEW.axis_below, NEW.clearance;
+    ELSE
+        EXECUTE format('UPDATE %I.overpass_override SET axis_above = $2, axis_below = $3, clearance = $4 '
+            'WHERE overpass_override_id = $1', TG_TABLE_SCHEMA)
+            USING known[1], NEW.axis_above, NEW.axis_below, NEW.clearance;
+    END IF;
+    NEW.by_hand := true;
+    NEW.geom := OLD.geom;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_overpass() IS
+    'Trigger of overpass_editing: writes overpass_override. An axis that does not cross there, or a clearance beyond 0 '
+    'to 100 m: 22023; INSERT: 0A000.';

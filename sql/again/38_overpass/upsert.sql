@@ -1,0 +1,37 @@
+-- The one statement, overpasses: those of every written edge. Axes that cross one of these are gathered with it.
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_overpass_override(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$(
+            SELECT array_agg(ROW (axis_above, axis_below, ST_X(geom), ST_Y(geom),
+                clearance)::streetgen.street_overpass ORDER BY overpass_override_id)
+            FROM {model}.overpass_override WHERE {whole} OR axis_above = ANY ($2))$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_overpass_override(jsonb) IS
+    'Part of the one statement: what is decided by hand about overpasses, as an array of street_overpass.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_overpass(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
+-- An edge that crosses a written one may be of an axis that is not written: as it is there.
+crossing_edge AS MATERIALIZED (
+    SELECT number, edge_id FROM new_edge
+    UNION ALL SELECT c.number, e.edge_id
+    FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
+        WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
+    WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
+crossing_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM crossing_edge)$part$, places),
+    streetgen._upsert_rows(places, 'overpass',
+        columns => 'edge_above, abscissa_above, edge_below, abscissa_below, ordinality, geom, clearance, method',
+        rows => $part$
+        SELECT number, edge_above, abscissa_above, edge_below, abscissa_below,
+            row_number() OVER (PARTITION BY edge_above, edge_below ORDER BY number)::integer AS ordinality,
+            geom, clearance, method
+        FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids))
+        WHERE {whole} OR edge_above IN (SELECT edge_id FROM new_edge) OR edge_below IN (SELECT edge_id
+            FROM new_edge)$part$,
+        there => $part$
+        SELECT o.overpass_id FROM new_edge e, LATERAL (SELECT overpass_id FROM {model}.overpass o
+            WHERE o.edge_above = e.edge_id {by_key}) o WHERE NOT e.fresh
+        UNION SELECT o.overpass_id FROM new_edge e, LATERAL (SELECT overpass_id FROM {model}.overpass o
+            WHERE o.edge_below = e.edge_id {by_key}) o WHERE NOT e.fresh$part$)) $$;
+COMMENT ON FUNCTION streetgen._upsert_overpass(jsonb) IS 'Part of the one statement: overpasses at new_edge.';

@@ -1,0 +1,32 @@
+-- The one statement, heights along edges.
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_height(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
+profile_edges AS MATERIALIZED (
+    SELECT coalesce(array_agg(ROW (e.edge_id, e.from_node, e.to_node,
+        streetgen._ground_line(e.geom, f.geom, t.geom)::bytea,
+        streetgen._by_speed((v ->> 'grade_maximal')::jsonb, e.speed) / 100, e.speed)::streetgen.profile_edge),
+        ARRAY[]::streetgen.profile_edge[]) AS list
+    FROM setting, new_edge e JOIN new_node f ON f.node_id = e.from_node JOIN new_node t ON t.node_id = e.to_node),
+profile_lifts AS MATERIALIZED (
+    SELECT coalesce(array_agg(ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below, o.clearance,
+        b.level < 0)::streetgen.profile_lift), ARRAY[]::streetgen.profile_lift[]) AS list
+    FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids)) o
+        JOIN crossing_edge c ON c.edge_id = o.edge_below JOIN computed_edge b ON b.number = c.number
+    WHERE {whole} OR o.edge_above IN (SELECT edge_id FROM new_edge)
+        OR o.edge_below IN (SELECT edge_id FROM new_edge)),
+profile_gone AS MATERIALIZED (
+    SELECT ARRAY(SELECT edge_id FROM old_edge WHERE written EXCEPT SELECT edge_id FROM new_edge) AS list)$part$,
+        places),
+    streetgen._upsert_rows(places, 'profile', columns => 'geom, grade_max, method', rows => CASE
+        WHEN places ->> 'run' IN ('whole', 'empty') THEN $part$
+        SELECT row_number() OVER (ORDER BY p.edge_id)::integer AS number, p.*
+        FROM streetgen._solved_profile((SELECT list FROM profile_edges), (SELECT list FROM profile_lifts), {srid})
+            p$part$
+        ELSE $part$
+        SELECT row_number() OVER (ORDER BY p.edge_id)::integer AS number, p.*
+        FROM streetgen._renewed_profile('{quoted_model}', (SELECT list FROM profile_edges),
+            (SELECT list FROM profile_lifts), (SELECT list FROM profile_gone)) p$part$ END)) $$;
+COMMENT ON FUNCTION streetgen._upsert_height(jsonb) IS
+    'Part of the one statement: the heights along new_edge, and along all edges that these lift or no longer lift.';

@@ -1,0 +1,67 @@
+-- Arcs in lines, and the paper's method of roundabout candidates over a whole model.
+
+CREATE OR REPLACE FUNCTION streetgen._detect_arcs(line bytea, radius_least float8, radius_greatest float8,
+    tolerance float8, turn_least float8)
+    RETURNS TABLE(centre bytea, radius float8, arc bytea, support integer, deviation float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_detect_arcs';
+COMMENT ON FUNCTION streetgen._detect_arcs(bytea, float8, float8, float8, float8) IS
+    'EWKB twin of streetgen.detect_arcs';
+
+CREATE OR REPLACE FUNCTION streetgen.detect_arcs(line geometry, radius_least float8 DEFAULT 2,
+    radius_greatest float8 DEFAULT 80, tolerance float8 DEFAULT 0.3, turn_least float8 DEFAULT 30)
+    RETURNS TABLE(centre geometry, radius float8, arc geometry, support integer, deviation float8)
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1
+    SET search_path = pg_catalog, public
+    AS $$ SELECT a.centre::geometry, a.radius, a.arc::geometry, a.support, a.deviation
+          FROM streetgen._detect_arcs(line::bytea, radius_least, radius_greatest, tolerance, turn_least) a $$;
+COMMENT ON FUNCTION streetgen.detect_arcs(geometry, float8, float8, float8, float8) IS
+    'The arcs of circles in a line (LINESTRING, metres), in its order: centre (POINT), radius in metres, arc '
+    '(CIRCULARSTRING in the direction of the line, closed for a full circle), support (points of the line on the arc, '
+    'four or more) and deviation (metres, the most by which one of them leaves the arc, up to tolerance and to a '
+    'tenth of the arc''s height). Quadruplets of points vote for circles; a fit of least squares follows. turn_least: '
+    'degrees that an arc turns at least. Between points over 3 m apart the chord leaves its arc by at most twice the '
+    'tolerance, so that corners of blocks make no arc. With noise of e metres in n points that turn by a radians, a '
+    'centre is off by about 10 e / (a^2 sqrt(n)). Radii from 0.001 to 1e6 m, tolerance from 1e-6 to 1000 m. A line '
+    'that is no LINESTRING, a number out of range: 22023. NULL for anything: no row. StreetGen paper, 2.8.';
+
+CREATE OR REPLACE FUNCTION streetgen.roundabout_candidates(model name, eps float8 DEFAULT 40,
+    "least" integer DEFAULT 4)
+    RETURNS TABLE(number bigint, centre geometry, radius float8, support bigint, axis_ids bigint[], arcs geometry)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._check_given('eps', eps::text, 'least', "least"::text);
+    IF NOT (eps > 0 AND eps <= 1000) OR "least" NOT BETWEEN 1 AND 9999 THEN
+        RAISE EXCEPTION 'eps is % and least is %, out of range', eps, "least" USING ERRCODE = '22023',
+            HINT = 'eps goes up to 1000 m and is above 0, least goes from 1 to 9999.';
+    END IF;
+    RETURN QUERY EXECUTE format($sql$
+WITH found AS MATERIALIZED (
+    SELECT a.axis_id, a.level, d.* FROM %I.axis a, streetgen.detect_arcs(ST_Force2D(a.geom), tolerance => 1) d),
+-- Each quadruplet of successive points on an arc is a circle of its own; an arc has support - 3.
+circle AS (SELECT f.*, n FROM found f, generate_series(4, support) n),
+clustered AS (
+    SELECT c.*, ST_ClusterDBSCAN(c.centre, $1, $2)
+        OVER (PARTITION BY c.level ORDER BY c.axis_id, ST_X(c.centre), ST_Y(c.centre), n
+            ROWS BETWEEN UNBOUNDED PRECEDING AND UNBOUNDED FOLLOWING) AS cluster
+    FROM circle c),
+-- Circles about nearly one centre are of one roundabout where their radii differ by less than a quarter.
+stepped AS (
+    SELECT c.*, coalesce(c.radius > 1.25 * lag(c.radius) OVER by_radius, false)::integer AS step
+    FROM clustered c WHERE cluster IS NOT NULL
+    WINDOW by_radius AS (PARTITION BY level, cluster ORDER BY c.radius, axis_id, n)),
+split AS (
+    SELECT s.*, sum(step) OVER (PARTITION BY level, cluster ORDER BY s.radius, axis_id, n) AS part FROM stepped s)
+SELECT row_number() OVER (ORDER BY count(*) DESC, min(s.axis_id), part),
+    ST_SetSRID(ST_MakePoint(avg(ST_X(s.centre)), avg(ST_Y(s.centre))), min(ST_SRID(s.centre))), avg(s.radius), count(*),
+    array_agg(DISTINCT s.axis_id), ST_Collect(s.arc ORDER BY s.axis_id) FILTER (WHERE n = 4)
+FROM split s GROUP BY level, cluster, part
+$sql$, model) USING eps, "least";
+END $$;
+COMMENT ON FUNCTION streetgen.roundabout_candidates(name, float8, integer) IS
+    'Places of a model that may be roundabouts by the method of the paper: circles through quadruplets of successive '
+    'points of the axes, their centres clustered (ST_ClusterDBSCAN: eps in metres, least centres) level by level, each '
+    'cluster split where radii differ by a quarter. number: 1 for the one with the most circles; centre and radius '
+    '(metres): means; support: how many circles; arcs: their CIRCULARSTRINGs, collected. A list to '
+    'work through by eye: nothing of the model changes, and table roundabout does without. eps up to 1000, least from '
+    '1 to 9999; else 22023. An unknown model: 3F000. StreetGen paper, 2.8, which has 40 m and 4.';

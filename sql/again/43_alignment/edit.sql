@@ -1,0 +1,91 @@
+-- Edits of the bends of roads: road_arc_editing.
+
+CREATE OR REPLACE FUNCTION streetgen._bend_of(axis geometry, place geometry, low float8, high float8,
+    OUT abscissa float8, OUT vertex geometry, OUT half_angle float8)
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT abscissa, geom, ST_Angle(before, geom, after) / 2 FROM (
+        SELECT geom, lag(geom) OVER (ORDER BY n) AS before, lead(geom) OVER (ORDER BY n) AS after,
+            sum(step) OVER (ORDER BY n) AS abscissa
+        FROM (SELECT path[1] AS n, geom, coalesce(ST_Distance(geom, lag(geom) OVER (ORDER BY path)), 0) AS step
+            FROM ST_DumpPoints(ST_Force2D(axis))) p) v
+    WHERE before IS NOT NULL AND after IS NOT NULL AND abscissa > low + 0.001 AND abscissa < high - 0.001
+        AND ST_DWithin(geom, place, 1)
+    ORDER BY ST_Distance(geom, place), abscissa LIMIT 1 $$;
+COMMENT ON FUNCTION streetgen._bend_of(geometry, geometry, float8, float8) IS
+    'The vertex of an axis within 1 m of a place, between two abscissas: the nearest, with half the angle (radians) '
+    'between its segments; NULL where there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._road_arc_handles() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    -- A bend that is sharp by hand has no arc: its handle is its vertex.
+    AS $f$ SELECT $sql$
+        SELECT a.road_arc_id, b.axis_id, b.abscissa, a.radius,
+            EXISTS (SELECT FROM %1$I.road_override o
+                WHERE o.axis_id = b.axis_id AND abs(o.abscissa - b.abscissa) <= 1) AS by_hand, a.centre AS geom
+        FROM %1$I.road_arc a, LATERAL (
+            SELECT e.axis_id, v.abscissa FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id)
+                JOIN %1$I.axis x USING (axis_id),
+                LATERAL streetgen._bend_of(x.geom, a.corner, e.start_abscissa, e.end_abscissa) v
+            WHERE m.road_id = a.road_id AND ST_DWithin(x.geom, a.corner, 1) AND v.abscissa IS NOT NULL
+            ORDER BY ST_Distance(v.vertex, a.corner), e.axis_id LIMIT 1) b
+        UNION ALL SELECT -o.road_override_id, o.axis_id, o.abscissa, o.radius, true, o.geom
+        FROM %1$I.road_override o WHERE o.radius = 0 AND o.geom IS NOT NULL$sql$ $f$;
+COMMENT ON FUNCTION streetgen._road_arc_handles() IS 'The query of road_arc_editing, over a model %1$I.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_road_arc() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    axis geometry;
+    bend record;
+    known bigint;
+    written bigint;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Bends lie where axes bend: change the radius of one.');
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND (NEW.road_arc_id, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.road_arc_id,
+        OLD.axis_id, OLD.abscissa) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, axis_id or abscissa',
+            'Only radius, geom and by_hand can be changed.');
+    END IF;
+    subject := format('the bend at %s m of axis %s', round(OLD.abscissa::numeric, 2), OLD.axis_id);
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
+    EXECUTE format('SELECT geom FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis USING OLD.axis_id;
+    IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
+        EXECUTE format('DELETE FROM %I.road_override WHERE axis_id = $1 AND abs(abscissa - $2) <= 1', TG_TABLE_SCHEMA)
+            USING OLD.axis_id, OLD.abscissa;
+        GET DIAGNOSTICS written = ROW_COUNT;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
+    END IF;
+    bend := streetgen._bend_of(axis, ST_LineInterpolatePoint(ST_Force2D(axis),
+        least(OLD.abscissa / ST_Length2D(axis), 1)), 0, ST_Length2D(axis));
+    IF bend.abscissa IS NULL THEN
+        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'The axis does not bend there any more.',
+            HINT = 'Refresh the layer.';
+    END IF;
+    IF NEW.geom IS DISTINCT FROM OLD.geom THEN
+        PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+        -- The centre lies on the line that halves the angle, and the arc touches both segments.
+        NEW.radius := ST_Distance(bend.vertex, NEW.geom) * abs(sin(bend.half_angle));
+    END IF;
+    PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 4000, 'm',
+        '0 for a sharp bend; delete the row to take back what was decided by hand.');
+    EXECUTE format('SELECT max(road_override_id) FROM %I.road_override WHERE axis_id = $1 AND abs(abscissa - $2) <= 1',
+        TG_TABLE_SCHEMA) INTO known USING OLD.axis_id, bend.abscissa;
+    IF known IS NULL THEN
+        EXECUTE format('INSERT INTO %I.road_override (axis_id, abscissa, radius, geom) VALUES ($1, $2, $3, $4)',
+            TG_TABLE_SCHEMA) USING OLD.axis_id, bend.abscissa, NEW.radius, bend.vertex;
+    ELSE
+        EXECUTE format('UPDATE %I.road_override SET radius = $2 WHERE road_override_id = $1', TG_TABLE_SCHEMA)
+            USING known, NEW.radius;
+    END IF;
+    NEW.by_hand := true;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_road_arc() IS
+    'Trigger of road_arc_editing: writes road_override, the radius as typed or from where the centre was dragged to. '
+    'A radius beyond 0 to 4000 m, or a bend that is gone: 22023; INSERT: 0A000.';

@@ -1,0 +1,77 @@
+-- The arcs of roads, and places along them.
+
+CREATE OR REPLACE FUNCTION streetgen._arc_road_bends(geometry)
+    RETURNS TABLE(start_abscissa float8, end_abscissa float8, radius float8, centre bytea, corner bytea, arc bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 5 AS 'MODULE_PATHNAME', 'streetgen_arc_road_bends';
+COMMENT ON FUNCTION streetgen._arc_road_bends(geometry) IS
+    'The arcs of a road (as of arc_road_length) in their order: metres along it where each starts and ends, radius, '
+    'centre (POINT), the point where the straight lines before and after it would meet (POINT), and the arc '
+    '(CIRCULARSTRING); EWKB all three.';
+
+CREATE OR REPLACE FUNCTION streetgen._arc_road_kinks(geometry) RETURNS TABLE(angle float8, place bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_arc_road_kinks';
+COMMENT ON FUNCTION streetgen._arc_road_kinks(geometry) IS
+    'Where the heading of a road (as of arc_road_length) jumps at the end of an arc: by how much, radians, and the '
+    'place (POINT, EWKB). A thousandth of a radian is no jump, nor is what ten nanometres are of a short arc.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_road_arc_view(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+BEGIN
+    -- No road has a million arcs.
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.road_arc WITH (security_invoker = true) AS
+SELECT r.road_id * 1000000 + b.ordinality AS road_arc_id, r.road_id, b.start_abscissa, b.end_abscissa, b.radius,
+    streetgen.arc_road_speed_limit(b.radius, (SELECT value::float8 FROM %1$I.setting WHERE name = 'road_friction'))
+        AS speed_limit,
+    b.centre::geometry(Point, %2$s) AS centre, b.corner::geometry(Point, %2$s) AS corner,
+    b.arc::geometry(CircularString, %2$s) AS arc
+FROM %1$I.road r, LATERAL streetgen._arc_road_bends(r.geom) WITH ORDINALITY b
+$sql$, model, srid);
+    EXECUTE format($sql$
+COMMENT ON VIEW %1$I.road_arc IS 'The bends of roads that are arcs';
+COMMENT ON COLUMN %1$I.road_arc.road_arc_id IS 'key, of the road and the number of the bend';
+COMMENT ON COLUMN %1$I.road_arc.road_id IS 'the road';
+COMMENT ON COLUMN %1$I.road_arc.start_abscissa IS 'where the arc starts, metres along geom of the road';
+COMMENT ON COLUMN %1$I.road_arc.end_abscissa IS 'where the arc ends, metres along geom of the road';
+COMMENT ON COLUMN %1$I.road_arc.radius IS 'metres';
+COMMENT ON COLUMN %1$I.road_arc.speed_limit IS
+    'km/h up to which a car does not slip, by setting road_friction, without superelevation';
+COMMENT ON COLUMN %1$I.road_arc.centre IS 'centre of the arc';
+COMMENT ON COLUMN %1$I.road_arc.corner IS 'where the straight lines before and after would meet';
+COMMENT ON COLUMN %1$I.road_arc.arc IS 'the arc, in the direction of the road'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_road_arc_view(name) IS 'Makes the view road_arc of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen.road_at(model name, road_id bigint, metres float8,
+    OUT geom geometry, OUT edge_id bigint, OUT heading float8, OUT curvature float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    line geometry;
+BEGIN
+    PERFORM streetgen._require_reader(model);
+    IF 'alignment' <> ALL (streetgen._subjects(model)) THEN
+        RAISE EXCEPTION 'model "%" computes no roads', model USING ERRCODE = '0A000',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''alignment'', true) makes them.', model);
+    END IF;
+    EXECUTE format('SELECT geom FROM %I.road WHERE road_id = $1', model) INTO line USING road_at.road_id;
+    IF line IS NULL THEN
+        RAISE EXCEPTION 'there is no road % in model "%"', road_at.road_id, model USING ERRCODE = '22023',
+            HINT = format('SELECT road_id FROM %I.road lists those that are there.', model);
+    END IF;
+    SELECT p.geom, p.heading, p.curvature INTO geom, heading, curvature
+        FROM streetgen.arc_road_point(line, metres) p;
+    -- Along the axes a road is a little longer than along its arcs.
+    EXECUTE format('SELECT m.edge_id FROM %1$I.road_edge m JOIN %1$I.road r USING (road_id) WHERE road_id = $1
+        AND m.start_abscissa <= $2 * r.length / $3 ORDER BY position DESC LIMIT 1', model) INTO edge_id
+        USING road_at.road_id, greatest(metres, 0), streetgen.arc_road_length(line);
+END $$;
+COMMENT ON FUNCTION streetgen.road_at(name, bigint, float8) IS
+    'The place (POINT) at a number of metres along a road of a model, clamped to it: the edge there, heading in '
+    'degrees clockwise from the y axis, and curvature, 1/m, positive on left bends. A road that is not there, or a '
+    'number that is not finite: 22023; a model without subject alignment: 0A000. NULL for NULL.';

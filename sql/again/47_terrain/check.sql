@@ -1,0 +1,43 @@
+-- What check_model and summary say of a design.
+
+CREATE OR REPLACE FUNCTION streetgen._design_check() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$
+SELECT 'error', 'link of the design without a way', 'design_link', l.design_link_id, 0, ST_MakeLine(a.geom, b.geom)
+    FROM %1$I.design_link l JOIN %1$I.design_node a ON a.design_node_id = node_a
+    JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE NOT l.rejected AND method LIKE 'no_path%%'
+UNION ALL
+SELECT 'warning', 'link that breaks rules of its standard', 'design_link', design_link_id, 0, geom
+    FROM %1$I.design_link WHERE NOT rejected AND method LIKE 'breaks%%'
+UNION ALL
+SELECT 'error', 'gap between elements of a link, m', 'alignment_element', e.alignment_element_id, gap, e.start
+    FROM (SELECT *, lead(start) OVER along AS next FROM %1$I.alignment_element WHERE NOT rejected
+        WINDOW along AS (PARTITION BY design_link_id ORDER BY ordinality)) e,
+    LATERAL streetgen._alignment_point(ARRAY[0, ST_X(start), ST_Y(start), heading, length, curvature_start,
+        curvature_end], NULL, length) p, LATERAL (SELECT ST_Distance(next, ST_SetSRID(ST_Point(p.x, p.y),
+        ST_SRID(next))) AS gap) g WHERE gap > 1e-6
+UNION ALL
+SELECT 'warning', 'stale: the input of the design changed since', 'design_link', l.design_link_id, count(*), l.geom
+    FROM %1$I.design_link l CROSS JOIN streetgen._design_stage() s WHERE NOT l.rejected AND s.each_link
+        AND (s.stage = 'paths' OR coalesce(l.method, '') NOT LIKE 'no_path%%')
+        AND streetgen._stale_input(%1$L, s.stage, l.design_link_id) IS NOT NULL GROUP BY l.design_link_id
+UNION ALL
+SELECT 'warning', 'stale: nodes or links by hand of the design changed since', 'design_node', NULL, 0, NULL
+    WHERE EXISTS (SELECT FROM %1$I.design_node) AND streetgen._stale_input(%1$L, 'links', 0) IS NOT NULL$part$ $$;
+COMMENT ON FUNCTION streetgen._design_check() IS 'The rules of check_model for the design of model %1$I.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_summary() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$
+(SELECT 'nodes of the design, ' || kind, count(*)::numeric, NULL::text FROM %1$I.design_node WHERE NOT rejected
+    GROUP BY kind ORDER BY kind)
+UNION ALL
+(SELECT 'links of the design, ' || network, count(*), NULL FROM %1$I.design_link WHERE NOT rejected
+    GROUP BY network ORDER BY network)
+UNION ALL
+(SELECT 'links of the design, ' || network || ', length', round((sum(ST_Length(geom)) / 1000)::numeric, 3), 'km'
+    FROM %1$I.design_link WHERE NOT rejected AND geom IS NOT NULL GROUP BY network ORDER BY network)
+UNION ALL
+(SELECT 'structures of the design, ' || kind, count(*), NULL FROM %1$I.structure WHERE NOT rejected
+    GROUP BY kind ORDER BY kind)$part$ $$;
+COMMENT ON FUNCTION streetgen._design_summary() IS 'What streetgen.summary counts of the design of model %1$I.';

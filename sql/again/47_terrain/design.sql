@@ -1,0 +1,189 @@
+-- The driver of a design: what is stale is computed, stage by stage.
+
+CREATE OR REPLACE FUNCTION streetgen._design_stage()
+    RETURNS TABLE(place integer, stage text, each_link boolean, input text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 9 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'terrain', false, NULL), (2, 'zones', false, NULL), (3, 'nodes', false, NULL),
+    (4, 'links', false, $i$
+        SELECT ROW(design_node_id, kind, importance, geom) FROM %1$I.design_node WHERE NOT rejected
+            AND (by_hand OR kind <> 'interchange')
+        UNION ALL SELECT ROW(node_a, node_b, network, rejected) FROM %1$I.design_link WHERE by_hand
+        UNION ALL SELECT ROW(streetgen._design_text(%2$L, 'link_factor'), streetgen._design_text(%2$L, 'benefit'))$i$),
+    (5, 'paths', true, $i$
+        SELECT ROW(streetgen._road_rules(%2$L, network) - 'curve_radius') FROM %1$I.design_link
+            WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(ordinality, geom, straight) FROM streetgen._link_places(%2$L, %3$s, true)
+        UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
+            AND NOT rejected
+        UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
+            WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected$i$),
+    (6, 'horizontal', true, $i$
+        SELECT ROW(streetgen._road_rules(%2$L, network)) FROM %1$I.design_link WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(ordinality, geom, curve) FROM streetgen._link_places(%2$L, %3$s, false)
+        UNION ALL SELECT ROW(e.*) FROM %1$I.alignment_element e WHERE design_link_id = %3$s AND by_hand$i$),
+    (7, 'vertical', true, $i$
+        SELECT ROW(streetgen._road_rules(%2$L, network), streetgen._design_text(%2$L, 'clearance'))
+            FROM %1$I.design_link WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
+        UNION ALL SELECT ROW(g.*) FROM %1$I.grade_point g WHERE design_link_id = %3$s AND (by_hand OR rejected)
+        UNION ALL SELECT ROW(c.*) FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND (by_hand OR rejected)
+        UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
+            AND NOT rejected
+        UNION ALL SELECT ROW(o.design_link_id, o.geom) FROM %1$I.design_link l JOIN %1$I.design_link o
+            ON (streetgen._network_rank(o.network), o.design_link_id) <
+                (streetgen._network_rank(l.network), l.design_link_id) AND NOT o.rejected
+            AND o.geom && ST_Envelope(streetgen._plan_line(%2$L, %3$s)) WHERE l.design_link_id = %3$s$i$),
+    (8, 'structures', true, $i$
+        SELECT ROW(streetgen._road_rules(%2$L, network)) FROM %1$I.design_link WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s))
+        UNION ALL SELECT ROW(abscissa, kind, rejected) FROM %1$I.design_crossing WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
+            WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected
+        UNION ALL SELECT ROW(s.*) FROM %1$I.structure s WHERE design_link_id = %3$s AND by_hand$i$),
+    (9, 'axes', true, $i$
+        SELECT ROW(c.*, a.name, b.name, streetgen._design_text(%2$L, 'driving_side'),
+            streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s)) FROM %1$I.design_link l
+            JOIN %1$I.design_class c USING (network) JOIN %1$I.design_node a ON a.design_node_id = node_a
+            JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE design_link_id = %3$s
+        UNION ALL SELECT ROW(p.*) FROM streetgen._axis_cuts(%2$L, %3$s) p$i$) $$;
+COMMENT ON FUNCTION streetgen._design_stage() IS
+    'The stages of a design in their order. input: query of the rows that a stage is computed from, over model %1$I '
+    '(%2$L) and link %3$s; stages without it are input alone.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_hash(model name, stage text, link bigint) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    hash bigint;
+BEGIN
+    EXECUTE format($sql$SELECT coalesce(hashtextextended(string_agg(md5(line), '' ORDER BY md5(line)), 47), 0)
+        FROM (SELECT r::text AS line FROM (%s) i(r)) l $sql$, (SELECT format(input, model, model, link)
+        FROM streetgen._design_stage() s WHERE s.stage = _design_hash.stage)) INTO hash;
+    RETURN hash;
+END $$;
+COMMENT ON FUNCTION streetgen._design_hash(name, text, bigint) IS
+    'Hash of what a stage is computed from; link 0: of a stage that is not link by link.';
+
+CREATE OR REPLACE FUNCTION streetgen._stale_input(model name, stage text, link bigint) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    hash constant bigint := streetgen._design_hash(model, stage, link);
+    known boolean;
+BEGIN
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_input WHERE stage = $1 AND design_link_id = $2
+        AND input_hash = $3)', model) INTO known USING stage, link, hash;
+    RETURN CASE WHEN NOT known THEN hash END;
+END $$;
+COMMENT ON FUNCTION streetgen._stale_input(name, text, bigint) IS
+    'Hash of the input of a stage of a link that changed since the stage was computed; NULL: it did not.';
+
+CREATE OR REPLACE FUNCTION streetgen._note_input(model name, stage text, link bigint, hash bigint)
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    EXECUTE format('INSERT INTO %I.design_input VALUES ($1, $2, $3) ON CONFLICT (stage, design_link_id) DO UPDATE SET
+        input_hash = excluded.input_hash', model) USING stage, link, hash;
+END $$;
+COMMENT ON FUNCTION streetgen._note_input(name, text, bigint, bigint) IS
+    'Notes what a stage of a link was computed from.';
+
+CREATE OR REPLACE FUNCTION streetgen._run_stages(model name, stages text[], links bigint[])
+    RETURNS TABLE(stage text, computed bigint, written bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 6 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    each record;
+    link bigint;
+    wanted bigint[];
+    stale bigint[];
+    hashes bigint[];
+    hash bigint;
+    rows bigint;
+BEGIN
+    EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
+    FOR each IN SELECT * FROM streetgen._design_stage() s WHERE s.input IS NOT NULL
+        AND (stages IS NULL OR s.stage = ANY (stages)) ORDER BY s.place
+    LOOP
+        stage := each.stage;
+        computed := 0;
+        written := 0;
+        IF NOT each.each_link THEN
+            hash := CASE WHEN links IS NULL THEN streetgen._stale_input(model, stage, 0) END;
+            IF hash IS NOT NULL THEN
+                PERFORM streetgen._check_design_nodes(model);
+                computed := 1;
+                written := streetgen._design_links(model);
+                PERFORM streetgen._note_input(model, stage, 0, hash);
+            END IF;
+            RETURN NEXT;
+            CONTINUE;
+        END IF;
+        EXECUTE format($sql$SELECT coalesce(array_agg(design_link_id ORDER BY streetgen._network_rank(network),
+            design_link_id), '{}') FROM %I.design_link WHERE NOT rejected AND ($1 IS NULL OR design_link_id = ANY ($1))
+            AND ($2 = 'paths' OR coalesce(method, '') NOT LIKE 'no_path%%') $sql$, model)
+            INTO wanted USING links, stage;
+        stale := '{}';
+        hashes := '{}';
+        FOREACH link IN ARRAY wanted LOOP
+            -- A link that is built before another one may change what that one is computed from.
+            hash := streetgen._stale_input(model, stage, link);
+            IF hash IS NOT NULL THEN
+                stale := stale || link;
+                hashes := hashes || hash;
+                PERFORM set_config('application_name', format('streetgen: design, %s, link %s of %s', stage,
+                    array_position(wanted, link), cardinality(wanted)), true);
+                IF stage <> 'axes' THEN
+                    EXECUTE format('SELECT streetgen.%I($1, $2)', '_design_' || CASE stage WHEN 'paths' THEN 'path'
+                        ELSE stage END) INTO rows USING model, link;
+                    written := written + rows;
+                    PERFORM streetgen._note_input(model, stage, link, hash);
+                END IF;
+            END IF;
+        END LOOP;
+        IF stage = 'axes' AND (stale <> '{}' OR links IS NULL) THEN
+            written := streetgen._design_axes(model, stale);
+            PERFORM streetgen._note_input(model, stage, l, h) FROM unnest(stale, hashes) u(l, h);
+        END IF;
+        computed := cardinality(stale);
+        RETURN NEXT;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._run_stages(name, text[], bigint[]) IS
+    'Computes the stages of links that are stale, in order: how many links were computed, and rows written.';
+
+CREATE OR REPLACE FUNCTION streetgen.design(model name, stages text[] DEFAULT NULL, links bigint[] DEFAULT NULL)
+    RETURNS TABLE(stage text, computed bigint, written bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 6 SET search_path = pg_catalog, public SET jit = off
+    SET application_name = 'streetgen: design'
+    AS $$
+DECLARE
+    wrong text;
+    missing bigint;
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._require_design(model);
+    SELECT w INTO wrong FROM unnest(stages) w WHERE w NOT IN (SELECT s.stage FROM streetgen._design_stage() s)
+        OR w IS NULL LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'there is no stage "%" of a design', coalesce(wrong, 'NULL') USING ERRCODE = '22023',
+            HINT = 'The stages are ' || (SELECT string_agg(s.stage, ', ' ORDER BY s.place)
+                FROM streetgen._design_stage() s) || '.';
+    END IF;
+    EXECUTE format('SELECT w FROM unnest($1) w WHERE NOT EXISTS (SELECT FROM %I.design_link
+        WHERE design_link_id = w) LIMIT 1', model) INTO missing USING links;
+    IF missing IS NOT NULL THEN
+        RAISE EXCEPTION 'there is no link % in the design', missing USING ERRCODE = '22023',
+            HINT = format('SELECT design_link_id FROM %I.design_link lists them.', model);
+    END IF;
+    PERFORM streetgen._pause();
+    RETURN QUERY SELECT * FROM streetgen._run_stages(model, stages, links);
+END $$;
+COMMENT ON FUNCTION streetgen.design(name, text[], bigint[]) IS
+    'Designs the roads of a model: computes what is stale, stage by stage, in one transaction, and writes axes (source '
+    'design); streetgen.generate makes their streets. stages: terrain, zones, nodes (input alone), links, paths, '
+    'horizontal, vertical, structures, axes; NULL: all. links: keys of links; NULL: all, and which towns are linked. '
+    'Rows by hand stay, rejected ones do not come back. Gives a row a stage: how many links were computed, and how '
+    'many rows written. Nodes at one place or without terrain, a speed without a standard, curves by hand that do not '
+    'fit, an unknown stage or link: 22023; a model without a design: 55000; not its owner: 42501.';

@@ -1,0 +1,168 @@
+-- Rows of a design by hand: a view of each table turns an edit into a row by hand, and the road follows.
+
+CREATE OR REPLACE FUNCTION streetgen._design_columns(model name, relation name) RETURNS name[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(attname ORDER BY attnum) FROM pg_attribute
+        WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0 AND NOT attisdropped
+            AND attgenerated = '' $$;
+COMMENT ON FUNCTION streetgen._design_columns(name, name) IS 'The columns of a table of a design that are written.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_design_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    shown record;
+BEGIN
+    -- With the rights of the owner of the model: an editor writes rows by hand, the rest follows.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._edit_design() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+DECLARE
+    relation constant name := replace(TG_TABLE_NAME, '_editing', '');
+    key constant name := relation || '_id';
+    is_now constant jsonb := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
+    was constant jsonb := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
+    given name[];
+BEGIN
+    IF TG_TABLE_SCHEMA <> %2$L THEN
+        PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
+    END IF;
+    PERFORM streetgen._begin_design_edit(TG_TABLE_SCHEMA, relation, was, is_now);
+    IF TG_OP = 'INSERT' THEN
+        given := ARRAY(SELECT c FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
+            WHERE is_now ->> c IS NOT NULL AND c <> 'by_hand');
+        EXECUTE format('INSERT INTO %%I.%%I (%%s, by_hand) SELECT %%s, true', TG_TABLE_SCHEMA, relation,
+            (SELECT string_agg(quote_ident(c), ', ') FROM unnest(given) c),
+            (SELECT string_agg(format('($1).%%I', c), ', ') FROM unnest(given) c)) USING NEW;
+    ELSIF TG_OP = 'UPDATE' THEN
+        EXECUTE format('UPDATE %%I.%%I SET %%s WHERE %%I = ($2).%%I', TG_TABLE_SCHEMA, relation,
+            (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '
+                    || (is_now @> '{"by_hand": true}' OR was @> '{"by_hand": false}')
+                WHEN 'rejected' THEN 'rejected = ' || (is_now @> '{"by_hand": true, "rejected": true}')
+                -- The radius that a point had where it was computed was not chosen for another place.
+                WHEN 'radius' THEN CASE WHEN relation = 'grade_point' AND is_now -> 'radius' = was -> 'radius'
+                    AND was @> '{"by_hand": false}' THEN 'radius = NULL' ELSE 'radius = ($1).radius' END
+                ELSE format('%%1$I = ($1).%%1$I', c) END, ', ')
+            FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
+            WHERE c IN ('by_hand', 'rejected') OR is_now -> c IS DISTINCT FROM was -> c
+                OR relation = 'grade_point' AND c = 'radius'), key, key) USING NEW, OLD;
+    ELSIF (SELECT t.computed FROM streetgen._design_table() t WHERE t.relation = replace(TG_TABLE_NAME, '_editing', ''))
+    THEN
+        EXECUTE format('UPDATE %%I.%%I SET rejected = true, by_hand = true WHERE %%I = ($1).%%I', TG_TABLE_SCHEMA,
+            relation, key, key) USING OLD;
+    ELSE
+        EXECUTE format('DELETE FROM %%I.%%I WHERE %%I = ($1).%%I', TG_TABLE_SCHEMA, relation, key, key) USING OLD;
+    END IF;
+    PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
+    RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
+END $body$ $sql$, model, model);
+    PERFORM streetgen._own_function(model, '_edit_design()', 'Turns an edit of a design into rows by hand');
+    FOR shown IN SELECT * FROM streetgen._design_table() LOOP
+        EXECUTE format('CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %3$s FROM %1$I.%4$I '
+            'WHERE EXISTS (SELECT FROM streetgen.model)', model, shown.relation || '_editing',
+            (SELECT string_agg(quote_ident(c), ', ') FROM unnest(streetgen._design_columns(model, shown.relation)) c),
+            shown.relation);
+        EXECUTE format('COMMENT ON VIEW %I.%I IS %L', model, shown.relation || '_editing',
+            shown.description || ', to be edited by hand: an edited row stays, a deleted one is rejected, and by_hand '
+            'false takes either back');
+        EXECUTE format('CREATE OR REPLACE TRIGGER edit INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW '
+            'EXECUTE FUNCTION %1$I._edit_design()', model, shown.relation || '_editing');
+        EXECUTE format('COMMENT ON TRIGGER edit ON %I.%I IS %L', model, shown.relation || '_editing',
+            'Turns an edit into a row by hand');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_design_views(name) IS
+    'Makes the views to edit a design by hand, and their trigger, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._grant_design_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    held record;
+BEGIN
+    FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role,
+        privilege_type AS privilege, t.relation
+        FROM pg_class c, aclexplode(c.relacl), streetgen._design_table() t
+        WHERE streetgen._has_design(model) AND c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner
+            AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
+    LOOP
+        EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.relation || '_editing', held.role);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._grant_design_views(name) IS
+    'Who may read or write the axes of a model may do so with the editing views of its design.';
+
+CREATE OR REPLACE FUNCTION streetgen._begin_design_edit(model name, relation name, was jsonb, is_now jsonb)
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    link constant bigint := coalesce(was, is_now) ->> 'design_link_id';
+    released constant boolean := is_now @> '{"by_hand": false}' AND was @> '{"by_hand": true}';
+    at constant float8 := was ->> 'ordinality';
+BEGIN
+    EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
+    IF relation <> 'design_vertex' THEN
+        RETURN;
+    ELSIF released THEN
+        EXECUTE format($sql$
+UPDATE %1$I.design_vertex SET straight_out = false WHERE design_vertex_id = (SELECT design_vertex_id
+    FROM %1$I.design_vertex WHERE design_link_id = $1 AND NOT rejected AND ordinality < $2
+    ORDER BY ordinality DESC LIMIT 1) $sql$, model) USING link, at;
+        EXECUTE format($sql$
+UPDATE %1$I.design_vertex SET straight_in = false WHERE design_vertex_id = (SELECT design_vertex_id
+    FROM %1$I.design_vertex WHERE design_link_id = $1 AND NOT rejected AND ordinality > $2
+    ORDER BY ordinality LIMIT 1) $sql$, model) USING link, at;
+    ELSE
+        -- Who edits one vertex of a path has seen the others, and keeps them.
+        EXECUTE format('UPDATE %I.design_vertex SET by_hand = true, straight_in = true, straight_out = true
+            WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
+    'Before an edit of a design: other edits and runs wait. An edit of a vertex makes all vertices of its link '
+    'vertices by hand with straight sides; one that is taken back leaves the sides to its neighbours to the search.';
+
+CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    crossed bigint[];
+BEGIN
+    EXECUTE format('SELECT array_agg(l) FROM (SELECT unnest($1) AS l
+        UNION SELECT design_link_id FROM %1$I.design_crossing WHERE other_link_id = ANY ($1)
+        UNION SELECT other_link_id FROM %1$I.design_crossing WHERE design_link_id = ANY ($1)) f', model)
+        INTO crossed USING links;
+    RETURN crossed;
+END $$;
+COMMENT ON FUNCTION streetgen._with_crossed(name, bigint[]) IS 'Links of a design, and those that they cross.';
+
+CREATE OR REPLACE FUNCTION streetgen._follow_design(model name, relation name, edited jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    followed bigint[];
+    barred text;
+BEGIN
+    IF EXISTS (SELECT FROM streetgen._design_table() t WHERE t.relation = _follow_design.relation
+        AND t.of_link IS NOT NULL) THEN
+        -- The links that it crossed before, and those that it crosses now.
+        followed := streetgen._with_crossed(model, ARRAY[(edited ->> 'design_link_id')::bigint]);
+        PERFORM FROM streetgen._run_stages(model, '{paths,horizontal,vertical}', followed);
+        PERFORM FROM streetgen._run_stages(model, '{paths,horizontal,vertical,structures,axes}',
+            streetgen._with_crossed(model, followed));
+        EXECUTE format('SELECT method FROM %I.design_link WHERE design_link_id = $1 AND method LIKE ''no_path%%''',
+            model) INTO barred USING (edited ->> 'design_link_id')::bigint;
+        IF barred IS NOT NULL THEN
+            RAISE EXCEPTION 'link % of the design would have no way: %', edited ->> 'design_link_id', barred
+                USING ERRCODE = '22023', HINT = 'Move the vertex elsewhere, or give it straight sides.';
+        END IF;
+    ELSIF streetgen._design_text(model, 'design_live') = 'on' THEN
+        PERFORM FROM streetgen._run_stages(model, NULL, NULL);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._follow_design(name, name, jsonb) IS
+    'After an edit of a design: a row of a link carries the link, and those that cross it, to axes and streets; of '
+    'other tables this waits for streetgen.design, or not with setting design_live. A link that would have no way: '
+    '22023.';

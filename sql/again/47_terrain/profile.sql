@@ -1,0 +1,205 @@
+-- Stages vertical and structures: crossings, grade points, bridges and tunnels.
+
+CREATE OR REPLACE FUNCTION streetgen._network_rank(network text) RETURNS integer
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_position(ARRAY['highway', 'secondary', 'rural'], network) $$;
+COMMENT ON FUNCTION streetgen._network_rank(text) IS 'The rank of a network: 1 of highways, 3 of rural roads.';
+
+CREATE OR REPLACE FUNCTION streetgen._plan_line(model name, link bigint) RETURNS geometry
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT streetgen._alignment_line(e, NULL, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), 0,
+        1e12, 0.01)::geometry FROM streetgen._link_elements(model, link) e WHERE e <> '{}' $$;
+COMMENT ON FUNCTION streetgen._plan_line(name, bigint) IS 'The alignment of a link in the plan, as chords.';
+
+CREATE OR REPLACE FUNCTION streetgen._find_crossings(model name, link bigint) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- With the links that are built before it: those of higher networks, and of its own with a smaller key.
+    EXECUTE format($sql$
+CREATE TEMPORARY TABLE _crossing ON COMMIT DROP AS
+SELECT o.design_link_id AS other, p.geom, ST_LineLocatePoint(line, p.geom) * ST_Length(line) AS abscissa,
+    ST_LineLocatePoint(other_line, p.geom) * ST_Length(other_line) AS other_abscissa,
+    CASE WHEN l.network = o.network OR 'highway' NOT IN (l.network, o.network) THEN 'level' END AS kind
+FROM %1$I.design_link l JOIN %1$I.design_link o ON o.geom && streetgen._plan_line(%2$L, %3$s)
+    AND (streetgen._network_rank(o.network), o.design_link_id) < (streetgen._network_rank(l.network), l.design_link_id)
+    AND NOT o.rejected,
+    LATERAL (SELECT streetgen._plan_line(%2$L, %3$s) AS line, ST_Force2D(o.geom) AS other_line OFFSET 0) g,
+    LATERAL ST_Dump(ST_CollectionExtract(ST_Intersection(line, other_line), 1)) p
+WHERE l.design_link_id = %3$s
+    -- Where links leave a common node they touch, and do not cross.
+    AND NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
+        AND ST_DWithin(n.geom, p.geom, 60));
+DELETE FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND NOT by_hand AND NOT EXISTS (SELECT FROM _crossing f
+    WHERE f.other = c.other_link_id AND ST_DWithin(f.geom, c.geom, 100));
+UPDATE %1$I.design_crossing c SET abscissa = f.abscissa, other_abscissa = f.other_abscissa, geom = f.geom
+    FROM _crossing f WHERE c.design_link_id = %3$s AND f.other = c.other_link_id AND ST_DWithin(f.geom, c.geom, 100)
+    AND (c.abscissa, c.other_abscissa) IS DISTINCT FROM (f.abscissa, f.other_abscissa);
+INSERT INTO %1$I.design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
+SELECT %3$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM _crossing f
+    WHERE NOT EXISTS (SELECT FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND c.other_link_id = f.other
+        AND ST_DWithin(f.geom, c.geom, 100));
+DROP TABLE _crossing $sql$, model, model, link);
+END $$;
+COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
+    'Finds where a link crosses links that are built before it; a decision by hand stays with its crossing.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_limits(model name, link bigint, fixed float8[]) RETURNS float8[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    clearance constant float8 := streetgen._design_number(model, 'clearance');
+    numbers float8[];
+BEGIN
+    EXECUTE format($sql$
+SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}')
+FROM (SELECT c.abscissa, c.kind, p.z FROM %1$I.design_crossing c,
+    LATERAL streetgen._alignment_point(streetgen._link_elements($1, other_link_id),
+        streetgen._link_grades($1, other_link_id), other_abscissa) p
+    WHERE design_link_id = $2 AND NOT rejected AND p.z IS NOT NULL) c,
+    unnest(CASE kind WHEN 'over' THEN ARRAY[abscissa, z + $3, 1e6] WHEN 'under' THEN ARRAY[abscissa, -1e6, z - $3]
+        ELSE ARRAY[abscissa, z, z] END) WITH ORDINALITY u(v, k) $sql$, model)
+        INTO numbers USING model, link, clearance;
+    RETURN numbers;
+END $$;
+COMMENT ON FUNCTION streetgen._crossing_limits(name, bigint, float8[]) IS
+    'Heights that a link must keep at its crossings: abscissa, least and greatest height.';
+
+CREATE OR REPLACE FUNCTION streetgen._decide_crossings(model name, link bigint, elements float8[], grades float8[])
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+UPDATE %1$I.design_crossing c SET kind = side.kind FROM (SELECT design_crossing_id, CASE WHEN own.z >= other.z
+        THEN 'over' ELSE 'under' END AS kind FROM %1$I.design_crossing x,
+    LATERAL streetgen._alignment_point($2, $3, x.abscissa) own,
+    LATERAL streetgen._alignment_point(streetgen._link_elements($4, x.other_link_id),
+        streetgen._link_grades($4, x.other_link_id), x.other_abscissa) other
+    WHERE x.design_link_id = $1 AND NOT x.by_hand AND x.kind <> 'level' AND other.z IS NOT NULL) side
+WHERE c.design_crossing_id = side.design_crossing_id AND c.kind <> side.kind $sql$, model)
+        USING link, elements, grades, model;
+END $$;
+COMMENT ON FUNCTION streetgen._decide_crossings(name, bigint, float8[], float8[]) IS
+    'Crossings of a link that nobody decided go over or under as the road lies that has these grades, which know of no '
+    'crossing.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_vertical(model name, link bigint) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    elements constant float8[] := streetgen._link_elements(model, link);
+    class text;
+    site streetgen.road_site;
+    ends float8[];
+    fixed float8[];
+    gone float8[];
+    undecided boolean;
+    written bigint;
+BEGIN
+    PERFORM streetgen._find_crossings(model, link);
+    EXECUTE format($sql$SELECT network,
+            ARRAY[streetgen.terrain_height($2, a.geom), streetgen.terrain_height($2, b.geom)]
+        FROM %1$I.design_link JOIN %1$I.design_node a ON a.design_node_id = node_a
+        JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE design_link_id = $1 $sql$, model)
+        INTO class, ends USING link, model;
+    EXECUTE format($sql$SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM %I.grade_point,
+        unnest(ARRAY[abscissa, height, coalesce(radius, 0)]) WITH ORDINALITY u(v, k)
+        WHERE design_link_id = $1 AND by_hand AND NOT rejected $sql$, model) INTO fixed USING link;
+    EXECUTE format('SELECT coalesce(array_agg(abscissa ORDER BY abscissa), ''{}'') FROM %I.grade_point
+        WHERE design_link_id = $1 AND rejected', model) INTO gone USING link;
+    site := streetgen._road_site(model, streetgen._link_area(model, link), class);
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_crossing WHERE design_link_id = $1 AND NOT by_hand
+        AND kind <> ''level'')', model) INTO undecided USING link;
+    IF undecided THEN
+        PERFORM streetgen._decide_crossings(model, link, elements, ARRAY(SELECT v
+            FROM streetgen._road_profile(site, elements, ends, fixed, gone, '{}') p,
+                unnest(ARRAY[p.abscissa, p.height, p.radius]) WITH ORDINALITY u(v, k) ORDER BY p.abscissa, k));
+    END IF;
+    EXECUTE format('DELETE FROM %I.grade_point WHERE design_link_id = $1 AND NOT by_hand AND NOT rejected', model)
+        USING link;
+    EXECUTE format($sql$
+INSERT INTO %1$I.grade_point (design_link_id, abscissa, height, radius, geom)
+SELECT $1, p.abscissa, p.height, p.radius, ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), $7)
+FROM streetgen._road_profile($2, $3, $4, $5, $6, streetgen._crossing_limits($8, $1, $5)) p,
+    LATERAL streetgen._alignment_point($3, NULL, p.abscissa) a
+WHERE NOT EXISTS (SELECT FROM %1$I.grade_point o WHERE o.design_link_id = $1 AND o.by_hand AND NOT o.rejected
+    AND abs(o.abscissa - p.abscissa) <= 1) $sql$, model) USING link, site, elements, ends, fixed, gone,
+        (SELECT m.srid FROM streetgen.model m WHERE m.name = model), model;
+    GET DIAGNOSTICS written = ROW_COUNT;
+    EXECUTE format($sql$UPDATE %1$I.design_link SET geom = streetgen._alignment_line($2,
+        streetgen._link_grades($3, $1), $4, 0, 1e12, 0.01)::geometry WHERE design_link_id = $1 $sql$, model)
+        USING link, elements, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    RETURN written;
+EXCEPTION WHEN invalid_parameter_value THEN
+    RAISE EXCEPTION 'link % of the design: %', link, SQLERRM USING ERRCODE = '22023',
+        HINT = 'Its grade points by hand stand in grade_point; make their radii smaller, or move them apart.';
+END $$;
+COMMENT ON FUNCTION streetgen._design_vertical(name, bigint) IS
+    'Stage vertical of a link: finds its crossings and its grade points; returns how many. Grade points by hand that '
+    'do not fit: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._broken_rules(model name, link bigint) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    class text;
+    rules jsonb;
+    broken text;
+BEGIN
+    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO class USING link;
+    rules := streetgen._road_rules(model, class);
+    EXECUTE format($sql$
+SELECT string_agg(word, ', ' ORDER BY place) FROM (
+    SELECT 1 AS place, 'radius' AS word WHERE EXISTS (SELECT FROM %1$I.alignment_element WHERE design_link_id = $1
+        AND NOT rejected AND greatest(abs(curvature_start), abs(curvature_end)) > 1.001 / $2)
+    UNION ALL SELECT 2, 'grade' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
+        WHERE greatest(abs(grade_start), abs(grade_end)) > 1.005 * $3)
+    UNION ALL SELECT 3, 'crest' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
+        WHERE kind = 'crest' AND radius < 0.995 * $4)
+    UNION ALL SELECT 4, 'sag' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
+        WHERE kind = 'sag' AND radius < 0.995 * $5)) w $sql$, model) INTO broken
+        USING link, (rules ->> 'radius')::float8, (rules ->> 'grade')::float8, (rules ->> 'crest')::float8,
+            (rules ->> 'sag')::float8, streetgen._link_grades(model, link);
+    RETURN 'breaks ' || broken;
+END $$;
+COMMENT ON FUNCTION streetgen._broken_rules(name, bigint) IS
+    'Which rules of its standard a link breaks: radius, grade, crest, sag; NULL: none.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_structures(model name, link bigint) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    elements constant float8[] := streetgen._link_elements(model, link);
+    grades constant float8[] := streetgen._link_grades(model, link);
+    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    class text;
+    written bigint;
+BEGIN
+    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO class USING link;
+    EXECUTE format('DELETE FROM %I.structure WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
+    -- A road passes over or under another one on a structure as long as both are wide.
+    EXECUTE format($sql$
+INSERT INTO %1$I.structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
+WITH found AS (
+    SELECT substr(what, 4) AS kind, start_abscissa, end_abscissa FROM streetgen._road_estimate(
+        streetgen._road_site($2, streetgen._link_area($2, $1), $6), $3, $4) WHERE what LIKE 'is %%'
+    UNION ALL SELECT CASE c.kind WHEN 'over' THEN 'bridge' ELSE 'tunnel' END, c.abscissa - k.width / 2 - 10,
+        c.abscissa + k.width / 2 + 10 FROM %1$I.design_crossing c
+        JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id JOIN %1$I.design_class k ON k.network = o.network
+        WHERE c.design_link_id = $1 AND c.kind <> 'level' AND NOT c.rejected),
+joined AS (SELECT kind, unnest(range_agg(numrange(greatest(start_abscissa, 0)::numeric, end_abscissa::numeric)))
+    AS part FROM found GROUP BY kind),
+free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined WHERE NOT EXISTS (
+    SELECT FROM %1$I.structure o WHERE o.design_link_id = $1 AND numrange(o.start_abscissa::numeric,
+        o.end_abscissa::numeric) && part))
+SELECT $1, kind, low, high, streetgen._alignment_line($3, $4, $5, low, high, 0.01)::geometry FROM free
+WHERE high > low $sql$, model) USING link, model, elements, grades, srid, class;
+    GET DIAGNOSTICS written = ROW_COUNT;
+    EXECUTE format('UPDATE %I.design_link SET method = streetgen._broken_rules($2, $1) WHERE design_link_id = $1
+        AND method IS DISTINCT FROM streetgen._broken_rules($2, $1)', model) USING link, model;
+    RETURN written;
+END $$;
+COMMENT ON FUNCTION streetgen._design_structures(name, bigint) IS
+    'Stage structures of a link: its bridges and tunnels, none where one by hand, or a rejected one, stands; returns '
+    'how many. The method of the link says which rules it breaks.';

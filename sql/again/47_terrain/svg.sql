@@ -1,0 +1,158 @@
+-- Pictures of a design: hill shade, zones and what each stage made; and profiles of links.
+
+CREATE OR REPLACE FUNCTION streetgen._svg_hill_shade(model name, extent geometry, pixel float8) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- A cell is four pixels: finer shade costs more than it shows.
+    cell constant float8 := 4 * pixel;
+    columns constant integer := ceil((ST_XMax(extent) - ST_XMin(extent)) / cell)::integer + 1;
+    rows constant integer := ceil((ST_YMax(extent) - ST_YMin(extent)) / cell)::integer + 1;
+    heights float8[];
+BEGIN
+    heights := streetgen._ground_heights(streetgen._tiles_of(model, extent),
+        ARRAY(SELECT ST_XMin(extent) + i * cell FROM generate_series(0, rows - 1) j, generate_series(0, columns - 1) i
+            ORDER BY j, i),
+        ARRAY(SELECT ST_YMax(extent) - j * cell FROM generate_series(0, rows - 1) j, generate_series(0, columns - 1) i
+            ORDER BY j, i));
+    -- Light from the north west; the steps of grey are few, so that cells of one grey are one path.
+    RETURN (SELECT string_agg(format('<path fill="rgb(%1$s,%1$s,%2$s)" d="%3$s"/>', grey, grey - 6, cells), E'\n')
+        FROM (SELECT grey, string_agg(format('M%s %sh4v4h-4z', 4 * i, 4 * j), '' ORDER BY j, i) AS cells
+            FROM (SELECT i, j, 170 + 5 * round(greatest(-12, least(15, 8 + 14 * ((h2 - h1) + (h3 - h1)) / cell)))
+                    AS grey
+                FROM generate_series(0, rows - 2) j, generate_series(0, columns - 2) i,
+                    LATERAL (SELECT heights[j * columns + i + 1] AS h1, heights[j * columns + i + 2] AS h2,
+                        heights[(j + 1) * columns + i + 1] AS h3) h
+                WHERE h1 + h2 + h3 <> 'NaN') c GROUP BY grey) g);
+END $$;
+COMMENT ON FUNCTION streetgen._svg_hill_shade(name, geometry, float8) IS
+    'The hill shade of the terrain in an extent, as SVG in pixels of so many metres.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_drawing()
+    RETURNS TABLE(place integer, first_stage integer, style text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 2, 'fill="#93c5fd" stroke="none"', $q$SELECT geom FROM %1$I.zone JOIN %1$I.zone_class USING (class)
+        WHERE passage = 'bridge' AND NOT zone.rejected$q$),
+    (2, 2, 'fill="#86a97c" stroke="none"', $q$SELECT geom FROM %1$I.zone JOIN %1$I.zone_class USING (class)
+        WHERE passage = 'free' AND NOT zone.rejected$q$),
+    (3, 2, 'fill="#7c2d12" stroke="none"', $q$SELECT geom FROM %1$I.zone JOIN %1$I.zone_class USING (class)
+        WHERE passage = 'forbidden' AND NOT zone.rejected$q$),
+    (4, 4, 'fill="none" stroke="#6b7280" stroke-width="1.2" stroke-dasharray="5 3"', $q$
+        SELECT ST_MakeLine(a.geom, b.geom) FROM %1$I.design_link l JOIN %1$I.design_node a ON a.design_node_id = node_a
+        JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE NOT l.rejected$q$),
+    (5, 5, 'fill="none" stroke="#111827" stroke-width="1.4"', $q$
+        SELECT ST_MakeLine(p.geom ORDER BY p.ordinality) FROM %1$I.design_link l,
+        LATERAL streetgen._link_places(%2$L, l.design_link_id, false) p WHERE NOT l.rejected
+            AND coalesce(method, '') NOT LIKE 'no_path%%' GROUP BY l.design_link_id$q$),
+    (6, 6, 'fill="none" stroke="#1d4ed8" stroke-width="2"', $q$
+        SELECT ST_Force2D(geom) FROM %1$I.design_link WHERE NOT rejected$q$),
+    (7, 8, 'fill="none" stroke="#dc2626" stroke-width="5"', $q$
+        SELECT ST_Force2D(geom) FROM %1$I.structure WHERE NOT rejected$q$),
+    (8, 9, 'fill="none" stroke="#f97316" stroke-width="2.4"', $q$
+        SELECT ST_Force2D(geom) FROM %1$I.axis WHERE source = 'design'$q$) $$;
+COMMENT ON FUNCTION streetgen._design_drawing() IS
+    'What a picture of a design shows from which stage on (place of _design_stage): style and query over model %1$I '
+    '(%2$L).';
+
+CREATE OR REPLACE FUNCTION streetgen.design_svg(model name, stage text DEFAULT 'axes', extent geometry DEFAULT NULL,
+    width integer DEFAULT 1000) RETURNS text
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    at_stage constant integer := (SELECT s.place FROM streetgen._design_stage() s WHERE s.stage = design_svg.stage);
+    shown geometry := extent;
+    pixel float8;
+    layer record;
+    drawn text;
+    svg text;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._require_design(model),
+        streetgen._check_given('stage', stage, 'width', width::text);
+    IF at_stage IS NULL OR width NOT BETWEEN 100 AND 4000 THEN
+        RAISE EXCEPTION 'there is no picture of stage "%" of % pixels', stage, width USING ERRCODE = '22023',
+            HINT = 'streetgen.design names the stages; a picture is 100 to 4000 pixels wide.';
+    END IF;
+    IF shown IS NULL THEN
+        EXECUTE format('SELECT ST_SetSRID(ST_Extent(geom)::geometry, 0) FROM %I.terrain_tile', model) INTO shown;
+    END IF;
+    IF shown IS NULL THEN
+        RAISE EXCEPTION 'model "%" has no terrain to draw', model USING ERRCODE = '22023',
+            HINT = 'data/streetgen terrain FILE MODEL loads heights.';
+    END IF;
+    shown := streetgen._in_model(model, ST_Envelope(shown), 'the extent');
+    pixel := (ST_XMax(shown) - ST_XMin(shown)) / width;
+    svg := format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width,
+        ceil((ST_YMax(shown) - ST_YMin(shown)) / pixel)) || E'\n<rect width="100%" height="100%" fill="#fff"/>\n'
+        || coalesce(streetgen._svg_hill_shade(model, shown, pixel), '');
+    FOR layer IN SELECT * FROM streetgen._design_drawing() d WHERE d.first_stage <= at_stage ORDER BY d.place LOOP
+        EXECUTE format($q$SELECT string_agg(ST_AsSVG(ST_Scale(ST_Translate(g.geom, -ST_XMin($1), -ST_YMax($1)),
+            1 / $2, 1 / $2), 0, 1), ' ') FROM (%s) g(geom) WHERE g.geom && $1 $q$, format(layer.query, model, model))
+            INTO drawn USING shown, pixel;
+        svg := svg || coalesce(format(E'\n<path %s d="%s"/>', layer.style, drawn), '');
+    END LOOP;
+    IF at_stage >= 3 THEN
+        EXECUTE format($q$SELECT string_agg(format('<circle cx="%%s" cy="%%s" r="%%s" fill="%%s" stroke="#111827"/>%%s',
+            round(((ST_X(geom) - ST_XMin($1)) / $2)::numeric, 1), round(((ST_YMax($1) - ST_Y(geom)) / $2)::numeric, 1),
+            CASE kind WHEN 'city' THEN 7 WHEN 'town' THEN 5 ELSE 3.5 END,
+            CASE kind WHEN 'interchange' THEN '#9ca3af' ELSE '#facc15' END,
+            coalesce(format('<text x="%%s" y="%%s" font-family="sans-serif" font-size="15" stroke="#fff" '
+                'stroke-width="3" paint-order="stroke">%%s</text>',
+                round(((ST_X(geom) - ST_XMin($1)) / $2)::numeric + 9, 1),
+                round(((ST_YMax($1) - ST_Y(geom)) / $2)::numeric - 7, 1),
+                replace(replace(name, '&', '&amp;'), '<', '&lt;')), '')), '')
+            FROM %I.design_node WHERE NOT rejected AND geom && $1 $q$, model)
+            INTO drawn USING shown, pixel;
+        svg := svg || E'\n' || coalesce(drawn, '');
+    END IF;
+    RETURN svg || E'\n</svg>\n';
+END $$;
+COMMENT ON FUNCTION streetgen.design_svg(name, text, geometry, integer) IS
+    'A picture of a design (SVG) after a stage: hill shade, zones (blue: to be bridged, green: free, brown: '
+    'forbidden), nodes, links (dashed), straight alignments (black), alignments (blue), structures (red), axes '
+    '(orange). extent: what is shown, NULL: the terrain. width: pixels, 100 to 4000. An unknown stage, no terrain: '
+    '22023; NULL for stage or width: 22004; a model without a design: 55000.';
+
+CREATE OR REPLACE FUNCTION streetgen.profile_svg(model name, link bigint, width integer DEFAULT 1000) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    road geometry;
+    tall constant integer := 260;
+    svg text;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._require_design(model);
+    EXECUTE format('SELECT geom FROM %I.design_link WHERE design_link_id = $1', model) INTO road USING link;
+    IF road IS NULL THEN
+        RAISE EXCEPTION 'link % of the design has no road', link USING ERRCODE = '22023',
+            HINT = format('SELECT * FROM streetgen.design(%L) computes it.', model);
+    END IF;
+    EXECUTE format($q$
+WITH ground AS (SELECT * FROM streetgen.terrain_profile($1, $2, ST_Length($2) / 400) WHERE height IS NOT NULL),
+road AS (SELECT ST_Length($2) * k / 400.0 AS abscissa, ST_Z(ST_LineInterpolatePoint($2, k / 400.0)) AS height
+    FROM generate_series(0, 400) k),
+bound AS (SELECT min(height) AS low, max(height) AS high FROM (SELECT height FROM ground UNION ALL SELECT height
+    FROM road) h),
+line AS (SELECT what, string_agg(round((abscissa / ST_Length($2) * $3)::numeric, 1) || ',' || round(($4 - 20
+    - (height - low) / greatest(high - low, 10) * ($4 - 40))::numeric, 1), ' ' ORDER BY abscissa) AS points
+    FROM (SELECT 'ground' AS what, * FROM (SELECT abscissa, height FROM ground) g
+        UNION ALL SELECT 'road', * FROM road) l, bound GROUP BY what)
+SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%%s" height="%%s" font-family="sans-serif" '
+    'font-size="13"><rect width="100%%%%" height="100%%%%" fill="#fff"/>', $3, $4)
+    || (SELECT format('<polygon fill="#d6c7a1" points="0,%%s %%s %%s,%%s"/>', $4, points, $3, $4) FROM line
+        WHERE what = 'ground')
+    || coalesce((SELECT string_agg(format('<rect x="%%s" y="0" width="%%s" height="%%s" fill="%%s" opacity="0.25"/>',
+        round((start_abscissa / ST_Length($2) * $3)::numeric, 1),
+        round(((end_abscissa - start_abscissa) / ST_Length($2) * $3)::numeric, 1), $4,
+        CASE kind WHEN 'bridge' THEN '#dc2626' ELSE '#1f2937' END), '') FROM %I.structure WHERE design_link_id = $5
+        AND NOT rejected), '')
+    || (SELECT format('<polyline fill="none" stroke="#1d4ed8" stroke-width="2" points="%%s"/>', points) FROM line
+        WHERE what = 'road')
+    || (SELECT format('<text x="6" y="16">%%s to %%s m high, %%s km</text></svg>', round(low::numeric),
+        round(high::numeric), round((ST_Length($2) / 1000)::numeric, 1)) FROM bound) $q$, model)
+        INTO svg USING model, road, width, tall, link;
+    RETURN svg;
+END $$;
+COMMENT ON FUNCTION streetgen.profile_svg(name, bigint, integer) IS
+    'The profile of a link of a design (SVG): ground (brown), road (blue), bridges (red) and tunnels (dark). width: '
+    'pixels. A link without a road: 22023; a model without a design: 55000. NULL for NULL.';

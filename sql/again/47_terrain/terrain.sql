@@ -1,0 +1,135 @@
+-- Heights of the ground: imported as tiles, asked at places and along lines.
+
+CREATE OR REPLACE FUNCTION streetgen._add_tiles(model name, source text) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    wrong record;
+    added bigint;
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _tile ON COMMIT DROP AS SELECT heights, streetgen._height_tile_box(heights)
+        AS box FROM (%s) s(heights)', source);
+    SELECT box[5]::integer AS srid INTO wrong FROM pg_temp._tile WHERE box[5] NOT IN (0, target_srid) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'a tile has SRID %, the model %', wrong.srid, target_srid USING ERRCODE = '22023',
+            HINT = 'data/streetgen terrain FILE MODEL transforms a file; gdalwarp -t_srs does, too.';
+    END IF;
+    EXECUTE format('SELECT t.box AS a FROM pg_temp._tile t JOIN %I.terrain_tile o
+        ON ST_Area(ST_Intersection(o.geom, ST_MakeEnvelope(box[1], box[2], box[3], box[4], $1))) > 1e-3 LIMIT 1',
+        model) INTO wrong USING target_srid;
+    IF wrong.a IS NOT NULL THEN
+        RAISE EXCEPTION 'the tile at % % overlaps a tile of the model', wrong.a[1], wrong.a[4]
+            USING ERRCODE = '22023', HINT = 'Delete the tiles of terrain_tile that the new ones replace.';
+    END IF;
+    EXECUTE format('INSERT INTO %I.terrain_tile (geom, heights) SELECT ST_MakeEnvelope(box[1], box[2], box[3], box[4], '
+        '$1), heights FROM pg_temp._tile ORDER BY box', model) USING target_srid;
+    GET DIAGNOSTICS added = ROW_COUNT;
+    DROP TABLE pg_temp._tile;
+    -- Tiles that differ in cell, or overlap each other, are refused here.
+    EXECUTE format('SELECT streetgen._ground_heights(array_agg(heights), ''{}'', ''{}'') FROM %I.terrain_tile', model);
+    RETURN added;
+END $$;
+COMMENT ON FUNCTION streetgen._add_tiles(name, text) IS
+    'Adds the tiles that a query gives (bytea, raster WKB) to a model. Tiles of another SRID or cell, or that overlap: '
+    '22023.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_terrain(model name, source regclass) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    raster record;
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text),
+        streetgen._require_design(model);
+    SELECT attname AS name, typname AS type, n.nspname AS schema INTO raster FROM pg_attribute a
+        JOIN pg_type t ON t.oid = a.atttypid JOIN pg_namespace n ON n.oid = t.typnamespace
+        WHERE attrelid = source AND attnum > 0 AND NOT attisdropped AND typname IN ('raster', 'bytea', 'text')
+        ORDER BY typname = 'raster' DESC, typname = 'bytea' DESC, attname IN ('rast', 'heights') DESC, attnum LIMIT 1;
+    IF NOT FOUND THEN
+        RAISE EXCEPTION 'table % has no column of rasters', source USING ERRCODE = '42703',
+            HINT = 'Expected a column of type raster, or raster WKB as bytea or as hexadecimal text.';
+    END IF;
+    RETURN streetgen._add_tiles(model, format('SELECT %s FROM %s WHERE %I IS NOT NULL', CASE raster.type
+        WHEN 'raster' THEN format('%I.ST_AsBinary(%I)', raster.schema, raster.name)
+        WHEN 'text' THEN format('decode(%I, ''hex'')', raster.name) ELSE quote_ident(raster.name) END, source,
+        raster.name));
+END $$;
+COMMENT ON FUNCTION streetgen.import_terrain(name, regclass) IS
+    'Adds the tiles of a table to the terrain of a model: a column of type raster (postgis_raster), or raster WKB as '
+    'bytea or hexadecimal text. Returns how many. The first band counts; cells are square, in the SRID of the model. '
+    'Other tiles, tiles that differ in cell, and tiles that overlap: 22023; no such column: 42703; a model without a '
+    'design: 55000; not its owner: 42501.';
+
+CREATE OR REPLACE FUNCTION streetgen._tiles_of(model name, area geometry) RETURNS bytea[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    tiles bytea[];
+BEGIN
+    EXECUTE format('SELECT coalesce(array_agg(heights ORDER BY terrain_tile_id), ''{}'') FROM %I.terrain_tile
+        WHERE geom && $1 AND NOT rejected', model) INTO tiles USING area;
+    RETURN tiles;
+END $$;
+COMMENT ON FUNCTION streetgen._tiles_of(name, geometry) IS 'The tiles of heights whose boxes meet that of an area.';
+
+CREATE OR REPLACE FUNCTION streetgen._in_model(model name, geom geometry, what text) RETURNS geometry
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+BEGIN
+    PERFORM streetgen._check_edit_geometry(what, geom);
+    RETURN CASE WHEN ST_SRID(geom) IN (0, target_srid) THEN ST_SetSRID(geom, target_srid)
+        ELSE ST_Transform(geom, target_srid) END;
+END $$;
+COMMENT ON FUNCTION streetgen._in_model(name, geometry, text) IS
+    'A geometry in the SRID of a model. NULL, empty or not finite: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen.terrain_height(model name, place geometry) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    at geometry;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._require_design(model);
+    at := streetgen._in_model(model, place, 'the place');
+    IF GeometryType(at) <> 'POINT' THEN
+        RAISE EXCEPTION 'the place is a %, expected a POINT', GeometryType(at) USING ERRCODE = '22023',
+            HINT = 'streetgen.terrain_profile reads heights along a line.';
+    END IF;
+    RETURN nullif((streetgen._ground_heights(streetgen._tiles_of(model, at), ARRAY[ST_X(at)], ARRAY[ST_Y(at)]))[1],
+        'NaN');
+END $$;
+COMMENT ON FUNCTION streetgen.terrain_height(name, geometry) IS
+    'Height of the ground at a place (POINT, of any SRID), metres, bilinear between the centres of cells; NULL where '
+    'there is no tile or no data. Another geometry: 22023; a model without a design: 55000. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen.terrain_profile(model name, line geometry, step float8)
+    RETURNS TABLE(abscissa float8, height float8, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    along geometry;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._require_design(model);
+    along := ST_Force2D(streetgen._in_model(model, line, 'the line'));
+    IF GeometryType(along) <> 'LINESTRING' THEN
+        RAISE EXCEPTION 'the line is a %, expected a LINESTRING', GeometryType(along) USING ERRCODE = '22023',
+            HINT = 'ST_LineMerge makes one line of parts that meet.';
+    ELSIF NOT (step > 0 AND ST_Length(along) / step < 1e6) THEN
+        RAISE EXCEPTION 'step is % m for a line of % m', step, ST_Length(along) USING ERRCODE = '22023',
+            HINT = 'Expected a step above 0 that makes less than a million heights.';
+    END IF;
+    RETURN QUERY WITH place AS MATERIALIZED (
+        SELECT s, ST_LineInterpolatePoint(along, least(s / nullif(ST_Length(along), 0), 1)) AS at
+        FROM (SELECT least(k * step, ST_Length(along)) AS s
+            FROM generate_series(0, ceil(ST_Length(along) / step)::bigint) k) k),
+    known AS (SELECT streetgen._ground_heights(streetgen._tiles_of(model, along), array_agg(ST_X(at) ORDER BY s),
+        array_agg(ST_Y(at) ORDER BY s)) AS heights FROM place)
+    SELECT s, nullif(h.height, 'NaN'), at FROM (SELECT s, at, row_number() OVER (ORDER BY s) AS nth FROM place) p
+        JOIN (SELECT * FROM known, unnest(heights) WITH ORDINALITY u(height, nth)) h USING (nth) ORDER BY s;
+END $$;
+COMMENT ON FUNCTION streetgen.terrain_profile(name, geometry, float8) IS
+    'Heights of the ground along a line (LINESTRING, of any SRID), every step metres and at its end; NULL where there '
+    'is no data. Another geometry or step: 22023; a model without a design: 55000. NULL for NULL: no row.';

@@ -1,0 +1,54 @@
+-- Zones from a user's own table.
+
+CREATE OR REPLACE FUNCTION streetgen.import_zones(model name, source regclass, mapping jsonb) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    wrong record;
+    class_of text;
+    geom_of text;
+    width_of text;
+    added bigint;
+BEGIN
+    PERFORM streetgen._require_owner(model),
+        streetgen._check_given('source', source::text, 'mapping', mapping::text), streetgen._require_design(model);
+    SELECT key INTO wrong FROM jsonb_object_keys(mapping) key WHERE key NOT IN ('class', 'geom', 'width');
+    IF FOUND OR NOT mapping ? 'class' THEN
+        RAISE EXCEPTION 'the mapping of zones is %', mapping USING ERRCODE = '22023',
+            HINT = 'For example {"class": {"value": "water"}, "geom": "geom", "width": 8}: class is a column or a '
+                'value, width the breadth of zones that are lines.';
+    END IF;
+    geom_of := coalesce(mapping ->> 'geom', 'geom');
+    SELECT name INTO wrong FROM unnest(ARRAY[geom_of, CASE WHEN jsonb_typeof(mapping -> 'class') = 'string'
+        THEN mapping ->> 'class' END]) name WHERE name IS NOT NULL AND NOT EXISTS (SELECT FROM pg_attribute
+            WHERE attrelid = source AND attname = name AND attnum > 0 AND NOT attisdropped);
+    IF FOUND THEN
+        RAISE EXCEPTION 'table % has no column "%"', source, wrong.name USING ERRCODE = '42703',
+            HINT = 'The mapping names columns of the table.';
+    END IF;
+    class_of := CASE WHEN jsonb_typeof(mapping -> 'class') = 'string' THEN format('%I::text', mapping ->> 'class')
+        ELSE quote_literal(mapping -> 'class' ->> 'value') END;
+    width_of := coalesce((mapping ->> 'width')::float8, 5)::text;
+    EXECUTE format('CREATE TEMPORARY TABLE _zone ON COMMIT DROP AS SELECT %s AS class, ST_Multi(ST_CollectionExtract(
+        ST_MakeValid(CASE ST_Dimension(g) WHEN 2 THEN g ELSE ST_Buffer(g, %s / 2.0, ''endcap=flat'') END), 3)) AS geom
+        FROM (SELECT s.*, ST_Transform(ST_Force2D(ST_CurveToLine(%I)), %s) AS g FROM %s s) s
+        WHERE NOT ST_IsEmpty(g)', class_of, width_of, geom_of, target_srid, source);
+    EXECUTE format('SELECT count(*) > 0 AS any, min(z.class) AS class FROM pg_temp._zone z WHERE NOT EXISTS (
+        SELECT FROM %I.zone_class c WHERE c.class = z.class)', model) INTO wrong;
+    IF wrong.any THEN
+        RAISE EXCEPTION 'a zone has class "%", which stands in no row of zone_class', coalesce(wrong.class, 'NULL')
+            USING ERRCODE = '22023', HINT = format('INSERT INTO %I.zone_class (class, cost, passage) VALUES (…).',
+                model);
+    END IF;
+    EXECUTE format('INSERT INTO %I.zone (class, geom) SELECT class, geom FROM pg_temp._zone WHERE NOT ST_IsEmpty(geom)',
+        model);
+    GET DIAGNOSTICS added = ROW_COUNT;
+    DROP TABLE pg_temp._zone;
+    RETURN added;
+END $$;
+COMMENT ON FUNCTION streetgen.import_zones(name, regclass, jsonb) IS
+    'Adds the rows of a table to the zones of a model; returns how many. mapping: class -> column (a string) or '
+    '{"value": class}; geom -> column; width: breadth of zones that are lines, metres (5). A class that stands in no '
+    'row of zone_class, another mapping: 22023; a column that is not there: 42703; a model without a design: 55000; '
+    'not its owner: 42501.';

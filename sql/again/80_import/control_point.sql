@@ -1,0 +1,155 @@
+-- Control points from a table of points: of OpenStreetMap, or of anybody's layer by a mapping.
+
+CREATE OR REPLACE FUNCTION streetgen._control_point_query(source regclass, mapping jsonb) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    target text;
+    entry jsonb;
+    expressions text[] := '{}';
+BEGIN
+    IF jsonb_typeof(mapping) <> 'object' THEN
+        RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023',
+            HINT = 'For example {"geom": "the_geom", "kind": "sign", "source_ref": "id"}.';
+    END IF;
+    FOR target IN SELECT key FROM jsonb_object_keys(mapping) key
+        WHERE key NOT IN ('geom', 'kind', 'direction', 'source_ref') LOOP
+        RAISE EXCEPTION 'the mapping names "%", which is no column of control_point to fill', target
+            USING ERRCODE = '22023', HINT = 'geom, kind, direction or source_ref';
+    END LOOP;
+    FOREACH target IN ARRAY ARRAY['geom', 'kind', 'direction', 'source_ref'] LOOP
+        entry := coalesce(mapping -> target, CASE target WHEN 'geom' THEN '"geom"'::jsonb
+            WHEN 'kind' THEN '"kind"' END);
+        IF jsonb_typeof(entry) = 'string' THEN
+            IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = entry #>> '{}'
+                AND attnum > 0 AND NOT attisdropped) THEN
+                RAISE EXCEPTION 'table % has no column "%"', source, entry #>> '{}' USING ERRCODE = '42703',
+                    HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source
+                        AND attnum > 0 AND NOT attisdropped) || '.';
+            END IF;
+            expressions := expressions || format('%I%s AS %I', entry #>> '{}', CASE target WHEN 'geom' THEN ''
+                ELSE '::text' END, target);
+        ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' AND target <> 'geom' THEN
+            expressions := expressions || format('%L::text AS %I', entry ->> 'value', target);
+        ELSIF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
+            expressions := expressions || format('NULL::text AS %I', target);
+        ELSE
+            RAISE EXCEPTION 'the mapping of "%" is %, expected a column name or {"value": …}', target, entry
+                USING ERRCODE = '22023', HINT = 'SQL is never evaluated.';
+        END IF;
+    END LOOP;
+    RETURN format('SELECT %s FROM %s', array_to_string(expressions, ', '), source);
+END $$;
+COMMENT ON FUNCTION streetgen._control_point_query(regclass, jsonb) IS
+    'The control points of a source by a checked mapping, as SQL: geom, kind, direction, source_ref.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_control_points() RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    bad record;
+BEGIN
+    SELECT label, CASE WHEN kind IS NULL THEN 'no kind'
+            WHEN kind NOT IN ('signals', 'stop', 'yield', 'pedestrian_crossing') THEN format('kind "%s"', kind)
+            WHEN direction NOT IN ('direct', 'reverse', 'both') THEN format('direction "%s"', direction)
+            WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %s as geom', GeometryType(geom))
+            WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
+            WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
+                THEN 'a coordinate that is not finite' END AS has,
+        'The kinds are signals, stop, yield and pedestrian_crossing; a direction is direct, reverse, both or NULL; '
+        'geom is a point with a known SRID.' AS hint
+        INTO bad FROM pg_temp._import_control_point
+        WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom) AND NOT coalesce(
+            kind IN ('signals', 'stop', 'yield', 'pedestrian_crossing')
+            AND (direction IN ('direct', 'reverse', 'both')) IS NOT FALSE AND GeometryType(geom) IN ('POINT', 'POINTM')
+            AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
+            AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source row % has %', bad.label, bad.has USING ERRCODE = '22023', HINT = bad.hint;
+    END IF;
+    SELECT source_ref AS label INTO bad FROM pg_temp._import_control_point WHERE source_ref IS NOT NULL
+        GROUP BY source_ref HAVING count(*) > 1 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source_ref "%" stands in more than one row', bad.label USING ERRCODE = '22023',
+            HINT = 'Map source_ref to a column of distinct values.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_control_points() IS
+    'Raises 22023 for the first control point of the import of an unknown kind or direction, or without a sound place, '
+    'and for a source_ref that comes twice.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_control_points(model name, source text, query text, only_on_axes boolean)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _import_control_point ON COMMIT DROP AS SELECT *, coalesce(source_ref, '
+        '''number '' || row_number() OVER ()) AS label FROM (%s) q', query);
+    PERFORM streetgen._check_control_points();
+    RETURN QUERY SELECT 'control point without geometry, left out', c.kind, count(*), array_agg(c.label)
+        FROM pg_temp._import_control_point c WHERE c.geom IS NULL OR ST_IsEmpty(c.geom) GROUP BY c.kind;
+    DELETE FROM pg_temp._import_control_point c WHERE c.geom IS NULL OR ST_IsEmpty(c.geom);
+    ALTER TABLE pg_temp._import_control_point ALTER COLUMN geom TYPE geometry, ADD axis_id bigint;
+    UPDATE pg_temp._import_control_point c SET geom = ST_Transform(ST_Force2D(c.geom), m.srid)
+        FROM streetgen.model m WHERE m.name = model;
+    UPDATE pg_temp._import_control_point c SET axis_id = streetgen._axis_beside(model, c.geom);
+    RETURN QUERY SELECT 'control point off all axes, ' || CASE WHEN only_on_axes THEN 'left out' ELSE 'kept' END,
+        c.kind, count(*), array_agg(c.label ORDER BY c.label) FROM pg_temp._import_control_point c
+        WHERE c.axis_id IS NULL GROUP BY c.kind ORDER BY c.kind;
+    DELETE FROM pg_temp._import_control_point c WHERE c.axis_id IS NULL AND only_on_axes;
+    EXECUTE format('DELETE FROM %I.control_point p WHERE p.source = $1 AND p.source_ref IS NOT NULL AND NOT EXISTS '
+        '(SELECT FROM pg_temp._import_control_point c WHERE c.source_ref = p.source_ref)', model) USING source;
+    EXECUTE format($sql$
+INSERT INTO %I.control_point AS p (geom, kind, direction, axis_id, source, source_ref)
+SELECT geom, kind, direction, axis_id, $1, source_ref FROM pg_temp._import_control_point ORDER BY source_ref, label
+ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, kind = excluded.kind,
+    direction = excluded.direction, axis_id = excluded.axis_id
+WHERE (p.geom::bytea, p.kind, p.direction, p.axis_id) IS DISTINCT FROM (excluded.geom::bytea, excluded.kind,
+    excluded.direction, excluded.axis_id)
+$sql$, model) USING source;
+    RETURN QUERY SELECT 'control points', c.kind, count(*), NULL::text[] FROM pg_temp._import_control_point c
+        GROUP BY c.kind ORDER BY c.kind;
+    DROP TABLE pg_temp._import_control_point;
+END $$;
+COMMENT ON FUNCTION streetgen._import_control_points(name, text, text, boolean) IS
+    'Upserts the control points of a prepared query by source and source_ref, and reports how many. Those off all axes '
+    'are left out, or kept without an axis; both are reported. Bad rows: 22023, and the model as it was.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_control_points(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
+    PERFORM streetgen._pause();
+    RETURN QUERY SELECT * FROM streetgen._import_control_points(model, source::text,
+        streetgen._control_point_query(source, mapping), only_on_axes => false);
+    RETURN QUERY SELECT 'generate is due', NULL::text, streetgen._stale_axes(model), NULL::text[]
+        WHERE streetgen._stale_axes(model) > 0;
+END $$;
+COMMENT ON FUNCTION streetgen.import_control_points(name, regclass, jsonb) IS
+    'Imports a table of points as control points. mapping: geom, kind, direction, source_ref -> source column (string) '
+    'or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield or pedestrian_crossing; direction: '
+    'direct (along the axis), reverse or both, NULL where unknown. With a source_ref, importing again follows the '
+    'source. Reports counts by kind, and points off all axes, which are kept and change nothing. A missing column: '
+    '42703; a bad row or mapping: 22023; then the model stays as it was. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE FUNCTION streetgen._import_osm_controls(model name, control regclass)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF control IS NULL THEN
+        RETURN QUERY SELECT 'no table of control points, those of the model stay', NULL::text, 0::bigint, NULL::text[];
+        RETURN;
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format($sql$
+SELECT geom, CASE class WHEN 'traffic_signals' THEN 'signals' WHEN 'stop' THEN 'stop' WHEN 'give_way' THEN 'yield'
+           ELSE 'pedestrian_crossing' END AS kind,
+       CASE coalesce(traffic_signals_direction, direction) WHEN 'forward' THEN 'direct' WHEN 'backward' THEN 'reverse'
+           WHEN 'both' THEN 'both' END AS direction, node_id::text AS source_ref
+FROM %s WHERE class IN ('traffic_signals', 'stop', 'give_way', 'crossing')$sql$, control), only_on_axes => true);
+END $$;
+COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
+    'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes; importing again follows the '
+    'table. A NULL table leaves all as it was.';

@@ -1,0 +1,173 @@
+-- Plain XML of SUMO: what netconvert makes a network of.
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
+    RETURNS TABLE(kind text, allow text, disallow text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('general', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
+    ('bus', 'bus coach taxi emergency', NULL),
+    ('cycle', 'bicycle', NULL),
+    ('parking', NULL, 'all') $$;
+COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
+    'The vehicle classes of SUMO that kinds of lanes allow, or else those that they do not. Cars park on a parking '
+    'lane, but none drives there.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_edge(line text, condition text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$,
+-- netconvert knows no edge that comes back to its node: a loop is two, with a node in the middle.
+sumo_edge AS MATERIALIZED (
+    SELECT lane_group_id, edge_id, along_axis, lanes, lane_count, v.*, $part$ || line || $part$ AS line
+    FROM (SELECT g.*, streetgen._lane_group_text(edge_id, along_axis, number) AS text, f.place_id AS from_place,
+            t.place_id AS to_place
+        FROM %1$I.lane_group g JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node
+        WHERE edge_id IN (SELECT edge_id FROM written_edge)) g,
+    LATERAL (
+        SELECT text AS name, from_place::text AS comes_from, to_place::text AS goes_to, 0.0::float8 AS since,
+            1.0::float8 AS until WHERE from_place <> to_place
+        UNION ALL SELECT text, from_place::text, 'middle.' || text, 0, 0.5 WHERE from_place = to_place
+        UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1
+            WHERE from_place = to_place) v
+    WHERE $part$ || condition || $part$)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_edge(text, text) IS
+    'Query sumo_edge of the files of SUMO over a model: the edges that lane groups are, with the nodes that traffic '
+    'comes from and goes to, the shares of the length of the group where they begin and end, and a line. Line and '
+    'condition are SQL.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_nodes() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._sumo_edge('geom', 'from_place = to_place') || $part$,
+sumo_node AS (
+    SELECT DISTINCT ON (place_id) 2 AS turn, place_id AS id, place_id::text AS name, n.geom, surface,
+        CASE WHEN kind = 'signals' THEN 'traffic_light' WHEN kind = 'right_before_left' THEN kind
+            WHEN bool_or(stops) OVER (PARTITION BY place_id) THEN 'priority_stop' ELSE 'priority' END AS type,
+        CASE WHEN kind = 'signals' THEN junction_id END AS controller
+    FROM %1$I.node n JOIN place USING (node_id)
+    LEFT JOIN (SELECT node_id, bool_or(kind = 'stop') AS stops FROM %1$I.marking
+        WHERE edge_id IN (SELECT edge_id FROM written_edge) GROUP BY node_id) m USING (node_id)
+    WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)
+    ORDER BY place_id, node_id),
+every_node AS (
+    SELECT * FROM sumo_node
+    UNION ALL SELECT 3, lane_group_id, comes_from, ST_LineInterpolatePoint(line, 0.5), NULL, 'priority', NULL
+    FROM sumo_edge WHERE since > 0),
+line AS (
+    SELECT 1 AS turn, 0::bigint AS id, xmlelement(name location, xmlattributes(
+        round(-x::numeric, 2) || ',' || round(-y::numeric, 2) AS "netOffset", '0,0,0,0' AS "convBoundary",
+        '0,0,0,0' AS "origBoundary", coalesce(nullif(trim(proj4text), ''), '!') AS "projParameter")) AS element
+    FROM origin, spatial_ref_sys WHERE srid = %2$s
+    UNION ALL
+    SELECT turn, id, xmlelement(name node, xmlattributes(name AS id,
+        round((ST_X(n.geom) - x)::numeric, digits) AS x, round((ST_Y(n.geom) - y)::numeric, digits) AS y,
+        type, controller AS tl, CASE WHEN type <> 'right_before_left' THEN 'edgePriority' END AS "rightOfWay",
+        '-1000,-1000 -1000,-1000 -1000,-1000' AS shape),
+        CASE WHEN surface IS NOT NULL AND NOT ST_IsEmpty(surface) THEN xmlelement(name param, xmlattributes(
+            'surface' AS key, streetgen._coordinates(ST_ExteriorRing(CASE ST_NumGeometries(surface)
+                WHEN 1 THEN ST_GeometryN(surface, 1)
+                ELSE (SELECT geom FROM ST_Dump(surface) ORDER BY ST_Area(geom) DESC LIMIT 1) END), x, y, digits, 0)
+            AS value)) END)
+    FROM origin, every_node n)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_nodes() IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the nodes.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_edges() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._sumo_edge(
+        'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', 'true') || $part$,
+lane_line AS MATERIALIZED (
+    SELECT name, i, c.allow, c.disallow, l.width,
+        CASE WHEN until - since < 1 THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
+    FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i)
+    JOIN %1$I.lane l USING (lane_id) JOIN streetgen._sumo_lane_class() c USING (kind),
+    LATERAL (SELECT CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven) d),
+lane_element AS (
+    SELECT name, xmlagg(xmlelement(name lane, xmlattributes(i - 1 AS index, allow, disallow,
+        round(width::numeric, digits) AS width, streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y,
+            digits, tolerance) AS shape)) ORDER BY i) AS elements
+    FROM origin, lane_line GROUP BY name),
+line AS (
+    SELECT 1 AS turn, lane_group_id AS id, xmlelement(name edge, xmlattributes(s.name AS id, comes_from AS "from",
+        goes_to AS "to", 100 - e.importance AS priority, streetgen._xml_text(a.kind) AS type,
+        s.lane_count AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed, streetgen._xml_text(street) AS name,
+        'center' AS "spreadType", streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits,
+            0.01) AS shape), elements) AS element
+    FROM origin, sumo_edge s JOIN lane_element USING (name)
+    JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
+    LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id))$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_edges() IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_connections() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._sumo_edge('NULL', 'true') || $part$,
+placed AS MATERIALIZED (
+    SELECT lane_id, along_axis, name, since, until, i - 1 AS index
+    FROM sumo_edge, unnest(lanes) WITH ORDINALITY m(lane_id, i)),
+going_on AS MATERIALIZED (
+    SELECT way_id AS id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out,
+        k.geom
+    FROM way k JOIN placed a ON (a.lane_id, a.along_axis, a.until) = (k.lane_in, k.along_in, 1)
+    JOIN placed b ON (b.lane_id, b.along_axis, b.since) = (k.lane_out, k.along_out, 0)
+    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL
+    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE a.until = b.since),
+line AS (
+    SELECT 1 AS turn, id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
+        index_in AS "fromLane", index_out AS "toLane",
+        CASE WHEN ST_Length(k.geom) > 0.05 THEN streetgen._coordinates(k.geom, x, y, digits, tolerance) END AS shape))
+        AS element
+    FROM origin, going_on k
+    UNION ALL
+    -- What is not said is invented: an edge without a way on goes into none.
+    SELECT 2, a.lane_group_id, xmlelement(name delete, xmlattributes(a.name AS "from", b.name AS "to"))
+    FROM sumo_edge a JOIN sumo_edge b ON b.comes_from = a.goes_to
+    WHERE NOT EXISTS (SELECT FROM going_on WHERE name_in = a.name))$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_connections() IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the connections.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_types() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$, line AS (
+    SELECT 1 AS turn, row_number() OVER (ORDER BY class COLLATE "C") AS id, xmlelement(name type, xmlattributes(
+        streetgen._xml_text(class) AS id, 100 - importance AS priority, round(speed::numeric / 3.6, 2) AS speed))
+        AS element
+    FROM %1$I.axis_class WHERE class IN (SELECT kind FROM written_edge JOIN %1$I.axis USING (axis_id)))$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_types() IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the kinds of streets.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_part() RETURNS TABLE(part text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES ('nodes', streetgen._sumo_nodes()), ('edges', streetgen._sumo_edges()),
+        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()) $$;
+COMMENT ON FUNCTION streetgen._sumo_part() IS
+    'The plain files of SUMO: the part, which is the name of its root element, and the queries of its lines.';
+
+CREATE OR REPLACE FUNCTION streetgen.export_sumo(model name, part text, options jsonb DEFAULT '{}')
+    RETURNS TABLE(ordinality bigint, line text)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000
+    SET search_path = pg_catalog, public SET jit = off SET work_mem = '16MB'
+    AS $$
+DECLARE
+    known constant jsonb := streetgen._begin_export(model, 'sumo', 'interconnection', options);
+    file record;
+BEGIN
+    PERFORM streetgen._check_given('part', part);
+    SELECT * INTO file FROM streetgen._sumo_part() p WHERE p.part = export_sumo.part;
+    IF file.part IS NULL THEN
+        RAISE EXCEPTION 'format sumo has no part "%"', part USING ERRCODE = '22023',
+            HINT = 'Its parts are ' || (SELECT string_agg(p.part, ', ') FROM streetgen._sumo_part() p) || '.';
+    END IF;
+    RETURN QUERY EXECUTE streetgen._export_lines(model, known, file.query,
+        format('<%s xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation='
+            '"http://sumo.dlr.de/xsd/%s_file.xsd">', file.part, file.part), format('</%s>', file.part)) USING known;
+END $$;
+COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
+    'A plain file of SUMO, line by line, of which netconvert makes a network: part nodes, edges, connections or types. '
+    'An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one ends in .end. '
+    'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
+    'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
+    'since netconvert invents what is not said. A node has the intersection as parameter surface; its shape is a place '
+    'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
+    'traffic lights with the programs of netconvert, and the nodes of a junction can be one. Coordinates are counted '
+    'from whole metres, which location says. options as streetgen.export_option() lists them: an unknown one, another '
+    'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
+    'interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a warning.';

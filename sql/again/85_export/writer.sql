@@ -1,0 +1,200 @@
+-- What the writers of formats share: their options, what they need of a model, and how values are written.
+
+CREATE OR REPLACE FUNCTION streetgen.export_option()
+    RETURNS TABLE(name text, formats text[], kind text, value jsonb, unit text, description text, minimum float8,
+        maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('extent', '{sumo,symuvia}'::text[], 'box', 'null'::jsonb, 'm', 'xmin, ymin, xmax, ymax in the SRID of the model: '
+        'whole edges that touch it; null: all', -1e12::float8, 1e12::float8, NULL::text[]),
+    ('level', '{sumo,symuvia}', 'integer', 'null', '', 'edges of this level alone; null: all', -50, 50, NULL),
+    ('junctions', '{sumo,symuvia}', 'word', '"node"', '', 'what a junction is: each node, or the nodes of a junction '
+        'as one, without the edges inside', NULL, NULL, '{node,group}'),
+    ('precision', '{sumo,symuvia}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
+    ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
+        'points', 0, 10, NULL),
+    ('tolerance', '{symuvia}', 'number', '0.1', 'm', 'how far a simplified line may leave that of the model; 0: all '
+        'its points', 0, 10, NULL)
+    $$;
+COMMENT ON FUNCTION streetgen.export_option() IS
+    'The options of the writers of files: name, the formats that have it (the word behind export_), kind (box, '
+    'integer, number or word), default value, unit, meaning, range of numbers and words of choice.';
+
+CREATE OR REPLACE FUNCTION streetgen._fits_option(kind text, value jsonb, minimum float8, maximum float8,
+    choice text[]) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE kind
+        WHEN 'word' THEN jsonb_typeof(value) = 'string' AND value #>> '{}' = ANY (choice)
+        WHEN 'box' THEN jsonb_typeof(value) = 'array' AND jsonb_array_length(value) = 4
+            AND (SELECT bool_and(streetgen._fits_option('number', v, minimum, maximum, NULL))
+                FROM jsonb_array_elements(value) v)
+            AND (value ->> 0)::numeric <= (value ->> 2)::numeric AND (value ->> 1)::numeric <= (value ->> 3)::numeric
+        ELSE jsonb_typeof(value) = 'number' AND (value #>> '{}')::numeric BETWEEN minimum::numeric AND maximum::numeric
+            AND (kind = 'number' OR (value #>> '{}')::numeric % 1 = 0) END
+    $$;
+COMMENT ON FUNCTION streetgen._fits_option(text, jsonb, float8, float8, text[]) IS
+    'Whether a value is one that an option of that kind takes.';
+
+CREATE OR REPLACE FUNCTION streetgen._export_options(format text, options jsonb) RETURNS jsonb
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    wrong record;
+    known text;
+BEGIN
+    IF jsonb_typeof(options) IS DISTINCT FROM 'object' THEN
+        RAISE EXCEPTION 'the options are %, expected an object', coalesce(left(options::text, 100), 'NULL')
+            USING ERRCODE = '22023', HINT = 'For example {"precision": 3}; {} takes the defaults.';
+    END IF;
+    SELECT o.key, o.value, e.name, e.kind, e.minimum, e.maximum, e.choice INTO wrong
+        FROM jsonb_each(options) o LEFT JOIN streetgen.export_option() e ON e.name = o.key AND format = ANY (e.formats)
+        WHERE (e.name IS NOT NULL AND (o.value = e.value
+            OR streetgen._fits_option(e.kind, o.value, e.minimum, e.maximum, e.choice))) IS NOT TRUE
+        ORDER BY o.key LIMIT 1;
+    IF wrong.key IS NOT NULL THEN
+        SELECT string_agg(e.name, ', ' ORDER BY e.name) INTO known FROM streetgen.export_option() e
+            WHERE format = ANY (e.formats);
+        IF wrong.name IS NULL THEN
+            RAISE EXCEPTION 'format % has no option "%"', format, wrong.key USING ERRCODE = '22023',
+                HINT = format('Its options are %s; SELECT * FROM streetgen.export_option() explains them.', known);
+        END IF;
+        RAISE EXCEPTION 'option "%" is %, expected %', wrong.key, left(wrong.value::text, 100),
+            CASE wrong.kind WHEN 'word' THEN array_to_string(wrong.choice, ' or ')
+                WHEN 'box' THEN '[xmin, ymin, xmax, ymax]'
+                ELSE format('a%s number from %s to %s', CASE wrong.kind WHEN 'integer' THEN ' whole' ELSE '' END,
+                    wrong.minimum, wrong.maximum) END USING ERRCODE = '22023',
+            HINT = 'SELECT * FROM streetgen.export_option() explains the options.';
+    END IF;
+    RETURN (SELECT jsonb_object_agg(e.name, e.value) FROM streetgen.export_option() e WHERE format = ANY (e.formats))
+        || options;
+END $$;
+COMMENT ON FUNCTION streetgen._export_options(text, jsonb) IS
+    'The options of a format with the defaults of those that are left out. An unknown one, or a value that it does not '
+    'take: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._begin_export(model name, format text, needs text, options jsonb) RETURNS jsonb
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known jsonb;
+    any_edge boolean;
+    stale bigint;
+BEGIN
+    PERFORM streetgen._require_reader(model);
+    known := streetgen._export_options(format, options);
+    IF needs <> ALL (streetgen._subjects(model)) THEN
+        RAISE EXCEPTION 'model "%" has no %, which format % needs', model, needs, format USING ERRCODE = '55000',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, %L, true) computes it.', model, needs);
+    END IF;
+    stale := streetgen._stale_axes(model);
+    IF stale > 0 THEN
+        RAISE WARNING '% axes of model "%" changed since their streets were computed: they are written as they were, '
+            'or left out', stale, model
+            USING HINT = format('SELECT * FROM streetgen.generate(%L, wait => true) brings them up to date.', model);
+    END IF;
+    IF known ->> 'junctions' = 'group' AND 'junction' <> ALL (streetgen._subjects(model)) THEN
+        RAISE EXCEPTION 'model "%" has no junction, which option "junctions": "group" needs', model
+            USING ERRCODE = '55000',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''junction'', true) computes it.', model);
+    END IF;
+    EXECUTE 'WITH ' || streetgen._export_edges(model, known) || ' SELECT EXISTS (SELECT FROM written_edge)'
+        INTO any_edge USING known;
+    IF NOT any_edge THEN
+        RAISE EXCEPTION 'model "%" has no street to write with options %', model, options USING ERRCODE = '22023',
+            HINT = format('SELECT * FROM streetgen.generate(%L) computes the streets of a model; an extent is in its '
+                'SRID.', model);
+    END IF;
+    RETURN known;
+END $$;
+COMMENT ON FUNCTION streetgen._begin_export(name, text, text, jsonb) IS
+    'What each writer does first: its options as streetgen._export_options gives them, and a warning that counts what '
+    'is stale. A caller who may not read the model: 42501; a model without the subject that the format needs: 55000; '
+    'no edge that the options take: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._export_edges(model name, options jsonb) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format($part$
+written_edge AS MATERIALIZED (
+    SELECT * FROM %1$I.edge e
+    WHERE ($1 ->> 'level' IS NULL OR level = ($1 ->> 'level')::integer)
+        AND (jsonb_typeof($1 -> 'extent') = 'null' OR ST_Intersects(geom, ST_MakeEnvelope(
+            ($1 -> 'extent' ->> 0)::float8, ($1 -> 'extent' ->> 1)::float8,
+            ($1 -> 'extent' ->> 2)::float8, ($1 -> 'extent' ->> 3)::float8, %2$s)))
+        AND %3$s),
+-- Coordinates are counted from here, so that they stay small.
+origin AS MATERIALIZED (
+    SELECT coalesce(floor(min(ST_XMin(geom))), 0) AS x, coalesce(floor(min(ST_YMin(geom))), 0) AS y,
+        ($1 ->> 'precision')::integer AS digits, ($1 ->> 'tolerance')::float8 AS tolerance FROM written_edge),
+place AS NOT MATERIALIZED (%4$s),
+way AS NOT MATERIALIZED (%5$s)$part$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model),
+        format(CASE WHEN grouped THEN 'NOT EXISTS (SELECT FROM %I.junction_edge j WHERE j.edge_id = e.edge_id)'
+            ELSE 'true' END, model),
+        format(CASE WHEN NOT known THEN 'SELECT node_id, node_id AS place_id, NULL::bigint AS junction_id, '
+                'NULL::text AS kind, surface FROM %1$I.node LEFT JOIN %1$I.intersection USING (node_id)'
+            WHEN grouped THEN 'SELECT node_id, coalesce(junction_id, node_id) AS place_id, junction_id, kind, '
+                'coalesce(j.surface, i.surface) AS surface FROM %1$I.node '
+                'LEFT JOIN %1$I.intersection i USING (node_id) '
+                'LEFT JOIN %1$I.junction_node USING (node_id) LEFT JOIN %1$I.junction j USING (junction_id)'
+            ELSE 'SELECT node_id, node_id AS place_id, junction_id, kind, i.surface FROM %1$I.node '
+                'LEFT JOIN %1$I.intersection i USING (node_id) LEFT JOIN %1$I.junction_node USING (node_id) '
+                'LEFT JOIN %1$I.junction j USING (junction_id)' END, model),
+        format(CASE WHEN grouped THEN 'SELECT coalesce(junction_movement_id, interconnections[1]) AS way_id, lane_in, '
+                'lane_out, along_in, along_out, geom FROM %I.movement WHERE connecting'
+            ELSE 'SELECT interconnection_id AS way_id, lane_in, lane_out, along_in, along_out, geom '
+                'FROM %I.interconnection WHERE connecting' END, model))
+    FROM (SELECT 'junction' = ANY (streetgen._subjects(model)) AS known, options ->> 'junctions' = 'group' AS grouped) o
+    $$;
+COMMENT ON FUNCTION streetgen._export_edges(name, jsonb) IS
+    'Queries that writers begin with, over their options $1: written_edge, the edges that are written; origin, whole '
+    'metres from which coordinates are counted, with digits and tolerance; place, the junction that a node is or is '
+    'part of, with its kind where the model knows that, and its surface; way, the pairs of lanes that connect, with '
+    'their path.';
+
+CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, query text, opening text,
+    closing text) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'WITH ' || streetgen._export_edges(model, options)
+        || format(query, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) || format($part$
+SELECT row_number() OVER (ORDER BY turn, id, text COLLATE "C"), text
+FROM (SELECT turn, id, '    ' || element::text AS text FROM line
+    UNION ALL SELECT -1, 0, '<?xml version="1.0" encoding="UTF-8"?>' UNION ALL SELECT 0, 0, %1$L
+    UNION ALL SELECT 1000, 0, %2$L) l
+ORDER BY turn, id, text COLLATE "C"$part$, opening, closing) $$;
+COMMENT ON FUNCTION streetgen._export_lines(name, jsonb, text, text, text) IS
+    'The statement that gives the lines of a file of XML, over the options $1: what opens and closes its root, and '
+    'between them the elements of query line (turn from 1 to 999, id, element), which stands last among the queries '
+    'over a model %1$I of SRID %2$s, after those of streetgen._export_edges.';
+
+-- Functions of each value that is written: bound when made, and thus inlined.
+CREATE OR REPLACE FUNCTION streetgen._coordinates(line geometry, x float8, y float8, digits integer,
+    tolerance float8) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN translate(substr(ST_AsText(ST_SnapToGrid(ST_Translate(ST_Simplify(line, tolerance, true), -x, -y),
+        10.0 ^ -digits), digits), 12), ' ,)', ', ');
+COMMENT ON FUNCTION streetgen._coordinates(geometry, float8, float8, integer, float8) IS
+    'The points of a LINESTRING as x,y x,y … from an origin, with so many digits and none twice in a row, simplified '
+    'by a tolerance in metres. NULL where one point is left.';
+
+CREATE OR REPLACE FUNCTION streetgen._at_least_long(line geometry, metres float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN ST_Length(line) >= metres THEN line ELSE (
+        SELECT ST_MakeLine(ST_Translate(middle, -east, -north), ST_Translate(middle, east, north))
+        FROM (SELECT ST_LineInterpolatePoint(line, 0.5) AS middle,
+            coalesce(ST_Azimuth(ST_StartPoint(line), ST_EndPoint(line)), 0) AS azimuth) m,
+            LATERAL (SELECT metres / 2 * sin(azimuth) AS east, metres / 2 * cos(azimuth) AS north) d) END;
+COMMENT ON FUNCTION streetgen._at_least_long(geometry, float8) IS
+    'A line; a shorter one is stretched about its middle to that length, metres. netconvert draws lanes of less than '
+    '0.1 m anew, which moves them by metres.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_group_text(edge_id bigint, along_axis boolean, number integer) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN along_axis THEN '' ELSE '-' END || edge_id || CASE WHEN number > 1 THEN '.' || number ELSE '' END;
+COMMENT ON FUNCTION streetgen._lane_group_text(bigint, boolean, integer) IS
+    'The name of a lane group in files: the id of its edge, -id against the axis, with .2 for the second of a '
+    'direction.';
+
+CREATE OR REPLACE FUNCTION streetgen._xml_text(words text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN regexp_replace(words, '[\x01-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]', '', 'g');
+COMMENT ON FUNCTION streetgen._xml_text(text) IS 'A text without the characters that XML cannot hold.';

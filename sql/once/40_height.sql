@@ -1,0 +1,21 @@
+-- What heights of roads are found from.
+
+CREATE TYPE streetgen.profile_edge AS (edge_id bigint, from_node bigint, to_node bigint, line bytea, grade float8,
+    speed float8);
+COMMENT ON TYPE streetgen.profile_edge IS 'An edge whose height is asked for.';
+COMMENT ON COLUMN streetgen.profile_edge.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.profile_edge.from_node IS 'the node where it begins';
+COMMENT ON COLUMN streetgen.profile_edge.to_node IS 'the node where it ends';
+COMMENT ON COLUMN streetgen.profile_edge.line IS 'LINESTRING, EWKB: Z is the ground, without Z that is 0 m';
+COMMENT ON COLUMN streetgen.profile_edge.grade IS 'greatest rise for each metre along the road';
+COMMENT ON COLUMN streetgen.profile_edge.speed IS 'km/h';
+
+CREATE TYPE streetgen.profile_lift AS (edge_above bigint, abscissa_above float8, edge_below bigint,
+    abscissa_below float8, clearance float8, sinks boolean);
+COMMENT ON TYPE streetgen.profile_lift IS 'A crossing without a node, as heights see it.';
+COMMENT ON COLUMN streetgen.profile_lift.edge_above IS 'the edge that passes over';
+COMMENT ON COLUMN streetgen.profile_lift.abscissa_above IS 'where it does, m along the edge';
+COMMENT ON COLUMN streetgen.profile_lift.edge_below IS 'the edge below';
+COMMENT ON COLUMN streetgen.profile_lift.abscissa_below IS 'where it passes below, m along the edge';
+COMMENT ON COLUMN streetgen.profile_lift.clearance IS 'm from roadway to roadway';
+COMMENT ON COLUMN streetgen.profile_lift.sinks IS 'does the road below sink? Else the one above is lifted';

@@ -1,0 +1,37 @@
+// The height of a road as a polyline over metres along it.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+struct HeightPoint {
+  double at = 0;  // metres along the road
+  double z = 0;
+};
+using HeightLine = std::vector<HeightPoint>;  // ascending
+
+HeightLine heights_of(const Line& line);
+double height_at(const HeightLine& heights, double at);
+
+// The line with these heights: its points, and one at each further height point.
+Line with_heights(const Line& line, const HeightLine& heights);
+
+// How the road may leave its kinks.
+struct KinkBounds {
+  HeightLine ground;
+  double radius = 0;          // metres, wanted
+  std::vector<double> fixed;  // abscissas whose height stays
+  // Those where a crest may lose height, since the road was lifted by that, and where a sag may
+  // gain it, since the road was sunk by that: so much, metres.
+  std::vector<double> lowered, raised;
+  double loss = 0;
+};
+
+// Kinks off the ground become parabolas of the radius, or of a smaller one where the next kink or a
+// fixed place is near.
+HeightLine without_kinks(const HeightLine& heights, const KinkBounds& bounds);
+
+}  // namespace streetgen

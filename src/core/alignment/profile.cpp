@@ -1,0 +1,140 @@
+#include "streetgen/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "alignment/height_line.hpp"
+#include "alignment/least_height.hpp"
+#include "geometry/tolerance.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double grade_base = 20;  // metres over which the grade of the ground is measured
+
+// The greatest grade of the ground between points so far apart.
+double steepest(const HeightLine& ground) {
+  double most = 0;
+  for (std::size_t i = 0, j = 0; i + 1 < ground.size(); ++i) {
+    while (j + 1 < ground.size() && ground[j].at - ground[i].at < grade_base) ++j;
+    const double apart = ground[j].at - ground[i].at;
+    if (apart >= grade_base || i == 0)
+      most = std::max(most, std::abs(ground[j].z - ground[i].z) / apart);
+  }
+  return most;
+}
+
+// What a vertical arc between the two greatest grades takes from its crest.
+double crest_loss(const ProfileEdge& edge) { return edge.radius * edge.grade * edge.grade / 2; }
+
+HeightLine upside_down(HeightLine heights) {
+  for (HeightPoint& point : heights) point.z = -point.z;
+  return heights;
+}
+
+class Builder {
+ public:
+  Builder(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
+          const std::vector<ProfileHeight>& by_hand)
+      : edges_(edges), lifts_(lifts), by_hand_(by_hand) {
+    for (const ProfileEdge& edge : edges) {
+      ground_.push_back(heights_of(edge.line));
+      grades_.push_back(std::max(edge.grade, steepest(ground_.back())));
+    }
+  }
+
+  Profiles build() {
+    heights_ = ground_;
+    lift();
+    sink();
+    bend();
+    Profiles out;
+    for (std::size_t e = 0; e < edges_.size(); ++e) out.edges.push_back(profile(e));
+    for (const ProfileLift& lift : lifts_) out.unmet.push_back(is_unmet(lift));
+    return out;
+  }
+
+ private:
+  std::vector<GradedRoad> roads(bool mirrored) const {
+    std::vector<GradedRoad> roads;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      roads.push_back({edges_[e].from_node, edges_[e].to_node,
+                       mirrored ? upside_down(heights_[e]) : heights_[e], grades_[e]});
+    return roads;
+  }
+
+  void lift() {
+    std::vector<Lift> lifts;
+    for (const ProfileLift& lift : lifts_)
+      if (!lift.sinks)
+        lifts.push_back({lift.below, lift.at_below, lift.above, lift.at_above,
+                         lift.clearance + crest_loss(edges_[lift.above])});
+    std::vector<LeastHeight> least;
+    for (const ProfileHeight& height : by_hand_)
+      least.push_back({height.edge, height.abscissa, height.height});
+    heights_ = least_heights(roads(false), lifts, least);
+  }
+
+  // A road that sinks takes those along that it passes over.
+  void sink() {
+    if (std::none_of(lifts_.begin(), lifts_.end(), [](const ProfileLift& l) { return l.sinks; }))
+      return;
+    std::vector<Lift> lifts;
+    for (const ProfileLift& lift : lifts_)
+      lifts.push_back({lift.above, lift.at_above, lift.below, lift.at_below,
+                       lift.clearance + (lift.sinks ? crest_loss(edges_[lift.below]) : 0)});
+    heights_ = least_heights(roads(true), lifts, {});
+    for (HeightLine& line : heights_) line = upside_down(std::move(line));
+  }
+
+  void bend() {
+    std::vector<KinkBounds> bounds(edges_.size());
+    for (const ProfileLift& lift : lifts_) {
+      bounds[lift.above].fixed.push_back(lift.at_above);
+      bounds[lift.below].fixed.push_back(lift.at_below);
+      if (lift.sinks)
+        bounds[lift.below].raised.push_back(lift.at_below);
+      else
+        bounds[lift.above].lowered.push_back(lift.at_above);
+    }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      bounds[e].ground = ground_[e];
+      bounds[e].radius = edges_[e].radius;
+      bounds[e].loss = crest_loss(edges_[e]);
+      heights_[e] = without_kinks(heights_[e], bounds[e]);
+    }
+  }
+
+  Profile profile(std::size_t e) const {
+    bool lifted = false, sunk = false;
+    for (const HeightPoint& point : heights_[e]) {
+      const double over = point.z - height_at(ground_[e], point.at);
+      lifted = lifted || over > same_place;
+      sunk = sunk || over < -same_place;
+    }
+    if (!lifted && !sunk) return {edges_[e].line, ProfileMethod::ground, grades_[e]};
+    return {with_heights(edges_[e].line, heights_[e]),
+            sunk ? ProfileMethod::sunk : ProfileMethod::lifted, grades_[e]};
+  }
+
+  bool is_unmet(const ProfileLift& lift) const {
+    return height_at(heights_[lift.above], lift.at_above) <
+           height_at(heights_[lift.below], lift.at_below) + lift.clearance - same_place;
+  }
+
+  const std::vector<ProfileEdge>& edges_;
+  const std::vector<ProfileLift>& lifts_;
+  const std::vector<ProfileHeight>& by_hand_;
+  std::vector<HeightLine> ground_, heights_;
+  std::vector<double> grades_;
+};
+
+}  // namespace
+
+Profiles profiles(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
+                  const std::vector<ProfileHeight>& by_hand) {
+  return Builder(edges, lifts, by_hand).build();
+}
+
+}  // namespace streetgen

@@ -1,0 +1,10 @@
+// What kind of block a piece of ground is.
+#pragma once
+
+#include "streetgen/block.hpp"
+
+namespace streetgen {
+
+BlockKind kind_of(const MultiPolygon& surface, const BlockSettings& settings);
+
+}  // namespace streetgen

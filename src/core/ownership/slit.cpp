@@ -1,0 +1,256 @@
+#include "ownership/slit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "geometry/arrangement.hpp"
+#include "geometry/border_stretches.hpp"
+#include "geometry/box_index.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "geometry/tolerance.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+const double nearly_parallel = std::cos(M_PI / 18);
+constexpr double least_slit = 0.01;  // square metres
+
+struct Side {
+  Point from, to;  // the surface on its left
+};
+
+std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
+  std::vector<Side> sides;
+  for (const Polygon& polygon : surface)
+    for (const Ring& ring : polygon)
+      for (std::size_t i = 1; i < ring.size(); ++i)
+        if (box_of(ring[i - 1], ring[i]).meets(box)) sides.push_back({ring[i - 1], ring[i]});
+  return sides;
+}
+
+// Across the slit between two sides that face each other: a line where it begins, one where it
+// ends.
+std::optional<std::pair<Line, Line>> ends_of_slit(const Side& a, const Side& b, double width) {
+  const double size = distance(a.from, a.to);
+  const Point along = unit(a.to - a.from), outwards = left_normal(along) * -1;
+  if (dot(along, unit(b.to - b.from)) > -nearly_parallel) return std::nullopt;
+  // Where b begins and ends, seen along a and away from it.
+  const double s_from = dot(b.from - a.from, along), s_to = dot(b.to - a.from, along);
+  const double h_from = dot(b.from - a.from, outwards), h_to = dot(b.to - a.from, outwards);
+  const auto away = [&](double s) {
+    return h_from + (h_to - h_from) * (s - s_from) / (s_to - s_from);
+  };
+  double first = std::max(0.0, s_to), last = std::min(size, s_from);
+  // As far as b lies beyond a, but no more than the width.
+  for (const double level : {0.0, width}) {
+    const auto beyond = [&](double s) { return level > 0 ? away(s) > level : away(s) < level; };
+    if (first >= last || (beyond(first) && beyond(last))) return std::nullopt;
+    if (!beyond(first) && !beyond(last)) continue;
+    const double at = s_from + (level - h_from) / (h_to - h_from) * (s_to - s_from);
+    (beyond(first) ? first : last) = std::clamp(at, first, last);
+  }
+  if (last - first < coordinate_margin || std::max(away(first), away(last)) < same_place)
+    return std::nullopt;
+  const auto across = [&](double s) {
+    const Point foot = a.from + along * s;
+    return Line{foot - outwards * coordinate_margin,
+                foot + outwards * (away(s) + coordinate_margin)};
+  };
+  return std::pair(across(first), across(last));
+}
+
+class Slits {
+ public:
+  Slits(const std::vector<Claim>& claims, double width, double max_hole_area)
+      : claims_(claims),
+        width_(width),
+        max_hole_area_(max_hole_area),
+        boxes_(boxes_of(claims)),
+        index_(boxes_) {}
+
+  std::vector<Hole> found() const {
+    std::vector<Hole> slits;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+      if (claims_[i].surface->empty()) continue;
+      poll_cancel();
+      index_.each_near(boxes_[i], width_, [&](int j) {
+        if (j > i && may_part(i, j)) append_between(i, j, slits);
+      });
+    }
+    return slits;
+  }
+
+ private:
+  static std::vector<Box> boxes_of(const std::vector<Claim>& claims) {
+    std::vector<Box> boxes;
+    for (const Claim& claim : claims) boxes.push_back(box_of(*claim.surface));
+    return boxes;
+  }
+
+  bool may_part(int i, int j) const {
+    const Claim &a = claims_[i], &b = claims_[j];
+    return (a.wanted || b.wanted) && a.level == b.level &&
+           std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end()) ==
+               a.edges.end();
+  }
+
+  std::vector<Line> cuts_between(int i, int j) const {
+    const Box shared = boxes_[i].grown(width_).shared_with(boxes_[j].grown(width_));
+    std::vector<Line> cuts;
+    const std::vector<Side> of_j = sides_within(*claims_[j].surface, shared);
+    if (of_j.empty()) return cuts;
+    for (const Side& a : sides_within(*claims_[i].surface, shared))
+      for (const Side& b : of_j) {
+        if (!box_of(a.from, a.to).meets(box_of(b.from, b.to), width_)) continue;
+        auto ends = ends_of_slit(a, b, width_);
+        if (ends && is_free(*ends, i, j)) {
+          cuts.push_back(std::move(ends->first));
+          cuts.push_back(std::move(ends->second));
+        }
+      }
+    return cuts;
+  }
+
+  // Whether another surface leaves some of the middle between both ends.
+  bool is_free(const std::pair<Line, Line>& ends, int i, int j) const {
+    const Point first = (ends.first[0] + ends.first[1]) * 0.5,
+                last = (ends.second[0] + ends.second[1]) * 0.5;
+    for (const double share : {0.1, 0.5, 0.9}) {
+      const Point p = first + (last - first) * share;
+      if (!index_.any_near(box_of(p, p), 0, [&](int k) {
+            return k != i && k != j && claims_[k].level == claims_[i].level &&
+                   inside(p, *claims_[k].surface);
+          }))
+        return true;
+    }
+    return false;
+  }
+
+  // Those that no surface of the slit's own level may overlap, nor one that tiles with it.
+  std::vector<int> members_near(int i, int j, const Box& place) const {
+    std::vector<int> members;
+    for (const int k : index_.near(place, 0))
+      if (tile(claims_[k], claims_[i]) || tile(claims_[k], claims_[j])) members.push_back(k);
+    return members;
+  }
+
+  bool narrow(const Ring& ring, int i, int j) const {
+    const auto beside = [&](const Point& p, int k) {
+      for (const Polygon& polygon : *claims_[k].surface)
+        for (const Ring& border : polygon)
+          if (comes_within(p, border, width_ + same_place)) return true;
+      return false;
+    };
+    return std::all_of(ring.begin(), ring.end(),
+                       [&](const Point& p) { return beside(p, i) && beside(p, j); });
+  }
+
+  void append_between(int i, int j, std::vector<Hole>& slits) const {
+    const std::vector<Line> cuts = cuts_between(i, j);
+    if (cuts.empty()) return;
+    Box place;
+    for (const Line& cut : cuts)
+      for (const Point& p : cut) place.add(p);
+    place = place.grown(width_);
+    const std::vector<int> members = members_near(i, j, place);
+    std::vector<LineView> lines(cuts.begin(), cuts.end());
+    for (const int k : members)
+      append_stretches(
+          *claims_[k].surface,
+          [&](const Point& from, const Point& to) { return box_of(from, to).meets(place); }, lines);
+    const Arrangement faces(lines);
+    std::vector<bool> open;
+    for (int walk = 0; walk < faces.walk_count(); ++walk) {
+      const Ring ring = faces.border(walk);
+      const Point& within = faces.places()[walk];
+      const double size = signed_area(ring);
+      // A filled slit may close what lies between its end and another kerb.
+      open.push_back(size > 0 && (size < max_hole_area_ || narrow(ring, i, j)) &&
+                     std::none_of(members.begin(), members.end(),
+                                  [&](int k) { return inside(within, *claims_[k].surface); }));
+    }
+    const auto rank = [&](int k) { return std::tie(claims_[k].axis_id, claims_[k].order_key); };
+    const std::vector<int> around =
+        rank(i) < rank(j) ? std::vector<int>{i, j} : std::vector<int>{j, i};
+    for (Polygon& slit : faces.joined(open))
+      if (signed_area(slit.front()) >= least_slit)
+        slits.push_back({std::move(slit.front()), around});
+  }
+
+  const std::vector<Claim>& claims_;
+  const double width_, max_hole_area_;
+  const std::vector<Box> boxes_;
+  const BoxIndex index_;
+};
+
+// Ground that is to be filled, and where.
+class Filled {
+ public:
+  Filled(const std::vector<Claim>& claims, const std::vector<Hole>& holes) : claims_(claims) {
+    for (const Hole& hole : holes) add(hole);
+  }
+
+  void add(const Hole& hole) {
+    index_.add(box_of({{hole.ring}}), static_cast<int>(all_.size()));
+    all_.push_back(hole);
+  }
+
+  // What of the slit others of its level do not fill.
+  std::vector<Hole> left_of(const Hole& slit) const {
+    const MultiPolygon whole{{slit.ring}};
+    const PreparedSurface ground(whole);
+    std::vector<LineView> lines;
+    std::vector<Polygon> others;
+    for (const int k : index_.near(ground.box(), 0)) {
+      const Hole& other = all_[k];
+      if (claims_[other.around[0]].level != claims_[slit.around[0]].level) continue;
+      const MultiPolygon taken{{other.ring}};
+      if (!overlap(ground, PreparedSurface(taken))) continue;
+      others.push_back({other.ring});
+      lines.push_back(other.ring);
+    }
+    if (others.empty()) return {slit};
+    lines.push_back(slit.ring);
+    const Arrangement faces(lines);
+    std::vector<bool> open;
+    for (const Point& place : faces.places())
+      open.push_back(inside(place, whole) && !inside(place, others));
+    std::vector<Hole> left;
+    for (Polygon& part : faces.joined(open))
+      if (signed_area(part.front()) >= least_slit) left.push_back({part.front(), slit.around});
+    return left;
+  }
+
+ private:
+  const std::vector<Claim>& claims_;
+  std::vector<Hole> all_;
+  BoxIndex index_;
+};
+
+}  // namespace
+
+std::vector<Hole> slits_between(const std::vector<Claim>& claims, const std::vector<Hole>& holes,
+                                double width, double max_hole_area) {
+  if (width <= 0) return {};
+  std::vector<Hole> slits = Slits(claims, width, max_hole_area).found();
+  const auto rank = [&](int k) { return std::tie(claims[k].axis_id, claims[k].order_key); };
+  std::sort(slits.begin(), slits.end(), [&](const Hole& a, const Hole& b) {
+    return std::tuple(rank(a.around[0]), rank(a.around[1])) <
+           std::tuple(rank(b.around[0]), rank(b.around[1]));
+  });
+  Filled filled(claims, holes);
+  std::vector<Hole> left;
+  for (const Hole& slit : slits)
+    for (Hole& rest : filled.left_of(slit)) {
+      filled.add(rest);
+      left.push_back(std::move(rest));
+    }
+  return left;
+}
+
+}  // namespace streetgen

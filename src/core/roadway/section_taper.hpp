@@ -1,0 +1,15 @@
+// Changes of width that go on within sections.
+#pragma once
+
+#include "roadway/layout.hpp"
+
+namespace streetgen {
+
+// Where three edges and more meet and a kerb goes on nearly straight with another width, the kerb
+// is linear on the length of a change of width, half of it on each edge, cut at 0.4 of the edge.
+// What of it lies beyond a limit becomes the profile of the section, and the limit stays where it
+// is: its border line ends on the kerb. A street past which another one goes on straighter has
+// none.
+void taper_sections(Layout& layout);
+
+}  // namespace streetgen

@@ -1,0 +1,126 @@
+#include "sidewalk/kerb_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/box_index.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Of the way from a to b and on to c: positive to the left.
+double turn(const Point& a, const Point& b, const Point& c) {
+  return std::atan2(cross(b - a, c - b), dot(b - a, c - b));
+}
+
+double width_at(const std::vector<WidthKnot>& knots, double abscissa) {
+  if (abscissa <= knots.front().abscissa) return knots.front().width;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const auto& [from, width_from] = knots[i - 1];
+    const auto& [to, width_to] = knots[i];
+    if (abscissa < to)
+      return width_from + (width_to - width_from) * (abscissa - from) / (to - from);
+  }
+  return knots.back().width;
+}
+
+}  // namespace
+
+KerbChains::KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition)
+    : kerbs_(kerbs), next_(kerbs.size(), -1), previous_(kerbs.size(), -1), widths_(kerbs.size()) {
+  for (const SidewalkKerb& kerb : kerbs) lengths_.push_back(length(kerb.line));
+  link();
+  for (std::size_t i = 0; i < kerbs.size(); ++i)
+    if (kerbs[i].width && *kerbs[i].width > 0)
+      widths_[i] = {{0, *kerbs[i].width}, {lengths_[i], *kerbs[i].width}};
+  for (std::size_t i = 0; i < kerbs.size(); ++i)
+    if (kerbs[i].width || (!kerbs[i].ends && previous_[i] < 0))
+      widen(static_cast<int>(i), transition);
+}
+
+// Where several begin, the way goes on by the sharpest turn to the left: about the same ground.
+void KerbChains::link() {
+  std::vector<Box> starts;
+  for (const SidewalkKerb& kerb : kerbs_) starts.push_back(box_of(kerb.line[0], kerb.line[0]));
+  const BoxIndex index(starts);
+  for (int i = 0; i < static_cast<int>(kerbs_.size()); ++i) {
+    poll_cancel();
+    const Line& line = kerbs_[i].line;
+    if (kerbs_[i].ends) continue;
+    double sharpest = 0;
+    for (const int j : index.near(box_of(line.back(), line.back()), same_place)) {
+      if (kerbs_[j].level != kerbs_[i].level || kerbs_[j].ends || previous_[j] >= 0) continue;
+      const double angle = turn(line[line.size() - 2], line.back(), kerbs_[j].line[1]);
+      if (next_[i] >= 0 && angle <= sharpest) continue;
+      next_[i] = j;
+      sharpest = angle;
+    }
+    if (next_[i] >= 0) previous_[next_[i]] = i;
+  }
+}
+
+// The kerbs between `from` and the next one of known width, and the change of width on the way.
+void KerbChains::widen(int from, double transition) {
+  std::vector<int> between;
+  if (!kerbs_[from].width) between.push_back(from);
+  double size = kerbs_[from].width ? 0 : lengths_[from];
+  int to = next_[from];
+  for (; to >= 0 && to != from && !kerbs_[to].width; to = next_[to]) {
+    between.push_back(to);
+    size += lengths_[to];
+  }
+  const bool known_from = kerbs_[from].width.has_value(), known_to = to >= 0 && kerbs_[to].width;
+  if (!known_from && !known_to) return;
+  const double start = known_from ? *kerbs_[from].width : *kerbs_[to].width;
+  const double end = known_to ? *kerbs_[to].width : start;
+  const bool across =
+      std::any_of(between.begin(), between.end(), [&](int kerb) { return kerbs_[kerb].across; });
+  if (across && std::min(start, end) <= 0) return;
+  const double beyond = std::max(0.0, (transition - size) / 2);
+  // A kerb without a sidewalk stays without.
+  const double before = known_from && start > 0 ? std::min(beyond, lengths_[from] / 2) : 0;
+  const double after = known_to && end > 0 ? std::min(beyond, lengths_[to] / 2) : 0;
+  const double inset = std::max(0.0, (size - transition) / 2);
+  const std::vector<WidthKnot> change{{inset - before, start}, {size - inset + after, end}};
+  double at = 0;
+  for (const int kerb : between) {
+    put(kerb, at, at + lengths_[kerb], change);
+    at += lengths_[kerb];
+  }
+  if (start == end || change[0].abscissa >= change[1].abscissa) return;
+  if (before > 0) put(from, -lengths_[from], 0, change);
+  if (after > 0) put(to, size, size + lengths_[to], change);
+}
+
+// The kerb lies from `start` to `end` along the way on which the width changes. What is known of
+// its other end stays.
+void KerbChains::put(int kerb, double start, double end, const std::vector<WidthKnot>& change) {
+  std::vector<WidthKnot>& widths = widths_[kerb];
+  std::vector<WidthKnot> knots;
+  const double middle = (start + end) / 2;
+  const bool keeps_start = kerbs_[kerb].width && change.front().abscissa > start;
+  const bool keeps_end = kerbs_[kerb].width && !keeps_start;
+  if (keeps_start)
+    for (const WidthKnot& knot : widths)
+      if (knot.abscissa + start <= middle) knots.push_back(knot);
+  if (keeps_start && knots.empty()) knots.push_back({0, change.front().width});
+  if (!keeps_start) knots.push_back({0, width_at(change, start)});
+  for (const WidthKnot& knot : change)
+    if (knot.abscissa > start && knot.abscissa < end)
+      knots.push_back({knot.abscissa - start, knot.width});
+  if (keeps_end)
+    for (const WidthKnot& knot : widths)
+      if (knot.abscissa + start > middle) knots.push_back(knot);
+  if (!keeps_end) knots.push_back({end - start, width_at(change, end)});
+  if (keeps_end && knots.back().abscissa < end - start)
+    knots.push_back({end - start, change.back().width});
+  const bool any =
+      std::any_of(knots.begin(), knots.end(), [](const WidthKnot& knot) { return knot.width > 0; });
+  widths = any ? std::move(knots) : std::vector<WidthKnot>{};
+}
+
+}  // namespace streetgen

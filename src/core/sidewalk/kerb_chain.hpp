@@ -1,0 +1,36 @@
+// Kerbs that follow each other about a block, and how wide their sidewalks are.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/sidewalk.hpp"
+
+namespace streetgen {
+
+// A width at a place of a kerb; linear between two of them.
+struct WidthKnot {
+  double abscissa, width;
+};
+
+class KerbChains {
+ public:
+  KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition);
+
+  // The kerb that begins where this one ends, or ends where this one begins; -1: none.
+  int next(int kerb) const { return next_[kerb]; }
+  int previous(int kerb) const { return previous_[kerb]; }
+  // Ascending, from the start of the kerb to its end; empty where it has no sidewalk.
+  const std::vector<WidthKnot>& widths(int kerb) const { return widths_[kerb]; }
+
+ private:
+  void link();
+  void widen(int from, double transition);
+  void put(int kerb, double start, double end, const std::vector<WidthKnot>& change);
+
+  const std::vector<SidewalkKerb>& kerbs_;
+  std::vector<int> next_, previous_;
+  std::vector<double> lengths_;
+  std::vector<std::vector<WidthKnot>> widths_;
+};
+
+}  // namespace streetgen

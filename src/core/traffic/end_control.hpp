@@ -1,0 +1,27 @@
+// Which control point speaks to the traffic that comes to a node by an edge.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "streetgen/control_point.hpp"
+#include "streetgen/lane.hpp"
+#include "streetgen/network.hpp"
+
+namespace streetgen {
+
+// Traffic that comes to a node by one end of an edge.
+struct EndControl {
+  std::optional<ControlKind> own;  // of its control points, that of the highest rank
+  bool beside_signals = false;     // another end at the node has signals
+};
+
+// Each control point belongs to the next node of three and more edges ahead of it on its edge, as
+// far as `farthest` metres before the node; one farther off stands in the middle of its block.  Of
+// several for one end signals come first, then stop, yield, pedestrian crossing.  One on a node of
+// two edges belongs to that node.  One beyond its axis, or on an axis without an edge there, changes
+// nothing.  By slot: 2 * edge, 2 * edge + 1.
+std::vector<EndControl> end_controls(const Network& network, const std::vector<LanesOfAxis>& lanes,
+                                     const std::vector<ControlPoint>& points, double farthest);
+
+}  // namespace streetgen

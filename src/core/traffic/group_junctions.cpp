@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/junction.hpp"
+#include "traffic/end_control.hpp"
+#include "traffic/slip_lane.hpp"
+
+namespace streetgen {
+
+namespace {
+
+const double opposite = std::cos(M_PI / 6);  // of the directions of two carriageways
+constexpr double across = 0.5;               // sine of the angle of a link and a carriageway
+
+constexpr double heading_reach = 10;         // metres, over which an edge's end has its direction
+
+RuleEdge rule_edge(const JunctionEdge& edge) {
+  const auto leaves = [](const Line& line) {
+    const double reach = std::min(heading_reach, length(line));
+    return unit(planar(position_at(line, reach).point) - planar(line.front()));
+  };
+  return {edge.from_node, edge.to_node, length(edge.line), leaves(edge.line),
+          leaves(reversed(edge.line)), edge.along, edge.against, edge.name, edge.crossed,
+          edge.on_ring, edge.by_hand};
+}
+
+// Nodes that a rule would join, by some edges.
+struct Link {
+  std::vector<int> nodes, edges;
+  double length = 0;  // metres
+  Point middle;       // of its nodes: tells links of one length apart
+};
+
+class Grouping {
+ public:
+  Grouping(const JunctionNetwork& network, const JunctionRules& rules)
+      : network_(network),
+        rules_(rules),
+        ends_(network.nodes.size()),
+        chains_(static_cast<int>(network.nodes.size())),
+        groups_(static_cast<int>(network.nodes.size())) {
+    for (const JunctionEdge& edge : network.edges) edges_.push_back(rule_edge(edge));
+    for (int e = 0; e < size(); ++e) {
+      ends_[edge(e).from_node].push_back(e);
+      ends_[edge(e).to_node].push_back(e);
+    }
+    out_.parted.resize(size());
+    out_.roles.resize(size(), EdgeRole::outside);
+  }
+
+  JunctionGroups run() {
+    join_certain();
+    const std::vector<Link> gaps = gap_links();
+    for (const Link& link : gaps) chains_.join(link.nodes[0], link.nodes[1]);
+    const std::vector<SlipLane> slips = find_slip_lanes(edges_, rules_, ends_, chains_);
+    join_links(gaps, slips);
+    tell_roles(slips);
+    tell_controls();
+    return std::move(out_);
+  }
+
+ private:
+  int size() const { return static_cast<int>(edges_.size()); }
+  const RuleEdge& edge(int e) const { return edges_[e]; }
+
+  void join_certain() {
+    for (int e = 0; e < size(); ++e) {
+      if (edge(e).from_node == edge(e).to_node) continue;
+      if (!edge(e).by_hand.value_or(edge(e).crossed)) continue;
+      chains_.join(edge(e).from_node, edge(e).to_node);
+      groups_.join(edge(e).from_node, edge(e).to_node);
+    }
+  }
+
+  std::vector<Link> gap_links() {
+    std::vector<Link> links;
+    for (int e = 0; e < size(); ++e) {
+      poll_cancel();
+      if (joins_carriageways(e))
+        links.push_back(
+            link_of({edge(e).from_node, edge(e).to_node}, {e}, edge(e).length));
+    }
+    return links;
+  }
+
+  Link link_of(std::vector<int> nodes, std::vector<int> edges, double length) const {
+    Point sum;
+    for (const int node : nodes) sum = sum + planar(network_.nodes[node]);
+    return {nodes, std::move(edges), length, sum * (1.0 / static_cast<double>(nodes.size()))};
+  }
+
+  bool joins_carriageways(int e) const {
+    const RuleEdge& link = edge(e);
+    if (link.length > rules_.gap || link.on_ring || link.by_hand || link.crossed ||
+        link.from_node == link.to_node || ends_[link.from_node].size() < 3 ||
+        ends_[link.to_node].size() < 3)
+      return false;
+    for (const int a : ends_[link.from_node])
+      for (const int b : ends_[link.to_node])
+        if (a != e && b != e && a != b && are_carriageways(a, b, link)) return true;
+    return false;
+  }
+
+  // Of the street that the link crosses.
+  bool are_carriageways(int a, int b, const RuleEdge& link) const {
+    if (!edge(a).one_way() || !edge(b).one_way() || edge(a).on_ring || edge(b).on_ring) return false;
+    const Point first = heading(a, link.from_node), second = heading(b, link.to_node);
+    if (std::abs(cross(first, link.leaves_from)) < across ||
+        std::abs(cross(second, link.leaves_to)) < across)
+      return false;
+    const double cosine = -dot(first, second);
+    if (cosine > 0 && edge(a).name != 0 && edge(a).name == edge(b).name) return true;
+    return cosine >= opposite && goes_through(a, link.from_node) && goes_through(b, link.to_node);
+  }
+
+  // Whether the traffic of a one-way edge has another such edge ahead of it, or behind it, there.
+  bool goes_through(int e, int node) const {
+    const Point course = heading(e, node);
+    return std::any_of(ends_[node].begin(), ends_[node].end(), [&](int other) {
+      return other != e && edge(other).one_way() && leaves(other, node) != leaves(e, node) &&
+             dot(heading(other, node), course) >= opposite;
+    });
+  }
+
+  // Whether the traffic of a one-way edge leaves the node.
+  bool leaves(int e, int node) const { return (edge(e).from_node == node) == edge(e).along; }
+
+  // Of the traffic of a one-way edge at a node.
+  Point heading(int e, int node) const {
+    const bool at_start = edge(e).from_node == node;
+    const Point leaves = at_start ? edge(e).leaves_from : edge(e).leaves_to;
+    return leaves * (at_start == edge(e).along ? 1 : -1);
+  }
+
+  // From the shortest on, as far as the extent allows.
+  void join_links(const std::vector<Link>& gaps, const std::vector<SlipLane>& slips) {
+    std::vector<Link> links = gaps;
+    for (const SlipLane& slip : slips) {
+      std::vector<int> edges = slip.edges, nodes{slip.from_node, slip.to_node, slip.corner,
+                                                 other_end(slip.behind, slip.to_node)};
+      edges.insert(edges.end(), {slip.before, slip.behind});
+      for (const int e : slip.edges)
+        nodes.insert(nodes.end(), {edge(e).from_node, edge(e).to_node});
+      links.push_back(link_of(std::move(nodes), std::move(edges), slip.length));
+    }
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+      return std::make_tuple(a.length, a.middle.x, a.middle.y) <
+             std::make_tuple(b.length, b.middle.x, b.middle.y);
+    });
+    members_.resize(network_.nodes.size());
+    for (int n = 0; n < static_cast<int>(network_.nodes.size()); ++n)
+      members_[groups_.of(n)].push_back(n);
+    for (const Link& link : links) join_link(link);
+  }
+
+  int other_end(int e, int node) const {
+    return edge(e).from_node == node ? edge(e).to_node : edge(e).from_node;
+  }
+
+  void join_link(const Link& link) {
+    std::vector<int> groups, nodes;
+    for (const int node : link.nodes) groups.push_back(groups_.of(node));
+    std::sort(groups.begin(), groups.end());
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    for (const int group : groups)
+      nodes.insert(nodes.end(), members_[group].begin(), members_[group].end());
+    const bool fits = groups.size() == 1 || within_extent(nodes);
+    for (const int node : link.nodes) chains_.join(link.nodes.front(), node);
+    if (!fits)
+      for (const int e : link.edges) out_.parted[e] = true;
+    if (!fits || groups.size() == 1) return;
+    for (const int group : groups) {
+      groups_.join(groups.front(), group);
+      members_[group].clear();
+    }
+    members_[groups_.of(groups.front())] = std::move(nodes);
+  }
+
+  bool within_extent(const std::vector<int>& nodes) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = i + 1; j < nodes.size(); ++j)
+        if (distance(network_.nodes[nodes[i]], network_.nodes[nodes[j]]) > rules_.extent)
+          return false;
+    return true;
+  }
+
+  void tell_roles(const std::vector<SlipLane>& slips) {
+    for (int n = 0; n < static_cast<int>(network_.nodes.size()); ++n)
+      out_.of_node.push_back(groups_.of(n));
+    for (int n = 0; n < static_cast<int>(network_.nodes.size()); ++n)
+      out_.chain_of_node.push_back(chains_.of(n));
+    for (int e = 0; e < size(); ++e)
+      if (edge(e).from_node != edge(e).to_node && edge(e).by_hand.value_or(true) &&
+          out_.of_node[edge(e).from_node] == out_.of_node[edge(e).to_node] &&
+          (edge(e).crossed || edge(e).by_hand || edge(e).length <= rules_.extent))
+        out_.roles[e] = EdgeRole::inside;
+    for (const SlipLane& slip : slips)
+      for (const int e : slip.edges)
+        if (out_.roles[e] == EdgeRole::inside) out_.roles[e] = EdgeRole::slip_lane;
+  }
+
+  void tell_controls() {
+    Network network;
+    network.nodes.resize(network_.nodes.size());
+    std::vector<LanesOfAxis> directions;
+    for (const JunctionEdge& edge : network_.edges) {
+      network.edges.push_back({edge.axis_id, edge.from_node, edge.to_node, 0, edge.start_abscissa,
+                               edge.end_abscissa, {}});
+      LanesOfAxis lanes{edge.axis_id, {}};
+      if (edge.along) lanes.lanes.forward.resize(1);
+      if (edge.against) lanes.lanes.backward.resize(1);
+      directions.push_back(std::move(lanes));
+    }
+    for (const EndControl& end :
+         end_controls(network, directions, network_.controls, rules_.control_distance))
+      out_.controls.push_back(end.own);
+  }
+
+  const JunctionNetwork& network_;
+  const JunctionRules& rules_;
+  std::vector<RuleEdge> edges_;
+  std::vector<std::vector<int>> ends_;  // by node
+  Groups chains_;  // whatever the extent; at first without slip lanes: their corners
+  Groups groups_;
+  std::vector<std::vector<int>> members_;  // by group
+  JunctionGroups out_;
+};
+
+}  // namespace
+
+const char* edge_role_name(EdgeRole role) noexcept {
+  switch (role) {
+    case EdgeRole::outside:
+      return "outside";
+    case EdgeRole::inside:
+      return "inside";
+    case EdgeRole::slip_lane:
+      return "slip_lane";
+  }
+  return "";
+}
+
+JunctionGroups group_junctions(const JunctionNetwork& network, const JunctionRules& rules) {
+  return Grouping(network, rules).run();
+}
+
+}  // namespace streetgen

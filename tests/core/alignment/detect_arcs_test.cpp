@@ -1,0 +1,118 @@
+#include "streetgen/detect_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+struct Drawn {
+  Line line;
+  Point centre;
+  double radius = 0, turn = 0;  // degrees
+};
+
+double between(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// Points at most 45 degrees apart about the centre, each moved by at most `noise`.
+Drawn random_arc(std::mt19937_64& random, double noise) {
+  Drawn drawn;
+  drawn.centre = {between(random, 0, 1000), between(random, 0, 1000), 0};
+  drawn.turn = between(random, 20, 360);
+  const double turn = drawn.turn * pi / 180, start = between(random, 0, 2 * pi);
+  const double spacing = between(random, 0.5, 3);
+  // Four points and more, and no arc that noise alone could make.
+  drawn.radius = between(random, std::max({2.0, spacing / (pi / 4), 3 * spacing / turn,
+                                           20 * noise / (1 - std::cos(turn / 2))}), 80);
+  const int sides = std::max(3, static_cast<int>(std::ceil(turn * drawn.radius / spacing)));
+  const double way = random() % 2 == 0 ? 1 : -1;
+  for (int i = 0; i <= sides; ++i) {
+    const double at = start + way * turn * i / sides;
+    drawn.line.push_back(drawn.centre + Point{std::cos(at), std::sin(at), 0} * drawn.radius +
+                         Point{between(random, -noise, noise), between(random, -noise, noise), 0});
+  }
+  return drawn;
+}
+
+Line random_blocks(std::mt19937_64& random) {
+  Line line{{between(random, 0, 1000), between(random, 0, 1000), 0}};
+  double heading = between(random, 0, 2 * pi);
+  const int blocks = 2 + random() % 12;
+  for (int i = 0; i < blocks; ++i) {
+    const double size = between(random, 20, 150);
+    const int pieces = 1 + random() % 10;
+    const Point from = line.back();
+    for (int k = 1; k <= pieces; ++k)
+      line.push_back(from + Point{std::cos(heading), std::sin(heading), 0} * (size * k / pieces));
+    heading += between(random, -2 * pi / 3, 2 * pi / 3);
+  }
+  return line;
+}
+
+TEST(DetectArcs, FindsRandomArcs) {
+  std::mt19937_64 random(1);
+  ArcBounds bounds;
+  bounds.turn_least = 15;
+  int found = 0, sharp = 0, near = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Drawn drawn = random_arc(random, bounds.tolerance / 10);
+    const auto arcs = detect_arcs(drawn.line, bounds);
+    const bool hit = arcs.size() == 1 && 2 * arcs[0].support > static_cast<int>(drawn.line.size());
+    found += hit;
+    if (drawn.turn <= 60) continue;
+    ++sharp;
+    near += hit && std::abs(arcs[0].radius - drawn.radius) <= 0.02 * drawn.radius;
+  }
+  EXPECT_GE(found, 9900);
+  EXPECT_GE(near, 0.99 * sharp);
+}
+
+TEST(DetectArcs, FindsNoneInStraightBlocks) {
+  std::mt19937_64 random(2);
+  int found = 0;
+  for (int i = 0; i < 10000; ++i) found += !detect_arcs(random_blocks(random), {}).empty();
+  EXPECT_EQ(found, 0);
+}
+
+TEST(DetectArcs, ClosesACircleWhereverItStarts) {
+  Line circle;
+  for (int i = 0; i <= 24; ++i)
+    circle.push_back({500 + 15 * std::cos(i * pi / 12), 700 + 15 * std::sin(i * pi / 12), 0});
+  circle.back() = circle.front();
+  const auto arcs = detect_arcs(circle, {});
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_NEAR(arcs[0].radius, 15, 1e-6);
+  EXPECT_LT(distance(arcs[0].centre, {500, 700, 0}), 1e-6);
+  EXPECT_LT(distance(arcs[0].arc.start, arcs[0].arc.end), 1e-9);
+  EXPECT_NEAR(distance(arcs[0].arc.start, arcs[0].arc.middle), 30, 1e-6);
+  EXPECT_EQ(arcs[0].support, 24);
+}
+
+TEST(DetectArcs, TellsTwoArcsApart) {
+  Line line;
+  for (int i = 0; i <= 12; ++i)
+    line.push_back({20 * std::sin(i * pi / 24), 20 - 20 * std::cos(i * pi / 24), 0});
+  for (int i = 1; i <= 12; ++i)
+    line.push_back({60 - 40 * std::cos(i * pi / 24), 20 + 40 * std::sin(i * pi / 24), 0});
+  const auto arcs = detect_arcs(line, {});
+  ASSERT_EQ(arcs.size(), 2u);
+  EXPECT_NEAR(arcs[0].radius, 20, 0.4);
+  EXPECT_NEAR(arcs[1].radius, 40, 0.8);
+}
+
+TEST(DetectArcs, HasNoneWithoutFourPoints) {
+  EXPECT_TRUE(detect_arcs({}, {}).empty());
+  EXPECT_TRUE(detect_arcs({{0, 0}, {1, 1}, {1, 1}, {2, 0}}, {}).empty());
+  EXPECT_TRUE(detect_arcs({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}}, {}).empty());
+}
+
+}  // namespace
+}  // namespace streetgen

@@ -1,0 +1,178 @@
+#include "streetgen/profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "alignment/height_line.hpp"
+#include "alignment/least_height.hpp"
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+namespace {
+
+constexpr double clearance = 6, grade = 0.06;
+
+ProfileEdge edge(int from, int to, Line line, double radius = 0) {
+  return {from, to, std::move(line), grade, radius};
+}
+
+double z(const Profile& profile, double at) { return height_at(heights_of(profile.line), at); }
+
+double steepest(const Line& line) {
+  const HeightLine heights = heights_of(line);
+  double most = 0;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    most = std::max(
+        most, std::abs(heights[i].z - heights[i - 1].z) / (heights[i].at - heights[i - 1].at));
+  return most;
+}
+
+// A straight road of 600 m that passes over the middle of another one.
+std::vector<ProfileEdge> crossing_roads(double radius = 0) {
+  return {edge(0, 1, {{0, 0}, {600, 0}}, radius), edge(2, 3, {{300, -300}, {300, 300}}, radius)};
+}
+
+TEST(Profile, LiftsARoadByTheClearanceAndNoFartherThanItsGradeNeeds) {
+  const Profiles all = profiles(crossing_roads(), {{0, 300, 1, 300, clearance}}, {});
+  EXPECT_NEAR(z(all.edges[0], 300), 6, 1e-9);
+  EXPECT_NEAR(z(all.edges[0], 250), 3, 1e-9);
+  EXPECT_NEAR(z(all.edges[0], 200), 0, 1e-9);
+  EXPECT_NEAR(z(all.edges[0], 100), 0, 1e-9);
+  EXPECT_EQ(all.edges[0].method, ProfileMethod::lifted);
+  EXPECT_EQ(all.edges[1].method, ProfileMethod::ground);
+  EXPECT_FALSE(all.unmet[0]);
+}
+
+TEST(Profile, SinksARoadBelowTheGround) {
+  const Profiles all = profiles(crossing_roads(), {{0, 300, 1, 300, clearance, true}}, {});
+  EXPECT_EQ(all.edges[0].method, ProfileMethod::ground);
+  EXPECT_EQ(all.edges[1].method, ProfileMethod::sunk);
+  EXPECT_NEAR(z(all.edges[1], 300), -6, 1e-9);
+  EXPECT_NEAR(z(all.edges[1], 350), -3, 1e-9);
+}
+
+TEST(Profile, KeepsARoadThatHoldsAllByItself) {
+  std::vector<ProfileEdge> roads = crossing_roads(400);
+  roads[0].line = {{0, 0, 10}, {300, 0, 14}, {600, 0, 10}};
+  const Profiles all = profiles(roads, {{0, 300, 1, 300, clearance}}, {});
+  EXPECT_EQ(all.edges[0].method, ProfileMethod::ground);
+  EXPECT_EQ(all.edges[0].line.size(), 3u);
+}
+
+TEST(Profile, GoesOnFromRoadToRoad) {
+  const Profiles all = profiles({edge(0, 1, {{0, 0}, {40, 0}}), edge(1, 2, {{40, 0}, {200, 0}}),
+                                 edge(3, 4, {{20, -50}, {20, 50}})},
+                                {{0, 20, 2, 50, clearance}}, {});
+  EXPECT_NEAR(z(all.edges[0], 40), 6 - 20 * grade, 1e-9);
+  EXPECT_NEAR(z(all.edges[1], 0), z(all.edges[0], 40), 1e-12);
+  EXPECT_NEAR(z(all.edges[1], 160), 0, 1e-9);
+}
+
+TEST(Profile, KeepsTheClearanceUnderAnArc) {
+  for (const bool sinks : {false, true}) {
+    const Profiles all = profiles(crossing_roads(386), {{0, 300, 1, 300, clearance, sinks}}, {});
+    EXPECT_GE(z(all.edges[0], 300), z(all.edges[1], 300) + clearance - 1e-6);
+    EXPECT_LE(z(all.edges[0], 300), z(all.edges[1], 300) + clearance + 386 * grade * grade / 2);
+    const Line& bent = all.edges[sinks ? 1 : 0].line;
+    const HeightLine heights = heights_of(bent);
+    for (std::size_t i = 2; i < heights.size(); ++i) {
+      const double before =
+          (heights[i - 1].z - heights[i - 2].z) / (heights[i - 1].at - heights[i - 2].at);
+      const double after = (heights[i].z - heights[i - 1].z) / (heights[i].at - heights[i - 1].at);
+      EXPECT_LT(std::abs(after - before), 0.02) << "a kink at " << heights[i - 1].at;
+    }
+    EXPECT_LE(steepest(bent), grade + 1e-9);
+  }
+}
+
+TEST(Profile, LiesAtLeastAsHighAsByHand) {
+  const Profiles all = profiles({edge(0, 1, {{0, 0}, {600, 0}})}, {}, {{0, 300, 3}, {0, 100, -5}});
+  EXPECT_NEAR(z(all.edges[0], 300), 3, 1e-9);
+  EXPECT_NEAR(z(all.edges[0], 100), 0, 1e-9) << "under the ground it is the ground";
+}
+
+// Two roads that pass over each other in turn hold from 2 c / g on: 200 m for 6 m at 6 %.
+TEST(Profile, TellsARoadThatCannotBeLifted) {
+  for (const auto& [apart, holds] : {std::pair(101.0, true), std::pair(99.0, false)}) {
+    const std::vector<ProfileEdge> roads{edge(0, 1, {{0, 0}, {600, 0}}),
+                                         edge(2, 3, {{0, 5}, {600, 5}})};
+    const Profiles all = profiles(
+        roads, {{0, 200, 1, 200, clearance}, {1, 200 + apart, 0, 200 + apart, clearance}}, {});
+    EXPECT_EQ(all.unmet[0] || all.unmet[1], !holds) << apart;
+    for (const Profile& profile : all.edges)
+      for (const Point& point : profile.line) EXPECT_TRUE(std::isfinite(point.z));
+  }
+}
+
+// Heights of random nets against a plain iteration over all constraints.
+TEST(Profile, IsTheLeastOfAllThatHold) {
+  std::mt19937_64 random(11);
+  int lifted = 0;
+  for (int round = 0; round < 200; ++round) {
+    const int nodes = 6, count = 9;
+    std::vector<GradedRoad> roads;
+    std::vector<double> node_ground;
+    for (int n = 0; n < nodes; ++n) node_ground.push_back(random() % 300 / 100.0);
+    for (int r = 0; r < count; ++r) {
+      const int from = static_cast<int>(random() % nodes), to = static_cast<int>(random() % nodes);
+      const double length = 50 + random() % 300;
+      roads.push_back({from,
+                       to,
+                       {{0, node_ground[from]},
+                        {length / 2, random() % 300 / 100.0},
+                        {length, node_ground[to]}},
+                       0.04 + random() % 4 / 100.0});
+    }
+    std::vector<Lift> lifts;
+    for (int l = 0; l < 3; ++l) {
+      const int below = static_cast<int>(random() % count),
+                above = static_cast<int>(random() % count);
+      if (below < above)
+        lifts.push_back({below, roads[below].ground.back().at * 0.25, above,
+                         roads[above].ground.back().at * 0.75, 6});
+    }
+    const std::vector<HeightLine> solved = least_heights(roads, lifts, {});
+    // Heights at quarters of each road, raised until nothing moves.
+    std::vector<std::vector<double>> least;
+    for (const GradedRoad& road : roads) {
+      least.emplace_back();
+      for (int q = 0; q <= 4; ++q)
+        least.back().push_back(height_at(road.ground, road.ground.back().at * q / 4));
+    }
+    bool moved = true;
+    for (int sweep = 0; moved && sweep < 400; ++sweep) {
+      moved = false;
+      const auto raise = [&](double* height, double wanted) {
+        if (wanted > *height + 1e-12) *height = wanted, moved = true;
+      };
+      for (int r = 0; r < count; ++r) {
+        const double drop = roads[r].grade * roads[r].ground.back().at / 4;
+        for (int q = 0; q < 4; ++q) {
+          raise(&least[r][q + 1], least[r][q] - drop);
+          raise(&least[r][q], least[r][q + 1] - drop);
+        }
+        for (int o = 0; o < count; ++o)
+          for (const auto& [n, q] :
+               {std::pair(roads[r].from_node, 0), std::pair(roads[r].to_node, 4)})
+            for (const auto& [m, p] :
+                 {std::pair(roads[o].from_node, 0), std::pair(roads[o].to_node, 4)})
+              if (n == m) raise(&least[r][q], least[o][p]);
+      }
+      for (const Lift& lift : lifts) raise(&least[lift.to][3], least[lift.from][1] + lift.rise);
+    }
+    if (moved) continue;  // the lifts raise each other without end
+    for (int r = 0; r < count; ++r)
+      for (int q = 0; q <= 4; ++q) {
+        const double at = roads[r].ground.back().at * q / 4;
+        EXPECT_NEAR(height_at(solved[r], at), least[r][q], 1e-6)
+            << "round " << round << " road " << r;
+        lifted += least[r][q] > height_at(roads[r].ground, at) + 1;
+      }
+  }
+  EXPECT_GT(lifted, 500);
+}
+
+}  // namespace
+}  // namespace streetgen

@@ -1,0 +1,96 @@
+#include "ownership/slit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
+#include "streetgen/lane.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+namespace {
+
+StreetAxis axis(std::int64_t id, Line line, int level = 0) {
+  return {id, std::move(line), level, 6, 6, 4, 3};
+}
+
+double ground_of(const Streets& town) {
+  double sum = 0;
+  for (const Section& section : town.sections) sum += area(section.surface);
+  for (const Intersection& intersection : town.intersections) sum += area(intersection.surface);
+  return sum;
+}
+
+double united_ground(const Streets& town) {
+  Geos geos;
+  std::vector<MultiPolygon> all;
+  for (const Section& section : town.sections) all.push_back(section.surface);
+  for (const Intersection& intersection : town.intersections) all.push_back(intersection.surface);
+  return area(geos.polygons(geos.unite(all).get()));
+}
+
+StreetSettings with_slits_up_to(double width) {
+  StreetSettings settings;
+  settings.slit_width = width;
+  return settings;
+}
+
+TEST(Slit, BetweenParallelStreetsIsRoadway) {
+  const std::vector<StreetAxis> beside{axis(1, {{0, 0, 0}, {100, 0, 0}}),
+                                       axis(2, {{20, 6.15, 0}, {80, 6.15, 0}})};
+  const Streets town = streets(beside, with_slits_up_to(0.2));
+  EXPECT_NEAR(ground_of(town), 160 * 6 + 60 * 0.15, 1e-6);
+  EXPECT_NEAR(united_ground(town), ground_of(town), 1e-6);
+  EXPECT_NEAR(ground_of(streets(beside, with_slits_up_to(0))), 160 * 6, 1e-6);
+  EXPECT_NEAR(ground_of(streets(beside, with_slits_up_to(0.1))), 160 * 6, 1e-6);
+}
+
+TEST(Slit, EndsWhereTheStreetsAreFartherApart) {
+  // 0.1 m apart at one end, 3.1 m at the other.
+  const std::vector<StreetAxis> apart{axis(1, {{0, 0, 0}, {100, 0, 0}}),
+                                      axis(2, {{0, 6.1, 0}, {100, 9.1, 0}})};
+  const double gained = ground_of(streets(apart, with_slits_up_to(0.2))) -
+                        ground_of(streets(apart, with_slits_up_to(0)));
+  // A trapezium from 0.1 to 0.2 m, 3 % steep; both kerbs as they lie beside flat ends.
+  EXPECT_NEAR(gained, 0.15 * 0.1 / 0.03, 0.05);
+}
+
+TEST(Slit, OfABentStreetIsWhole) {
+  const Line bent{{0, 0, 0}, {50, 0, 0}, {100, 8, 0}};
+  Line beside = offset_line(bent, 6.1, 6.1);
+  const std::vector<StreetAxis> both{axis(1, bent), axis(2, beside)};
+  const Streets town = streets(both, with_slits_up_to(0.2));
+  const double gained = ground_of(town) - ground_of(streets(both, with_slits_up_to(0)));
+  EXPECT_NEAR(gained, 0.1 * length(offset_line(bent, 3.05, 3.05)), 0.02);
+  EXPECT_NEAR(united_ground(town), ground_of(town), 1e-6);
+}
+
+TEST(Slit, StaysBetweenLevelsAndWhereAnotherStreetLies) {
+  const StreetAxis low = axis(1, {{0, 0, 0}, {100, 0, 0}}),
+                   high = axis(2, {{0, 6.1, 0}, {100, 6.1, 0}}, 1);
+  EXPECT_NEAR(ground_of(streets({low, high}, with_slits_up_to(0.2))), 1200, 1e-6);
+  const StreetAxis across = axis(3, {{50, -30, 0}, {50, 40, 0}});
+  const StreetAxis beside = axis(2, {{0, 6.1, 0}, {100, 6.1, 0}});
+  const Streets crossed = streets({low, beside, across}, with_slits_up_to(0.2));
+  EXPECT_NEAR(united_ground(crossed), ground_of(crossed), 1e-5);
+  EXPECT_NEAR(ground_of(crossed), 1200 + 94 * 0.1 + 6 * 70 - 6 * 12, 1e-5);
+}
+
+TEST(Slit, IsTheSameWhereverTheStreetsLie) {
+  for (const double turn : {0.3, 1.1, 2.9}) {
+    const auto at = [&](double x, double y) {
+      return Point{650000 + x * std::cos(turn) - y * std::sin(turn),
+                   6860000 + x * std::sin(turn) + y * std::cos(turn), 0};
+    };
+    const Streets town =
+        streets({axis(1, {at(0, 0), at(100, 0)}), axis(2, {at(20, 6.15), at(80, 6.15)})},
+                with_slits_up_to(0.2));
+    EXPECT_NEAR(ground_of(town), 160 * 6 + 60 * 0.15, 1e-4);
+    EXPECT_NEAR(united_ground(town), ground_of(town), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace streetgen

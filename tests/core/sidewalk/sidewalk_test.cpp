@@ -1,0 +1,197 @@
+#include "streetgen/sidewalk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+
+namespace streetgen {
+namespace {
+
+SidewalkKerb kerb(const Line& line, std::optional<double> width) {
+  SidewalkKerb made;
+  made.line = line;
+  made.width = width;
+  return made;
+}
+
+const Sidewalk& of_kerb(const std::vector<Sidewalk>& sidewalks, int kerb) {
+  for (const Sidewalk& sidewalk : sidewalks)
+    if (sidewalk.kerb == kerb) return sidewalk;
+  static const Sidewalk none;
+  return none;
+}
+
+double total(const std::vector<Sidewalk>& sidewalks) {
+  double sum = 0;
+  for (const Sidewalk& sidewalk : sidewalks) sum += area(sidewalk.surface);
+  return sum;
+}
+
+// The chords of a quarter circle about a centre, counter-clockwise from an angle.
+Line quarter(const Point& centre, double radius, double from) {
+  Line line;
+  for (int i = 0; i <= 64; ++i) {
+    const double t = from + M_PI_2 * i / 64;
+    line.push_back({centre.x + radius * std::cos(t), centre.y + radius * std::sin(t), 0});
+  }
+  return line;
+}
+
+TEST(Sidewalk, OfAStraightKerbIsAsWideAsWanted) {
+  const auto sidewalks = find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 2.5)}, 5);
+  ASSERT_EQ(sidewalks.size(), 1u);
+  EXPECT_NEAR(area(sidewalks[0].surface), 100, 1e-9);
+  EXPECT_TRUE(inside({20, 1, 0}, sidewalks[0].surface));
+  EXPECT_EQ(sidewalks[0].method, Method::hypothesis);
+}
+
+TEST(Sidewalk, IsNoneWithoutWidth) {
+  EXPECT_TRUE(find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 0)}, 5).empty());
+  EXPECT_TRUE(find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, std::nullopt)}, 5).empty());
+}
+
+// A block's corner: down, round to the left by an arc of radius 6, and east; 2 and 4 m wide.
+TEST(Sidewalk, ChangesItsWidthAlongTheArcOfACorner) {
+  const Line down{{0, 50, 0}, {0, 6, 0}}, east{{6, 0, 0}, {60, 0, 0}};
+  const Line arc = quarter({6, 6, 0}, 6, M_PI);
+  const auto sidewalks = find_sidewalks({kerb(down, 2), kerb(arc, std::nullopt), kerb(east, 4)}, 5);
+  ASSERT_EQ(sidewalks.size(), 3u);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 44 * 2, 0.05);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 2).surface), 54 * 4, 0.1);
+  EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, 3);
+  // A ring whose width goes from 2 to 4 m over 5 m in the middle of a quarter of radius 6.
+  const double size = 6 * M_PI_2, flat = (size - 5) / 2;
+  const double expected =
+      flat * (2 - 4.0 / 12) + flat * (4 - 16.0 / 12) + 5 * (3 - (4 + 16 + 8) / 3.0 / 12);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), expected, 0.2);
+}
+
+// Half of the transition lies before the meeting of the two kerbs, and half behind.
+TEST(Sidewalk, ChangesItsWidthAboutAPlaneMeetingOfTwoKerbs) {
+  const auto sidewalks =
+      find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 2), kerb({{40, 0, 0}, {80, 0, 0}}, 4)}, 5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 37.5 * 2 + 2.5 * 2.5, 1e-9);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 37.5 * 4 + 2.5 * 3.5, 1e-9);
+}
+
+TEST(Sidewalk, LeavesAKerbWithoutWidthAsItIs) {
+  const auto sidewalks =
+      find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 0), kerb({{40, 0, 0}, {80, 0, 0}}, 4)}, 5);
+  ASSERT_EQ(sidewalks.size(), 1u);
+  EXPECT_NEAR(area(sidewalks[0].surface), 37.5 * 4 + 2.5 * 2, 1e-9);
+}
+
+// A street without a sidewalk on its right.
+TEST(Sidewalk, EndsSquareAtADeadEndWhereTheOtherSideHasNone) {
+  std::vector<SidewalkKerb> kerbs{kerb({{0, 0, 0}, {40, 0, 0}}, 3),
+                                  kerb({{40, 0, 0}, {40, -6, 0}}, std::nullopt),
+                                  kerb({{40, -6, 0}, {0, -6, 0}}, 0)};
+  kerbs[1].across = true;
+  EXPECT_NEAR(total(find_sidewalks(kerbs, 5)), 120, 1e-9);
+  kerbs[2].width = 3;
+  EXPECT_GT(total(find_sidewalks(kerbs, 5)), 240 + 18);
+}
+
+TEST(Sidewalk, GoesRoundAnOuterBendOnce) {
+  const auto sidewalks =
+      find_sidewalks({kerb({{0, 0, 0}, {20, 0, 0}}, 2), kerb({{20, 0, 0}, {20, -20, 0}}, 2)}, 5);
+  EXPECT_NEAR(total(sidewalks), 2 * 20 * 2 + 8 * std::sin(M_PI / 16) * 4 / 2, 1e-9);
+}
+
+// Two kerbs at a right angle without an arc: each square metre of the corner goes to the nearer.
+TEST(Sidewalk, OfASharpInnerBendIsHalvedByTheBisector) {
+  const auto sidewalks =
+      find_sidewalks({kerb({{0, 40, 0}, {0, 0, 0}}, 3), kerb({{0, 0, 0}, {40, 0, 0}}, 3)}, 5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 40 * 3 - 4.5, 0.1);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 40 * 3 - 4.5, 0.1);
+  EXPECT_NEAR(total(sidewalks), 2 * 40 * 3 - 9, 1e-3);
+}
+
+// A block 4 m wide between two streets whose sidewalks want 3 m each.
+TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenItsKerbs) {
+  const auto sidewalks =
+      find_sidewalks({kerb({{0, 0, 0}, {50, 0, 0}}, 3), kerb({{50, 4, 0}, {0, 4, 0}}, 3)}, 5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 100, 0.5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 100, 0.5);
+  EXPECT_NEAR(total(sidewalks), 200, 1e-3);
+  EXPECT_EQ(of_kerb(sidewalks, 0).method, Method::contested);
+}
+
+TEST(Sidewalk, EndsAtTheKerbAcrossANarrowBlock) {
+  for (const double across : {0.0, 0.5}) {
+    const auto sidewalks = find_sidewalks(
+        {kerb({{0, 0, 0}, {50, 0, 0}}, 5), kerb({{60, 2, 0}, {-10, 2, 0}}, across)}, 5);
+    const double strip = across * 20;  // beside the other kerb alone
+    EXPECT_NEAR(total(sidewalks), 100 + strip, 0.01);
+    EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 50 * (2 - across), 0.01);
+  }
+}
+
+TEST(Sidewalk, IsNotTouchedByAKerbOfAnotherLevel) {
+  std::vector<SidewalkKerb> kerbs{kerb({{0, 0, 0}, {50, 0, 0}}, 3),
+                                  kerb({{20, -9, 0}, {20, 9, 0}}, 3)};
+  kerbs[1].level = 1;
+  const auto sidewalks = find_sidewalks(kerbs, 5);
+  EXPECT_NEAR(total(sidewalks), 150 + 54, 1e-9);
+}
+
+// The kerb of an island, clockwise about its roadway: the island lies on its left.
+TEST(Sidewalk, FillsAnIslandThatIsNarrowerThanTwoOfThem) {
+  std::vector<SidewalkKerb> kerbs;
+  const Line ring{{0, 0, 0}, {20, 0, 0}, {20, 3, 0}, {0, 3, 0}, {0, 0, 0}};
+  kerbs.push_back(kerb(ring, 2));
+  EXPECT_NEAR(total(find_sidewalks(kerbs, 5)), 60, 0.01);
+}
+
+TEST(Sidewalk, ComesOutOfWantedKerbsAlone) {
+  std::vector<SidewalkKerb> kerbs{kerb({{0, 0, 0}, {50, 0, 0}}, 3),
+                                  kerb({{50, 4, 0}, {0, 4, 0}}, 3)};
+  kerbs[1].wanted = false;
+  const auto sidewalks = find_sidewalks(kerbs, 5);
+  ASSERT_EQ(sidewalks.size(), 1u);
+  EXPECT_NEAR(area(sidewalks[0].surface), 100, 0.5);
+}
+
+// Random blocks: rings of kerbs with corners of any kind, turned and in any place.
+TEST(Sidewalk, OfRandomBlocksLieInsideAndOverlapNowhere) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  Geos geos;
+  for (int round = 0; round < 200; ++round) {
+    const int corners = 3 + static_cast<int>(share(random) * 6);
+    Line block;
+    for (int i = 0; i < corners; ++i) {
+      const double t = 2 * M_PI * (i + 0.6 * share(random)) / corners, r = 4 + 40 * share(random);
+      block.push_back({6.5e5 + r * std::cos(t), 6.86e6 + r * std::sin(t), 0});
+    }
+    block.push_back(block.front());
+    std::vector<SidewalkKerb> kerbs;
+    for (int i = 0; i < corners; ++i)
+      kerbs.push_back(kerb({block[i], block[i + 1]}, share(random) < 0.2 ? 0 : 6 * share(random)));
+    const auto sidewalks = find_sidewalks(kerbs, 5);
+    const MultiPolygon ground{{block}};
+    std::vector<MultiPolygon> all{ground};
+    double sum = 0;
+    for (const Sidewalk& sidewalk : sidewalks) {
+      EXPECT_TRUE(geos.valid(sidewalk.surface)) << round;
+      all.push_back(sidewalk.surface);
+      sum += area(sidewalk.surface);
+      double within = 0;
+      for (const Point& p : sidewalk.surface[0][0])
+        if (!inside(p, ground)) within = std::max(within, distance_to_line(p, block));
+      EXPECT_LT(within, 1e-3) << round;
+    }
+    EXPECT_NEAR(area(geos.polygons(geos.unite(all).get())), area(ground), 1e-4 * area(ground))
+        << round;
+    all.erase(all.begin());
+    EXPECT_NEAR(area(geos.polygons(geos.unite(all).get())), sum, 1e-4 * area(ground)) << round;
+  }
+}
+
+}  // namespace
+}  // namespace streetgen

@@ -1,0 +1,131 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- City blocks: faces of the network less the roadway; their identity, kinds, edits and bad input.  (name, holds)
+-- Each face of the network of the ground, made by a polygonizer, beside the blocks that lie in it.
+CREATE FUNCTION pg_temp.faces(model name) RETURNS TABLE (face integer, ground float8, of_blocks float8, blocks bigint) LANGUAGE plpgsql AS $$
+BEGIN
+  RETURN QUERY EXECUTE replace($q$
+    WITH face AS (SELECT (d).path[1] AS face, (d).geom FROM (SELECT ST_Dump(ST_Polygonize(geom)) AS d FROM (SELECT ST_UnaryUnion(ST_Collect(geom)) AS geom FROM @.edge WHERE level = 0) n) p),
+    roadway AS (SELECT ST_Union(surface, 1e-4) AS geom FROM @.roadway WHERE level = 0),
+    place AS (SELECT block_id, ST_Area(surface) AS area, ST_PointOnSurface(surface) AS geom FROM @.block WHERE NOT ST_IsEmpty(surface))
+    SELECT f.face, ST_Area(ST_Difference(f.geom, r.geom, 1e-4)), coalesce(sum(p.area), 0), count(p.block_id) FROM face f CROSS JOIN roadway r LEFT JOIN place p ON ST_Contains(f.geom, p.geom)
+    GROUP BY f.face, f.geom, r.geom$q$, '@', quote_ident(model));
+END $$;
+CREATE FUNCTION pg_temp.are_faces(model name) RETURNS boolean LANGUAGE plpgsql AS $$
+DECLARE
+  held boolean;
+  there bigint;
+BEGIN
+  EXECUTE format('SELECT count(*) FROM %I.block', model) INTO there;
+  SELECT coalesce(bool_and(abs(ground - of_blocks) < 0.1), true) AND count(*) = there INTO held FROM pg_temp.faces(model);
+  RETURN held;
+END $$;
+-- Each side of each edge of the ground, once.
+CREATE FUNCTION pg_temp.are_whole(model name) RETURNS boolean LANGUAGE plpgsql AS $$
+DECLARE
+  held boolean;
+BEGIN
+  EXECUTE replace($q$SELECT coalesce(bool_and(coalesce(s.covered, 0) > 0.999 AND coalesce(s.covered, 0) < 1.001), true) FROM @.edge e CROSS JOIN unnest(ARRAY['left', 'right']) hand LEFT JOIN LATERAL (
+    SELECT sum(b.end_abscissa - b.start_abscissa) / ST_Length(e.geom) AS covered FROM @.block_edge b WHERE (b.edge_id, b.side) = (e.edge_id, hand)) s ON true WHERE e.level = 0$q$, '@', quote_ident(model)) INTO held;
+  RETURN held;
+END $$;
+CREATE FUNCTION pg_temp.refused(statement text, state text) RETURNS boolean LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE statement;
+  RETURN false;
+EXCEPTION WHEN OTHERS THEN
+  RETURN SQLSTATE = state;
+END $$;
+SELECT streetgen.create_model('town', 2154, subjects => '{interconnection,block}'), streetgen.create_model('anew', 2154, subjects => '{interconnection,block}'), streetgen.create_model('bare', 2154) \g /dev/null
+INSERT INTO town.axis (axis_id, geom, width, radius) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 6, 4 FROM (VALUES
+  (1, 'LINESTRING(0 0,100 0)'), (2, 'LINESTRING(100 0,100 60)'), (3, 'LINESTRING(100 60,0 60)'), (4, 'LINESTRING(0 60,0 0)')) v(id, line);
+
+SELECT 'a new model has no blocks unless told so', to_regclass('bare.block') IS NULL AND 'block' <> ALL (streetgen._with_needs(NULL));
+SELECT 'blocks need kerbs', streetgen._with_needs('{block}') @> '{kerb}';
+SELECT 'four streets are about one block', count(*) = 1 AND bool_and(kind = 'block' AND method = 'hypothesis' AND abs(ST_Area(surface) - (94 * 54 - (4 - pi()) * 16)) < 0.5 AND surface = interior) FROM town.block;
+SELECT 'with the block on the left of one side and nothing on the other', array_agg(edge_id || side ORDER BY ordinality) = '{1left,2left,3left,4left}' FROM town.block_edge WHERE block_id IS NOT NULL;
+SELECT 'each side of each edge is told', pg_temp.are_whole('town') AND (SELECT count(*) = 4 FROM town.block_edge WHERE block_id IS NULL);
+SELECT 'they are faces less the roadway', pg_temp.are_faces('town');
+
+INSERT INTO town.axis (axis_id, geom, width, radius) VALUES (5, 'SRID=2154;LINESTRING(650050 6860000,650050 6860060)', 6, 4);
+SELECT 'a street through it makes two, and the one with the first place keeps its id', array_agg(b.block_id = 1 ORDER BY b.block_id) = '{t,f}' AND bool_or(e.axis_id = 1 AND e.start_abscissa = 0 AND b.block_id = 1)
+  FROM town.block b JOIN town.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN town.edge e USING (edge_id);
+SELECT 'as from scratch', test.followed('town', 'anew') AND pg_temp.are_faces('town') AND pg_temp.are_whole('town');
+DELETE FROM town.axis WHERE axis_id = 5;
+SELECT 'without it they are one again', array_agg(block_id) = '{1}' FROM town.block;
+INSERT INTO town.axis (axis_id, geom, width, radius) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 4, 2 FROM (VALUES
+  (6, 'LINESTRING(0 0,20 20)'), (7, 'LINESTRING(40 20,60 20,60 40,40 40,40 20)'), (8, 'LINESTRING(80 20,80 40)')) v(id, line);
+SELECT 'a block goes about dead ends and islands of streets', count(*) = 2 AND max(ST_NumInteriorRings(ST_GeometryN(surface, 1))) = 2 FROM town.block;
+SELECT 'which are rings of their own', max(ring) = 3 FROM town.block_edge WHERE block_id = 1;
+SELECT 'a small one is an island', kind = 'island' FROM town.block WHERE block_id <> 1;
+SELECT 'and follow edits', test.followed('town', 'anew') AND pg_temp.are_faces('town') AND pg_temp.are_whole('town');
+UPDATE town.axis SET geom = ST_Translate(geom, 100, 0) WHERE axis_id = 7;
+SELECT 'a loop that moves to another face', test.followed('town', 'anew') AND pg_temp.are_faces('town') AND pg_temp.are_whole('town');
+INSERT INTO town.axis (axis_id, geom, width) VALUES (9, 'SRID=2154;LINESTRING(650140 6860020,650140 6860025)', 3);
+UPDATE town.axis SET geom = ST_Translate(geom, 0, 500) WHERE axis_id = 9;
+SELECT 'streets far from all others', test.followed('town', 'anew') AND pg_temp.are_whole('town');
+UPDATE town.axis SET width = 70 WHERE axis_id IN (1, 3);
+SELECT 'a block that is paved all over stays without ground', count(*) = 1 AND bool_and(kind = 'roadway' AND ST_IsEmpty(surface)) FROM town.block WHERE method = 'covered' AND block_id = 1;
+UPDATE town.axis SET width = 6 WHERE axis_id IN (1, 3);
+SELECT 'and has it again under the same id', NOT ST_IsEmpty(surface) AND test.followed('town', 'anew') FROM town.block WHERE block_id = 1;
+
+INSERT INTO town.axis (axis_id, geom, width, radius, level) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 6, 4, level FROM (VALUES
+  (10, 'LINESTRING(50 0,50 30)', 0), (11, 'LINESTRING(50 30,50 60)', 0), (12, 'LINESTRING(50 30,60 20)', 1), (13, 'LINESTRING(50 30,69 20)', 1), (14, 'LINESTRING(50 30,78 25)', 1)) v(id, line, level);
+SELECT 'where a street has no roadway on its level its axis is the border', count(*) = 2 FROM town.block WHERE method = 'axis_bound';
+SELECT 'also after edits', test.followed('town', 'anew') AND pg_temp.are_faces('town');
+DELETE FROM town.axis WHERE axis_id >= 9;
+INSERT INTO town.axis (axis_id, geom, width, radius) VALUES (15, 'SRID=2154;LINESTRING(649990 6860010,650110 6860010)', 5, 4);
+SELECT 'a crossing without a node is a vertex', (SELECT max(start_abscissa) > 0 FROM town.block_edge) AND pg_temp.are_faces('town') AND pg_temp.are_whole('town');
+SELECT 'from scratch too', test.followed('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 15;
+
+UPDATE town.block_editing SET kind = 'strip' WHERE block_id = 1;
+SELECT 'a kind by hand holds', (SELECT kind = 'strip' AND by_hand FROM town.block_editing WHERE block_id = 1);
+UPDATE town.axis SET width = 7 WHERE axis_id = 1;
+SELECT 'through edits and runs', (SELECT kind = 'strip' FROM town.block WHERE block_id = 1) AND test.followed('town', 'anew');
+INSERT INTO town.block_override (geom, kind) VALUES ('SRID=2154;POINT(650000 6860030)', 'island');
+SELECT 'an override on no block is told', count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'block override on no block';
+DELETE FROM town.block_override WHERE kind = 'island';
+DELETE FROM town.block_editing WHERE block_id = 1;
+SELECT 'and can be taken back', (SELECT kind = 'block' FROM town.block WHERE block_id = 1) AND NOT EXISTS (SELECT FROM town.block_override);
+SELECT 'another kind is refused', pg_temp.refused($$UPDATE town.block_editing SET kind = 'park' WHERE block_id = 1$$, '22023');
+SELECT 'a block cannot be drawn', pg_temp.refused($$INSERT INTO town.block_editing (kind) VALUES ('block')$$, '0A000');
+SELECT streetgen.set('town', 'block_island_area', '100000') \g /dev/null
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT 'settings tell the kinds', bool_and(kind = 'island') FROM town.block;
+SELECT streetgen.set('town', 'ground_level', '1') \g /dev/null
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT 'and the level of the ground', NOT EXISTS (SELECT FROM town.block) AND NOT EXISTS (SELECT FROM town.block_edge);
+SELECT streetgen.set('town', 'ground_level', '0') \g /dev/null
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT 'a second run writes nothing', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town');
+SELECT 'the model is sound', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+UPDATE town.block SET kind = 'strip' WHERE block_id = 1;
+SELECT 'rows changed by hand are told', EXISTS (SELECT FROM streetgen.check_model('town'));
+DELETE FROM town.block_edge WHERE side = 'left';
+SELECT 'a side without a row too', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'side of an edge that faces no block nor the outside');
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT 'a run repairs them', test.followed('town', 'anew') AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+SELECT 'blocks are a layer of files', query LIKE '%block%' FROM streetgen.export_layer('town') WHERE layer = 'blocks';
+SELECT 'and of pictures', streetgen.svg('town') LIKE '%class="block%' AND streetgen.svg('town', legend => true) LIKE '%island%';
+SELECT 'and summed up', bool_or(subject = 'blocks, ground' AND amount > 0) FROM streetgen.summary('town');
+SELECT FROM streetgen.switch_subject('town', 'block', false) \g /dev/null
+SELECT 'switched off there are none', to_regclass('town.block') IS NULL AND to_regclass('town.block_edge') IS NULL AND to_regclass('town.block_editing') IS NULL;
+UPDATE town.axis SET width = 6.5 WHERE axis_id = 4;
+SELECT 'switched on they are filled', (SELECT inserted > 0 FROM streetgen.switch_subject('town', 'block', true) WHERE relation = 'block') AND test.followed('town', 'anew');
+TRUNCATE town.axis;
+SELECT 'no axes, no blocks', NOT EXISTS (SELECT FROM town.block) AND NOT EXISTS (SELECT FROM town.block_edge);
+INSERT INTO town.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860010,650200 6860000)', 6);
+SELECT 'a network that is one line has none', NOT EXISTS (SELECT FROM town.block) AND pg_temp.are_whole('town');
+TRUNCATE town.axis;
+SELECT 'streets at the end of the world are refused', pg_temp.refused($$INSERT INTO town.axis (geom, width) VALUES ('SRID=2154;LINESTRING(1e9 1e9,1000000100 1e9)', 6)$$, '22023');
+TRUNCATE town.axis;
+-- A grid of streets between two long ones: a face of a thousand edges.
+INSERT INTO town.axis (axis_id, geom, width) SELECT 2 * n + side, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 40 * n, 6860000 + 200 * side), ST_MakePoint(650040 + 40 * n, 6860000 + 200 * side)), 2154), 6 FROM generate_series(1, 250) n, generate_series(0, 1) side;
+INSERT INTO town.axis (axis_id, geom, width) SELECT 1000 + 2 * n + side, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 40 * n, 6860000 + 200 * side), ST_MakePoint(650000 + 40 * n, 6860040 + 120 * side)), 2154), 5 FROM generate_series(2, 250) n, generate_series(0, 1) side;
+INSERT INTO town.axis (axis_id, geom, width) SELECT 3000 + side, ST_SetSRID(ST_MakeLine(ST_MakePoint(650040 + 10000 * side, 6860000), ST_MakePoint(650040 + 10000 * side, 6860200)), 2154), 6 FROM generate_series(0, 1) side;
+SELECT 'a face of very many edges is a block', count(*) = 1 AND max(n) > 1000 FROM (SELECT block_id, count(*) AS n FROM town.block_edge WHERE block_id IS NOT NULL GROUP BY block_id) b;
+UPDATE town.axis SET width = 7 WHERE axis_id = 2;
+UPDATE town.axis SET width = 8 WHERE axis_id = 501;
+SELECT 'edits at either end of it', test.followed('town', 'anew');

@@ -1,0 +1,65 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Signals, signs and crossings: of OpenStreetMap, of a layer, by hand, and what is painted by them.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('held', 2154), streetgen.create_model('anew', 2154);
+  -- A street in two pieces that a more important road crosses, and one far from both.
+  INSERT INTO held.axis (geom, width, importance, lane_count) VALUES
+    ('SRID=2154;LINESTRING(649800 6860000,650000 6860000)', 7, 3, 2), ('SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 7, 3, 2),
+    ('SRID=2154;LINESTRING(650000 6859800,650000 6860000)', 7, 2, 2), ('SRID=2154;LINESTRING(650000 6860000,650000 6860200)', 7, 2, 2);
+END $$;
+CREATE FUNCTION lines() RETURNS text LANGUAGE sql AS
+  $$ SELECT string_agg(format('%s:%s', axis_id, m.kind), ' ' ORDER BY axis_id, m.kind) FROM held.marking m JOIN held.edge USING (edge_id) WHERE m.kind <> 'arrow' $$;
+SELECT 'without control points the class decides' AS name, lines() = '1:yield 2:yield' AS holds;
+INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(649985 6859997)', 'stop');
+SELECT 'a stop sign beside its axis makes a stop line', lines() = '1:stop 2:yield';
+SELECT 'its axis and place are filled', (SELECT (axis_id, abscissa, axis_distance) = (1::bigint, 185::float8, 3::float8) FROM held.control_point);
+UPDATE held.control_point SET geom = 'SRID=2154;POINT(650015 6860000)';
+SELECT 'moved by hand it speaks to the other arm', lines() = '1:yield 2:stop';
+UPDATE held.control_point SET direction = 'direct';
+SELECT 'one for the traffic that leaves changes nothing', lines() = '1:yield 2:yield';
+UPDATE held.control_point SET geom = 'SRID=2154;POINT(650150 6860000)', direction = NULL, kind = 'signals';
+SELECT 'far from its junction it stands in the middle of its block', lines() = '1:yield 2:yield';
+UPDATE held.control_point SET geom = 'SRID=2154;POINT(650020 6860000)';
+SELECT 'signals of one arm make a stop line on each', lines() = '1:stop 2:stop 3:stop 4:stop';
+UPDATE held.control_point SET geom = 'SRID=2154;POINT(650000 6860000)';
+SELECT 'signals on the node too', lines() = '1:stop 2:stop 3:stop 4:stop';
+UPDATE held.control_point SET kind = 'pedestrian_crossing';
+SELECT 'a crossing leaves it to the class', lines() = '1:yield 2:yield';
+INSERT INTO held.control_point (geom, kind, direction) VALUES ('SRID=2154;POINT(649980 6860000)', 'yield', 'direct'), ('SRID=2154;POINT(649981 6860000)', 'stop', 'direct');
+SELECT 'of two kinds the stricter holds', lines() = '1:stop 2:yield';
+SELECT 'it is the same from scratch', test.followed('held', 'anew');
+UPDATE held.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'an axis turned round turns their direction', (SELECT bool_and(direction = 'reverse') FROM held.control_point WHERE kind IN ('stop', 'yield')) AND lines() = '1:stop 2:yield';
+UPDATE held.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,649900 6860000)' WHERE axis_id = 1;
+INSERT INTO held.axis (axis_id, geom, width, importance, lane_count) OVERRIDING SYSTEM VALUE VALUES (11, 'SRID=2154;LINESTRING(649900 6860000,649800 6860000)', 7, 3, 2);
+SELECT 'a split leaves them on the piece where they stand', (SELECT count(*) = 2 FROM held.control_point WHERE axis_id = 1 AND abscissa BETWEEN 1 AND 99);
+SELECT 'and all is as from scratch', test.followed('held', 'anew');
+DELETE FROM held.axis WHERE axis_id = 1;
+SELECT 'one whose axis is gone stays and is told', (SELECT count(*) = 2 FROM streetgen.check_model('held') WHERE rule = 'control point off all axes');
+INSERT INTO held.axis (axis_id, geom, width, importance, lane_count) OVERRIDING SYSTEM VALUE VALUES (1, 'SRID=2154;LINESTRING(649900 6860000,650000 6860000)', 7, 3, 2);
+SELECT 'an axis that comes by takes them', (SELECT count(*) = 0 FROM streetgen.check_model('held') WHERE rule = 'control point off all axes');
+SELECT 'a kind that is none is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(0 0)', 'gate')$q$) = '23514';
+SELECT 'an empty place is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT EMPTY', 'stop')$q$) = '23514';
+
+-- A layer of anybody.
+CREATE TABLE sign (id integer, place geometry, what text);
+INSERT INTO sign VALUES (1, 'SRID=2154;POINT(649985 6860000)', 'signals'), (2, 'SRID=2154;POINT(640000 6860000)', 'stop'), (3, NULL, 'stop'), (4, ST_Transform('SRID=2154;POINT(650015 6860000)'::geometry, 4326), 'yield');
+CREATE FUNCTION import_signs() RETURNS TABLE(what text, class text, count bigint, source_refs text[]) LANGUAGE sql AS
+  $$ SELECT * FROM streetgen.import_control_points('held', 'sign', '{"geom": "place", "kind": "what", "source_ref": "id"}') $$;
+CREATE TABLE report AS SELECT * FROM import_signs();
+SELECT 'an import says what it took', (SELECT sum(count) = 3 FROM report WHERE what = 'control points');
+SELECT 'and what has no place', (SELECT source_refs = '{3}' FROM report WHERE what = 'control point without geometry, left out');
+SELECT 'and what stands off all axes', (SELECT source_refs = '{2}' FROM report WHERE what = 'control point off all axes, kept');
+SELECT 'other projections are taken', (SELECT axis_id = 2 FROM held.control_point WHERE source_ref = '4');
+SELECT 'the streets wait for generate', (SELECT count = 2 FROM report WHERE what = 'generate is due');
+DELETE FROM sign WHERE id = 1;
+SELECT FROM import_signs() \g /dev/null
+SELECT 'importing again follows the table', (SELECT array_agg(source_ref ORDER BY source_ref) = '{2,4}' FROM held.control_point WHERE source = 'sign');
+UPDATE sign SET what = 'gate' WHERE id = 4;
+SELECT 'a row of an unknown kind is named', test.said('SELECT FROM import_signs()') LIKE 'source row 4 has kind "gate"%';
+SELECT 'a column that is missing is refused', test.state($q$SELECT FROM streetgen.import_control_points('held', 'sign', '{"geom": "place", "kind": "colour"}')$q$) = '42703';
+SELECT 'a target that is none is refused', test.state($q$SELECT FROM streetgen.import_control_points('held', 'sign', '{"width": "id"}')$q$) = '22023';
+SELECT 'a NULL mapping is refused', test.state($q$SELECT FROM streetgen.import_control_points('held', 'sign', NULL)$q$) = '22004';
+DROP TABLE sign, report;

@@ -1,0 +1,67 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Plain files of SUMO: as many lanes and connections as the model has, well-formed whatever a name holds, the same bytes again.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, driving_side => 'right'), streetgen.create_model('empty', 2154), streetgen.create_model('bare', 2154, subjects => '{}');
+  INSERT INTO town.axis (axis_id, geom, width, direction, kind_forward, level, name, kind) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 12, 'both', NULL, 0, E'<"Rue" & \x01d''Ab>', 'residential'),
+    (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 4, 'direct', 'general', 0, NULL, NULL),
+    (3, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 9, 'direct', 'general|cycle|parking', 0, 'north', 'runway'),
+    (4, 'SRID=2154;LINESTRING(650050 6859950,650050 6860050)', 7, 'both', NULL, 1, 'bridge', NULL),
+    (5, 'SRID=2154;LINESTRING(650200 6860000,650300 6860000,650300 6860100,650200 6860000)', 7, 'both', NULL, 0, 'loop', NULL);
+END $$;
+CREATE FUNCTION pg_temp.file(model name, part text, options jsonb DEFAULT '{}') RETURNS xml LANGUAGE sql AS $$
+  SELECT xmlparse(document string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo(model, part, options) $$;
+CREATE FUNCTION pg_temp.found(path text, file xml) RETURNS integer LANGUAGE sql AS $$ SELECT cardinality(xpath(path, file)) $$;
+-- A loop is two edges, its lanes too, which go on in its middle.
+CREATE TEMPORARY VIEW looped AS SELECT d.* FROM town.lane_driving d JOIN town.edge USING (edge_id) WHERE from_node = to_node;
+SELECT 'there is a node for each node, and one in the middle of a loop', pg_temp.found('/nodes/node', pg_temp.file('town', 'nodes')) = (SELECT count(*) FROM town.node) + (SELECT count(*) FROM town.lane_group WHERE from_node = to_node);
+SELECT 'there is a lane for each lane and direction', pg_temp.found('/edges/edge/lane', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane_driving) + (SELECT count(*) FROM looped) AND (SELECT count(*) = 2 FROM looped);
+SELECT 'there is a connection for each interconnection that connects', pg_temp.found('/connections/connection', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.interconnection WHERE connecting) + (SELECT count(*) FROM looped);
+SELECT 'an edge without a way on is parted from those that leave its node', pg_temp.found('//delete', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.lane_group a JOIN town.lane_group b ON b.from_node = a.to_node
+  WHERE NOT EXISTS (SELECT FROM town.interconnection WHERE connecting AND lane_in = ANY (a.lanes) AND along_in = a.along_axis));
+SELECT 'a loop ends where it began', pg_temp.found('//edge[@id="5.end" and @from = //edge[@id="5"]/@to and @to = //edge[@id="5"]/@from]', pg_temp.file('town', 'edges')) = 1;
+SELECT 'a type for each kind', pg_temp.found('/types/type', pg_temp.file('town', 'types')) = 2;
+SELECT 'lines are numbered from one without a gap', bool_and(ordinality = turn) FROM (SELECT ordinality, row_number() OVER () AS turn FROM streetgen.export_sumo('town', 'edges')) l;
+SELECT 'a name keeps what XML can hold', (xpath('string(//edge[@id="1"]/@name)', pg_temp.file('town', 'edges')))[1]::text = (xpath('string(/n/@m)', '<n m="&lt;&quot;Rue&quot; &amp; d''Ab&gt;"/>'))[1]::text;
+SELECT 'widths are those of the lanes', (SELECT array_agg(w::text::numeric ORDER BY w::text::numeric) FROM unnest(xpath('//edge[not(contains(@id, "end"))]/lane/@width', pg_temp.file('town', 'edges'))) w)
+  = (SELECT array_agg(round(width::numeric, 2) ORDER BY round(width::numeric, 2)) FROM town.lane_driving);
+SELECT 'only bicycles ride on a cycle lane, and none drives on a parking lane', pg_temp.found('//lane[@allow="bicycle"]', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane WHERE kind = 'cycle')
+  AND pg_temp.found('//lane[@disallow="all"]', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane WHERE kind = 'parking');
+SELECT 'speed is in metres a second', (SELECT bool_and(abs((xpath('string(//edge[@id="' || edge_id || '"]/@speed)', f))[1]::text::float8 - speed / 3.6) <= 0.005) FROM town.edge, pg_temp.file('town', 'edges') f);
+SELECT 'an extent takes whole edges that touch it', (SELECT array_agg(DISTINCT abs(id::text::float8)) FROM unnest(xpath('//edge/@id', pg_temp.file('town', 'edges', '{"extent": [650150, 6859990, 650160, 6860010]}'))) id) = '{2}';
+SELECT 'its nodes are theirs alone', pg_temp.found('//node', pg_temp.file('town', 'nodes', '{"extent": [650150, 6859990, 650160, 6860010]}')) = 2;
+SELECT 'and no connection leads out of it', pg_temp.found('//connection', pg_temp.file('town', 'connections', '{"extent": [650150, 6859990, 650160, 6860010]}')) = 0;
+SELECT 'a level by itself', (SELECT array_agg(DISTINCT abs(id::text::float8)) FROM unnest(xpath('//edge/@id', pg_temp.file('town', 'edges', '{"level": 1}'))) id) = '{4}';
+SELECT 'digits as asked for', (SELECT bool_and(x::text ~ '^[0-9]+[.][0-9]{4}$') FROM unnest(xpath('//node/@x', pg_temp.file('town', 'nodes', '{"precision": 4}'))) x);
+SELECT 'a model without streets is refused, and an extent without them', test.state($$SELECT FROM streetgen.export_sumo('empty', 'edges')$$) = '22023' AND test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"extent": [0, 0, 1, 1]}')$$) = '22023';
+SELECT 'the same bytes again: ' || part, (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part)) = (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part))
+  FROM unnest('{nodes,edges,connections,types}'::text[]) part;
+-- Options and arguments.
+SELECT 'an unknown option is refused', test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"colour": 1}')$$) = '22023';
+SELECT 'so is ' || bad, test.state(format($$SELECT FROM streetgen.export_sumo('town', 'edges', %L)$$, bad)) = '22023'
+  FROM unnest(ARRAY['[]', '{"precision": 1}', '{"precision": 2.5}', '{"precision": "2"}', '{"tolerance": -1}', '{"level": "0"}', '{"extent": [1, 2, 3]}', '{"extent": [3, 0, 1, 9]}', '{"extent": [0, 0, 1e13, 1]}', '{"extent": 1}']) bad;
+SELECT 'and options that are NULL', test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', NULL)$$) = '22023';
+SELECT 'an unknown part is refused', test.state($$SELECT FROM streetgen.export_sumo('town', 'roads')$$) = '22023' AND test.state($$SELECT FROM streetgen.export_sumo('town', NULL)$$) = '22004';
+SELECT 'a model without interconnections is refused', test.state($$SELECT FROM streetgen.export_sumo('bare', 'edges')$$) = '55000';
+SELECT 'an unknown model is refused', test.state($$SELECT FROM streetgen.export_sumo('nowhere', 'edges')$$) = '3F000';
+SELECT 'every option is one that its formats take', (SELECT bool_and(streetgen._export_options(format, jsonb_build_object(name, value)) ->> name IS NOT DISTINCT FROM value #>> '{}') FROM streetgen.export_option(), unnest(formats) format);
+-- The nodes of a junction as one.
+SELECT 'without junctions their nodes cannot be one', test.state($$SELECT FROM streetgen.export_sumo('town', 'nodes', '{"junctions": "group"}')$$) = '55000' AND test.state($$SELECT FROM streetgen.export_sumo('town', 'nodes', '{"junctions": "all"}')$$) = '22023';
+DO $$ BEGIN
+  PERFORM streetgen.create_model('wide', 2154, subjects => '{interconnection,junction}', driving_side => 'right');
+  INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 'direct'), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7, 'direct'),
+    (3, 'SRID=2154;LINESTRING(650200 6860010,650100 6860010)', 7, 'direct'), (4, 'SRID=2154;LINESTRING(650100 6860010,650000 6860010)', 7, 'direct'),
+    (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both'), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860010)', 7, 'both'), (7, 'SRID=2154;LINESTRING(650100 6860010,650100 6860100)', 7, 'both');
+END $$;
+SELECT 'a junction of two nodes is one node', pg_temp.found('//node', pg_temp.file('wide', 'nodes', '{"junctions": "group"}')) = (SELECT count(*) - 1 FROM wide.node) AND (SELECT count(*) = 1 FROM wide.junction_edge);
+SELECT 'without the edge inside', pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges', '{"junctions": "group"}')) = 0 AND pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges')) = 2;
+SELECT 'its movements are the connections', pg_temp.found('//connection', pg_temp.file('wide', 'connections', '{"junctions": "group"}')) = (SELECT count(*) FROM wide.movement WHERE connecting);
+INSERT INTO wide.junction_override (axis_id, geom, kind) VALUES (6, 'SRID=2154;POINT(650100 6860000)', 'signals');
+SELECT 'signals are traffic lights, one for all nodes of a junction', (SELECT count(*) > 0 FROM wide.junction WHERE kind = 'signals') AND pg_temp.found('//node[@type="traffic_light"]', pg_temp.file('wide', 'nodes')) = 2
+  AND pg_temp.found('//node[@type="traffic_light" and @tl = preceding-sibling::node/@tl]', pg_temp.file('wide', 'nodes')) = 1;
+-- What is stale is written with a warning that counts.
+SELECT FROM streetgen.live('town', false);
+UPDATE town.axis SET width = 13 WHERE axis_id = 1;
+SELECT 'a stale model is written', pg_temp.found('/edges/edge/lane', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane_driving) + (SELECT count(*) FROM looped);

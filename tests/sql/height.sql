@@ -1,0 +1,86 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Heights along edges: clearances, grades, edits by any path.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,height}'), streetgen.create_model('fresh', 2154, subjects => '{interconnection,height}'),
+    streetgen.create_model('hill', 2154, 3, subjects => '{height}');
+END $$;
+INSERT INTO town.axis (axis_id, geom, width, level, speed) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000, 650600 6860000)', 7, 0, 50), (2, 'SRID=2154;LINESTRING(650300 6859700, 650300 6859960)', 7, 0, 50),
+    (3, 'SRID=2154;LINESTRING(650300 6859960, 650300 6860040)', 7, 1, 50), (4, 'SRID=2154;LINESTRING(650300 6860040, 650300 6860400)', 7, 0, 50),
+    (5, 'SRID=2154;LINESTRING(650100 6859800, 650100 6860200)', 7, -1, 50), (6, 'SRID=2154;LINESTRING(650600 6860000, 650900 6860000)', 7, 0, 50);
+-- Height of the road of an edge, metres along it.
+CREATE FUNCTION pg_temp.height(model name, edge bigint, at float8) RETURNS float8 LANGUAGE plpgsql AS $$
+DECLARE z float8; BEGIN
+  EXECUTE format('SELECT ST_Z(ST_LineInterpolatePoint(geom, least(1, greatest(0, $2 / ST_Length2D(geom))))) FROM %I.profile WHERE edge_id = $1', model) INTO z USING edge, at;
+  RETURN z;
+END $$;
+CREATE FUNCTION pg_temp.holds(model name) RETURNS TABLE (name text, holds boolean) LANGUAGE plpgsql AS $$
+BEGIN
+  RETURN QUERY EXECUTE replace($q$
+    SELECT 'every edge has a profile along its line', (SELECT count(*) FROM @.edge) = (SELECT count(*) FROM @.profile)
+      AND (SELECT bool_and(ST_HausdorffDistance(ST_Force2D(e.geom), ST_Force2D(p.geom)) < 1e-6) FROM @.edge e JOIN @.profile p USING (edge_id))
+    UNION ALL SELECT 'clearances hold', coalesce(bool_and(pg_temp.height('@', edge_above, abscissa_above) >= pg_temp.height('@', edge_below, abscissa_below) + clearance - 1e-5), true) FROM @.overpass
+    UNION ALL SELECT 'no road is steeper than its grade', bool_and(abs(ST_Z(b.geom) - ST_Z(a.geom)) <= p.grade_max * ST_Distance(a.geom, b.geom) + 1e-5)
+      FROM @.profile p, ST_DumpPoints(p.geom) a, ST_DumpPoints(p.geom) b WHERE b.path[1] = a.path[1] + 1
+    UNION ALL SELECT 'roads meet at one height', bool_and(low = high) FROM (SELECT min(z) AS low, max(z) AS high FROM (
+      SELECT from_node AS node_id, round(ST_Z(ST_StartPoint(p.geom))::numeric, 9) AS z FROM @.edge JOIN @.profile p USING (edge_id)
+      UNION ALL SELECT to_node, round(ST_Z(ST_EndPoint(p.geom))::numeric, 9) FROM @.edge JOIN @.profile p USING (edge_id)) v GROUP BY node_id) n$q$, '@', model);
+END $$;
+SELECT h.* FROM pg_temp.holds('town') h;
+SELECT 'the bridge is lifted, and the roads that lead to it', array_agg(axis_id ORDER BY axis_id) = '{2,3,4}' FROM town.profile JOIN town.edge USING (edge_id) WHERE method = 'lifted';
+SELECT 'the tunnel sinks alone', array_agg(axis_id) = '{5}' FROM town.profile JOIN town.edge USING (edge_id) WHERE method = 'sunk';
+SELECT 'what is not near stays on the ground', bool_and(ST_ZMax(p.geom) = 0 AND ST_ZMin(p.geom) = 0) FROM town.profile p JOIN town.edge USING (edge_id) WHERE axis_id IN (1, 6);
+SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
+
+-- Any path gives the same heights.
+CREATE FUNCTION pg_temp.same_from_scratch() RETURNS boolean LANGUAGE plpgsql AS $$
+BEGIN
+  PERFORM set_config('streetgen.live', 'off', true);
+  DELETE FROM fresh.axis;
+  INSERT INTO fresh.axis SELECT * FROM town.axis;
+  PERFORM set_config('streetgen.live', 'on', true);
+  PERFORM streetgen.generate('fresh');
+  RETURN NOT EXISTS (SELECT FROM (SELECT axis_id, start_abscissa, p.geom, p.method FROM town.profile p JOIN town.edge USING (edge_id)) t
+    FULL JOIN (SELECT axis_id, start_abscissa, p.geom, p.method FROM fresh.profile p JOIN fresh.edge USING (edge_id)) f USING (axis_id, start_abscissa)
+    WHERE t.method IS DISTINCT FROM f.method OR ST_3DMaxDistance(t.geom, f.geom) IS NULL OR ST_3DHausdorff(t.geom, f.geom) > 1e-6);
+END $$;
+CREATE FUNCTION ST_3DHausdorff(a geometry, b geometry) RETURNS float8 LANGUAGE sql AS $$
+  SELECT max(abs(ST_Z(p.geom) - ST_Z(ST_LineInterpolatePoint(b, ST_LineLocatePoint(b, p.geom))))) FROM ST_DumpPoints(a) p $$;
+SELECT 'as from scratch', pg_temp.same_from_scratch();
+UPDATE town.axis SET level = 0 WHERE axis_id = 3;
+SELECT 'a bridge that is none any more crosses on the ground or above by importance', pg_temp.same_from_scratch();
+UPDATE town.axis SET level = 2 WHERE axis_id = 3;
+SELECT 'as a bridge again', pg_temp.same_from_scratch();
+DELETE FROM town.axis WHERE axis_id = 1;
+SELECT 'where the road below is gone all lie on the ground', bool_and(p.method = 'ground') FROM town.profile p;
+SELECT 'the same from scratch', pg_temp.same_from_scratch();
+INSERT INTO town.axis (axis_id, geom, width, level, speed) VALUES (7, 'SRID=2154;LINESTRING(650000 6860000, 650600 6860000)', 7, 0, 50), (8, 'SRID=2154;LINESTRING(650250 6859900, 650500 6860100)', 7, 4, 50);
+SELECT 'roads in three storeys', pg_temp.same_from_scratch();
+SELECT h.* FROM pg_temp.holds('town') h;
+UPDATE town.axis SET geom = ST_SetPoint(geom, 1, 'SRID=2154;POINT(650300 6860300)') WHERE axis_id = 4;
+SELECT 'a road that leads up is made shorter', pg_temp.same_from_scratch();
+UPDATE town.axis SET speed = 30 WHERE axis_id IN (2, 4);
+SELECT 'a slower road is steeper', pg_temp.same_from_scratch();
+
+-- Roads that pass over each other in turn, nearer than their grades allow.
+DO $$ BEGIN PERFORM streetgen.create_model('spiral', 2154, subjects => '{height}'); END $$;
+INSERT INTO spiral.axis (axis_id, geom, width, level, speed) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 7, 0, 50), (2, 'SRID=2154;LINESTRING(650030 6859990, 650030 6860010, 650050 6860010, 650050 6859990)', 7, 0, 50);
+INSERT INTO spiral.overpass_override (geom, axis_above, axis_below) VALUES ('SRID=2154;POINT(650030 6860000)', 1, 2), ('SRID=2154;POINT(650050 6860000)', 2, 1);
+SELECT 'a clearance that cannot be kept is an error of check_model, and heights are finite', count(*) >= 1 AND (SELECT bool_and(ST_ZMax(geom) < 100) FROM spiral.profile) FROM streetgen.check_model('spiral') WHERE (severity, rule) = ('error', 'clearance not kept, m');
+SELECT 'a mesh lies as high as the profile', abs(max(ST_ZMax(m.geom)) - (SELECT max(ST_ZMax(geom)) FROM town.profile)) < 0.06 FROM streetgen.road_mesh('town') m;
+
+-- Ground with heights.
+INSERT INTO hill.axis (axis_id, geom, width, level, speed) VALUES
+    (1, 'SRID=2154;LINESTRING Z(650000 6860000 100, 650300 6860000 100, 650600 6860000 130)', 7, 0, 50),
+    (2, 'SRID=2154;LINESTRING Z(650150 6859700 100, 650150 6859990 108, 650150 6860010 108, 650150 6860300 100)', 7, 1, 50),
+    (3, 'SRID=2154;LINESTRING Z(650450 6859700 115, 650450 6860300 115)', 7, 1, 50);
+SELECT h.* FROM pg_temp.holds('hill') h;
+SELECT 'a surveyed road that keeps all stays as it is', bool_and(p.method = 'ground' AND ST_Equals(p.geom, e.geom)) FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id IN (1, 2);
+SELECT 'another one is lifted', bool_and(p.method = 'lifted') FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 3;
+SELECT 'ground steeper than the grade keeps it', grade_max > 0.0999 FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 1;
+SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
+    ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
+    ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),
+    ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);

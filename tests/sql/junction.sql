@@ -1,0 +1,91 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Junctions of several nodes: their members, kinds, surfaces and paths; edits, hands, clusters and the subject itself.  (name, holds)
+-- A two-way street crosses a dual carriageway; beside it streets that are no carriageways.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{junction}'), streetgen.create_model('anew', 2154, subjects => '{junction}'), streetgen.create_model('bare', 2154);
+  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES
+    (1, 'SRID=2154;LINESTRING(649800 6860000,650000 6860000,650200 6860000)', 7, 2, 'direct', 2, 'avenue'), (2, 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649800 6860020)', 7, 2, 'direct', 2, 'avenue'),
+    (3, 'SRID=2154;LINESTRING(650000 6859800,650000 6860000)', 7, 2, 'both', 3, 'lane'), (4, 'SRID=2154;LINESTRING(650000 6860000,650000 6860020)', 7, 2, 'both', 3, 'lane'),
+    (5, 'SRID=2154;LINESTRING(650000 6860020,650000 6860200)', 7, 2, 'both', 3, 'lane'), (6, 'SRID=2154;LINESTRING(650000 6859900,650200 6859900)', 6, 2, 'both', 3, 'side');
+END $$;
+CREATE FUNCTION several() RETURNS bigint LANGUAGE sql AS $$ SELECT count(*) FROM (SELECT FROM town.junction_node GROUP BY junction_id HAVING count(*) > 1) j $$;
+CREATE FUNCTION kinds() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(format('%s %s', n, kind), ', ' ORDER BY kind) FROM (SELECT kind, count(*) AS n FROM town.junction GROUP BY kind) k $$;
+SELECT 'a new model has no junctions unless told so' AS name, to_regclass('bare.junction') IS NULL AS holds;
+SELECT 'two carriageways and the street across are one junction', several() = 1 AND (SELECT array_agg(axis_id) = '{4}' FROM town.junction_edge JOIN town.edge USING (edge_id) WHERE role = 'inside');
+SELECT 'each node of degree three and more lies in one', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule LIKE 'node of degree three%');
+SELECT 'its smallest node names it', (SELECT bool_and(junction_id = least) FROM (SELECT junction_id, min(node_id) AS least FROM town.junction_node GROUP BY junction_id) j);
+SELECT 'kinds come of the arms', kinds() = '7 end, 1 priority, 1 right_before_left';
+SELECT 'its surface is one piece', (SELECT ST_NumGeometries(surface) = 1 FROM town.junction WHERE method = 'grouped');
+SELECT 'of the ground of its nodes and the edge inside', (SELECT abs(ST_Area(j.surface) - (SELECT sum(ST_Area(surface)) FROM (
+    SELECT surface FROM town.intersection JOIN town.junction_node n USING (node_id) WHERE n.junction_id = j.junction_id
+    UNION ALL SELECT surface FROM town.section JOIN town.junction_edge e USING (edge_id) WHERE e.junction_id = j.junction_id) s)) < 1e-6 FROM town.junction j WHERE method = 'grouped');
+SELECT 'every edge links two junctions or lies in one', (SELECT count(*) FROM town.edge) = (SELECT count(*) FROM town.junction_link) + (SELECT count(*) FROM town.junction_edge);
+-- Paths across.
+CREATE VIEW pg_temp.across AS SELECT m.*, a.axis_id AS axis_in, b.axis_id AS axis_out, CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out
+  FROM town.junction_movement m JOIN town.lane i ON i.lane_id = lane_in JOIN town.edge a ON a.edge_id = i.edge_id JOIN town.lane o ON o.lane_id = lane_out JOIN town.edge b ON b.edge_id = o.edge_id;
+SELECT 'paths begin and end on their lanes', bool_and(ST_Distance(ST_EndPoint(line_in), ST_StartPoint(geom)) < 1e-6 AND ST_Distance(ST_StartPoint(line_out), ST_EndPoint(geom)) < 1e-6) FROM pg_temp.across;
+SELECT 'and go on as they do', bool_and(abs(sin(ST_Azimuth(ST_PointN(line_in, -2), ST_EndPoint(line_in)) - ST_Azimuth(ST_StartPoint(geom), ST_PointN(geom, 2)))) < 1e-6
+  AND abs(sin(ST_Azimuth(ST_StartPoint(line_out), ST_PointN(line_out, 2)) - ST_Azimuth(ST_PointN(geom, -2), ST_EndPoint(geom)))) < 1e-6) FROM pg_temp.across;
+SELECT 'on the surface of the junction', bool_and(ST_Length(ST_Difference(m.geom, ST_Buffer(j.surface, 1e-3))) < 0.01) FROM pg_temp.across m JOIN town.junction j USING (junction_id) WHERE m.plausible;
+SELECT 'a turn over two nodes is one path', (SELECT bool_or(turn = 'left' AND plausible) FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 5));
+SELECT 'with the paths at single nodes on its way', (SELECT bool_and(cardinality(interconnections) >= 2) FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 5));
+SELECT 'nobody drives against a carriageway', NOT EXISTS (SELECT FROM pg_temp.across WHERE (axis_in = 1 AND ST_X(ST_EndPoint(line_in)) > 650000) OR (axis_out = 2 AND ST_X(ST_StartPoint(line_out)) > 650000));
+SELECT 'lanes and directions name a movement', count(*) = count(DISTINCT (lane_in, lane_out, along_in, along_out)) FROM town.movement;
+SELECT 'every way across is one, and no path inside is', NOT EXISTS (SELECT FROM town.movement m JOIN town.lane l ON l.lane_id IN (lane_in, lane_out) JOIN town.junction_edge USING (edge_id));
+SELECT 'conflicts know paths across', EXISTS (SELECT FROM town.conflict WHERE junction_movement_a IS NOT NULL AND kind = 'crossing' AND ST_Intersects(geom, (SELECT ST_Buffer(surface, 0.1) FROM town.junction WHERE method = 'grouped')));
+SELECT 'and those at single nodes', EXISTS (SELECT FROM town.conflict WHERE interconnection_a IS NOT NULL);
+SELECT 'the less important street waits', (SELECT array_agg(DISTINCT rule ORDER BY rule) = '{yield}' FROM town.right_of_way JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) WHERE axis_id = 5)
+  AND (SELECT bool_and(rule = 'priority') FROM town.right_of_way JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) WHERE axis_id = 1);
+SELECT 'lines are painted at the rim', NOT EXISTS (SELECT FROM town.rim_marking JOIN town.edge USING (edge_id) WHERE axis_id = 4) AND EXISTS (SELECT FROM town.rim_marking WHERE kind = 'yield');
+INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind) VALUES (1, 4, 'SRID=2154;POINT(650000 6860000)', 'no');
+SELECT 'a restriction at one node holds for the whole turn', (SELECT bool_and(NOT plausible AND reason = 'restriction') FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 5));
+DELETE FROM town.turn_restriction;
+-- Edits.
+SELECT 'a second run changes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
+INSERT INTO town.control_point (geom, kind) VALUES ('SRID=2154;POINT(649985 6860000)', 'signals');
+SELECT 'signals of one arm make it a junction with signals', kinds() = '7 end, 1 right_before_left, 1 signals' AND (SELECT bool_and(rule = 'signals') FROM town.right_of_way JOIN town.junction USING (junction_id) WHERE kind = 'signals');
+DELETE FROM town.control_point;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860060,650000 6860060,649800 6860060)' WHERE axis_id = 2;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860060)' WHERE axis_id = 4;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860060,650000 6860200)' WHERE axis_id = 5;
+SELECT 'carriageways drawn apart are two junctions', several() = 0 AND NOT EXISTS (SELECT FROM town.junction_movement) AND test.followed('town', 'anew');
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649800 6860020)' WHERE axis_id = 2;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860020)' WHERE axis_id = 4;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860020,650000 6860200)' WHERE axis_id = 5;
+SELECT 'drawn together they are one again', several() = 1 AND test.followed('town', 'anew');
+UPDATE town.axis SET direction = 'both' WHERE axis_id = 2;
+SELECT 'a carriageway of both directions is none', several() = 0 AND test.followed('town', 'anew');
+UPDATE town.axis SET direction = 'direct' WHERE axis_id = 2;
+-- Hands.
+INSERT INTO town.junction_override (axis_id, geom, inside) VALUES (4, 'SRID=2154;POINT(650000 6860010)', false);
+SELECT 'parted by hand they are two', several() = 0 AND test.followed('town', 'anew');
+UPDATE town.junction_override SET inside = true, axis_id = 3, geom = 'SRID=2154;POINT(650000 6859950)';
+SELECT 'an edge is inside by hand', (SELECT array_agg(DISTINCT axis_id ORDER BY axis_id) @> '{3}' FROM town.junction_edge JOIN town.edge USING (edge_id)) AND test.followed('town', 'anew');
+UPDATE town.junction_override SET inside = NULL, kind = 'stop', axis_id = 6, geom = 'SRID=2154;POINT(650000 6859900)';
+SELECT 'so is a kind', (SELECT kind = 'stop' AND method = 'by_hand' FROM town.junction WHERE ST_DWithin(geom, 'SRID=2154;POINT(650000 6859900)', 1)) AND test.followed('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 6;
+SELECT 'an override whose axis is gone is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'junction override without its axis');
+DELETE FROM town.junction_override;
+DELETE FROM town.axis WHERE axis_id = 1;
+SELECT 'what an axis leaves behind is as from scratch', test.followed('town', 'anew');
+INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (1, 'SRID=2154;LINESTRING(649800 6860000,650000 6860000,650200 6860000)', 7, 2, 'direct', 2, 'avenue');
+SELECT 'and what it brings', several() = 1 AND test.followed('town', 'anew');
+-- Classifiers.
+DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'paper'), streetgen.generate('town', wait => true); END $$;
+SELECT 'as the paper has it all are signals', (SELECT bool_and(kind IN ('signals', 'end')) FROM town.junction);
+CREATE FUNCTION public.by_width(arms streetgen.junction_arm[]) RETURNS text LANGUAGE sql IMMUTABLE AS $$ SELECT CASE WHEN max(a.width) > 100 THEN 'crossroads' WHEN count(*) > 3 THEN 'stop' ELSE 'end' END FROM unnest(arms) a $$;
+DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.by_width'), streetgen.generate('town', wait => true); END $$;
+SELECT 'a function of the user decides', (SELECT bool_or(kind = 'stop') FROM town.junction);
+SELECT 'an unknown word is refused', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier by_width gives "crossroads"%';
+SELECT 'a function that is not there too', test.state($q$SELECT streetgen.set('town', 'classifier', 'public.no_such')$q$) = '22023';
+DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
+SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
+-- Switched off and on.
+DROP VIEW pg_temp.across;
+SELECT FROM streetgen.switch_subject('town', 'junction', false) \g /dev/null
+SELECT 'switched off nothing is left of it', to_regclass('town.junction') IS NULL AND to_regclass('town.movement') IS NULL AND NOT EXISTS (SELECT FROM pg_proc WHERE pronamespace = 'town'::regnamespace AND proname = '_update_junctions');
+SELECT 'and an edit goes on', test.state('UPDATE town.axis SET width = 8 WHERE axis_id = 3') = 'none';
+SELECT FROM streetgen.switch_subject('town', 'junction', true) \g /dev/null
+SELECT 'switched on it is as from scratch', several() = 1 AND test.followed('town', 'anew');

@@ -1,0 +1,33 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Lanes beside lanes: which, where, and to which place one changes.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154);
+  PERFORM streetgen.set('town', 'transition_length', '0');
+  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance) OVERRIDING SYSTEM VALUE VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650100 6860100,650180 6860180)', 14, 4, 'both', 3),
+    (2, 'SRID=2154;LINESTRING(649900 6860000,650000 6860000)', 7, 2, 'direct', 3), (3, 'SRID=2154;LINESTRING(650000 6860000,650000 6860090)', 6, 2, 'both', 4);
+END $$;
+SELECT 'each two lanes side by side have a row for each of them' AS name, (SELECT count(*) FROM town.lane_adjacency) = 2 * (SELECT sum(n - 1) FROM (SELECT count(*) AS n FROM town.lane GROUP BY edge_id) l) AS holds;
+SELECT 'there and back are two rows of one place', NOT EXISTS (SELECT FROM town.lane_adjacency a WHERE NOT EXISTS (SELECT FROM town.lane_adjacency b WHERE (b.lane_a, b.lane_b, b.start_abscissa, b.end_abscissa) = (a.lane_b, a.lane_a, a.start_abscissa, a.end_abscissa) AND a.side <> b.side));
+SELECT 'intervals of one side do not overlap', NOT EXISTS (SELECT FROM town.lane_adjacency GROUP BY lane_a, side HAVING count(*) > 1);
+SELECT 'the middle of a two-way street parts the directions', (SELECT count(*) = 2 FROM town.lane_adjacency JOIN town.lane ON lane_id = lane_a JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND change = 'opposite');
+SELECT 'lanes of one direction allow a change', (SELECT count(*) = 4 FROM town.lane_adjacency JOIN town.lane ON lane_id = lane_a JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND change = 'allowed')
+  AND (SELECT bool_and(change = 'allowed') FROM town.lane_adjacency JOIN town.lane ON lane_id = lane_a JOIN town.edge USING (edge_id) WHERE axis_id = 2);
+SELECT 'the intervals of the paper lie within 0 and 1', (SELECT bool_and(s >= -1e-9 AND e <= 1 + 1e-9 AND os >= -1e-9 AND oe <= 1 + 1e-9 AND s < e AND os < oe) FROM town.lane_interval);
+SELECT 'a lane begins and ends at the limits of its section', (SELECT bool_and(abs(x.start_abscissa - e.start_abscissa - l.abscissa) < 1e-9) FROM town.lane_extent x JOIN town.edge e USING (edge_id) JOIN town.section_limit l ON (l.edge_id, l.which) = (x.edge_id, 'start'));
+CREATE TABLE changed AS SELECT l.lane_id, l.edge_id, l.lane_position, l.geom, m.metres, s.side, b.lane_id AS beside, b.metres AS at
+  FROM town.lane l CROSS JOIN LATERAL (SELECT ST_Length(l.geom) * g / 97.0 AS metres FROM generate_series(0, 97) g) m CROSS JOIN (VALUES ('left'), ('right')) s(side)
+  CROSS JOIN LATERAL streetgen.lane_beside('town', l.lane_id, m.metres, s.side) b;
+SELECT 'beside lies the next lane of that side', (SELECT bool_and(o.edge_id = c.edge_id AND o.lane_position = c.lane_position + CASE c.side WHEN 'left' THEN -1 ELSE 1 END) FROM changed c JOIN town.lane o ON o.lane_id = c.beside);
+SELECT 'there and back is the same place', (SELECT bool_and(b.lane_id = c.lane_id AND abs(b.metres - c.metres) < 1e-6) FROM changed c, LATERAL streetgen.lane_beside('town', beside, at, CASE c.side WHEN 'left' THEN 'right' ELSE 'left' END) b);
+SELECT 'farther on stays farther on', (SELECT bool_and(at >= before - 1e-9) FROM (SELECT at, lag(at) OVER (PARTITION BY lane_id, side ORDER BY metres) AS before FROM changed) c WHERE before IS NOT NULL);
+SELECT 'on a straight piece the two places face each other', (SELECT bool_and(ST_Distance(ST_LineInterpolatePoint(c.geom, c.metres / ST_Length(c.geom)), ST_LineInterpolatePoint(o.geom, least(c.at / ST_Length(o.geom), 1))) < 3.6)
+  FROM changed c JOIN town.lane o ON o.lane_id = c.beside WHERE NOT EXISTS (SELECT FROM (VALUES ('SRID=2154;POINT(650100 6860000)'::geometry), ('SRID=2154;POINT(650100 6860100)')) v(geom) WHERE ST_DWithin(v.geom, ST_LineInterpolatePoint(c.geom, c.metres / ST_Length(c.geom)), 16)));
+SELECT 'beside the outermost lane there is none', NOT EXISTS (SELECT FROM changed WHERE lane_position = 1 AND side = 'left');
+SELECT 'a place off the lane is refused', test.state($q$SELECT * FROM streetgen.lane_beside('town', (SELECT min(lane_id) FROM town.lane), 1e6, 'left')$q$) = '22023';
+SELECT 'NaN too', test.state($q$SELECT * FROM streetgen.lane_beside('town', (SELECT min(lane_id) FROM town.lane), 'NaN', 'left')$q$) = '22023';
+SELECT 'a lane that is not there too', test.state($q$SELECT * FROM streetgen.lane_beside('town', -1, 0, 'left')$q$) = '22023';
+SELECT 'another side too', test.state($q$SELECT * FROM streetgen.lane_beside('town', (SELECT min(lane_id) FROM town.lane), 0, 'up')$q$) = '22023';
+SELECT 'NULL too', test.state($q$SELECT * FROM streetgen.lane_beside('town', NULL, 0, 'left')$q$) = '22004';
+DROP TABLE changed;

@@ -1,0 +1,86 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Rings of the network, scored, decided and circulated.  (name, holds)
+CREATE FUNCTION ring(x float8, y float8, radius float8) RETURNS geometry LANGUAGE sql AS $$
+  SELECT ST_ForceRHR(ST_MakePolygon(ST_ExteriorRing(ST_Buffer(ST_SetSRID(ST_MakePoint(650000 + x, 6860000 + y), 2154), radius, 6)))) $$;
+CREATE FUNCTION circle(x float8, y float8, radius float8) RETURNS geometry LANGUAGE sql AS $$
+  SELECT ST_Reverse(ST_ExteriorRing(ring(x, y, radius))) $$;
+CREATE FUNCTION arm(x float8, y float8, radius float8, angle float8, metres float8 DEFAULT 100) RETURNS geometry LANGUAGE sql AS $$
+  SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + x + radius * cos(radians(angle)), 6860000 + y + radius * sin(radians(angle))),
+    ST_MakePoint(650000 + x + (radius + metres) * cos(radians(angle)), 6860000 + y + (radius + metres) * sin(radians(angle)))), 2154) $$;
+DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right'); END $$;
+-- A ring of four arms, and the outline of a block.
+INSERT INTO town.axis (geom, width, lane_count, importance) SELECT circle(0, 0, 18), 7, 2, 3;
+INSERT INTO town.axis (geom, width, lane_count, importance) SELECT arm(0, 0, 18, 90 * a), 6, 2, 4 FROM generate_series(0, 3) a;
+INSERT INTO town.axis (geom, width, lane_count) SELECT ST_SetSRID(ST_MakeLine(ARRAY[ST_MakePoint(650300, 6860000), ST_MakePoint(650350, 6860000), ST_MakePoint(650350, 6860060),
+  ST_MakePoint(650300, 6860060), ST_MakePoint(650300, 6860000)]), 2154), 6, 2;
+SELECT 'a ring of four arms is accepted, a block is not', array_agg(accepted ORDER BY score DESC) IN ('{t}', '{t,f}') FROM town.roundabout;
+SELECT 'its radius and centre are those drawn', abs(radius - 18) < 0.3 AND ST_DWithin(centre, 'SRID=2154;POINT(650000 6860000)', 0.1) FROM town.roundabout WHERE accepted;
+SELECT 'its four edges come counter-clockwise, all with one axis', count(*) = 4 AND count(DISTINCT ordinality) = 4 AND count(DISTINCT axis_id) = 1 FROM town.roundabout JOIN town.roundabout_edge r USING (roundabout_id) JOIN town.edge e ON e.edge_id = r.edge_id WHERE accepted;
+SELECT 'it has four arms', count(*) = 4 FROM town.roundabout_arm;
+SELECT 'its lanes go round', count(*) = 8 AND bool_and(l.along_axis = r.along_axis AND NOT both_ways) FROM town.roundabout_edge r JOIN town.roundabout USING (roundabout_id) JOIN town.lane l ON l.edge_id = r.edge_id WHERE accepted;
+SELECT 'its edges count lanes of one way', bool_and(least(lanes_forward, lanes_backward) = 0 AND greatest(lanes_forward, lanes_backward) = 2) FROM town.edge WHERE axis_id = 1;
+SELECT 'each arm yields', count(*) = 4 FROM town.marking m JOIN town.roundabout_arm a ON a.edge_id = m.edge_id WHERE kind = 'yield';
+SELECT 'nobody waits on the ring', NOT EXISTS (SELECT FROM town.marking m JOIN town.roundabout_edge r ON r.edge_id = m.edge_id WHERE m.kind IN ('yield', 'stop'));
+SELECT 'its island is one', ST_NumGeometries(island) = 1 AND ST_Area(island) > 500 AND kind = 'ring' FROM town.roundabout WHERE accepted;
+SELECT 'no path drives against it', NOT EXISTS (SELECT FROM town.interconnection i JOIN town.lane l ON l.lane_id = lane_out JOIN town.roundabout_edge r ON r.edge_id = l.edge_id
+  WHERE plausible AND along_out <> r.along_axis);
+SELECT 'check_model has no error', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+CREATE TABLE before AS SELECT * FROM test.content('town');
+SELECT 'a second run rewrites no row', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town');
+
+-- Decided by hand.
+INSERT INTO town.roundabout_override (geom, confirmed) VALUES ('SRID=2154;POINT(650002 6860001)', false);
+SELECT 'confirmed is put by hand', (SELECT NOT accepted AND NOT confirmed AND method = 'by_hand' FROM town.roundabout ORDER BY score DESC LIMIT 1);
+SELECT 'a ring that is none has traffic both ways', (SELECT count(DISTINCT along_axis) = 2 FROM town.lane JOIN town.edge USING (edge_id) WHERE axis_id = 1);
+DELETE FROM town.roundabout_override;
+SELECT 'without the decision all is as before', NOT EXISTS ((SELECT test.content('town') EXCEPT TABLE before) UNION ALL (TABLE before EXCEPT SELECT test.content('town')));
+
+-- The list to work through.
+SELECT 'the least certain ring comes first', array_agg(nearness) = array_agg(nearness ORDER BY nearness) FROM town.roundabout_editing;
+UPDATE town.roundabout_editing SET confirmed = false WHERE accepted;
+SELECT 'an edit in the list is an override within the ring', (SELECT NOT confirmed FROM town.roundabout_override) AND NOT EXISTS (SELECT FROM town.roundabout WHERE accepted);
+UPDATE town.roundabout_editing SET confirmed = true WHERE NOT confirmed;
+SELECT 'the other way round it is the same override', (SELECT count(*) = 1 AND bool_and(confirmed) FROM town.roundabout_override);
+DELETE FROM town.roundabout_editing WHERE confirmed;
+SELECT 'DELETE takes it back', NOT EXISTS (SELECT FROM town.roundabout_override) AND (SELECT count(*) = 1 FROM town.roundabout WHERE accepted AND confirmed IS NULL);
+SELECT 'a roundabout cannot be drawn', test.state($q$INSERT INTO town.roundabout_editing (confirmed) VALUES (true)$q$) = '0A000';
+INSERT INTO town.roundabout_override (geom, confirmed) VALUES ('SRID=2154;POINT(650900 6860900)', true);
+SELECT 'an override on no face is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'roundabout override without its ring');
+DELETE FROM town.roundabout_override;
+
+-- Terms and scores.
+SELECT 'a score is the mean of its terms', streetgen.roundabout_score(1, 0.5, 0.25, '{1,1,2}') = 0.5;
+SELECT 'weights that are none are 22023: ' || weights, test.state(format('SELECT streetgen.roundabout_score(1, 1, 1, %L)', weights)) = '22023' FROM unnest(ARRAY['{0,0,0}', '{-1,1,1}', '{1,1}', '{NaN,1,1}']) weights;
+SELECT 'terms stay within 0 and 1', bool_and(streetgen.roundabout_shape(s, f) BETWEEN 0 AND 1 AND streetgen.roundabout_network(s, f, n, s, n) BETWEEN 0 AND 1)
+  FROM unnest(ARRAY[-1, 0, 0.5, 1, 2]) s, unnest(ARRAY[0, 0.6, 1]) f, generate_series(0, 12, 4) n;
+SELECT 'a name of a roundabout is one', streetgen.roundabout_name('{Place de la Gare,Place de la Gare,NULL}', ARRAY['\mplace\M']) = 1;
+SELECT 'one name all round is something', streetgen.roundabout_name('{Ring,Ring}', '{}') = 0.7;
+SELECT 'no names say nothing', streetgen.roundabout_name('{NULL,NULL}', '{place}') = 0.5;
+SELECT 'a long name and an Arabic one are names', streetgen.roundabout_name(ARRAY[repeat('x', 1000000), 'دوار السلام'], '{place,دوار}') = 1;
+SELECT 'a missing extension is 0A000 with its line', r.state = '0A000' AND r.hint LIKE 'CREATE EXTENSION unaccent;%' FROM test.refusal($q$SELECT streetgen.roundabout_name('{Kirche}', '{kreisel}', 'fuzzy')$q$) r
+  WHERE NOT EXISTS (SELECT FROM pg_extension WHERE extname = 'unaccent');
+SELECT 'a pattern that is no expression is refused', test.state($q$INSERT INTO town.roundabout_pattern VALUES ('(', 'en')$q$) = '2201B';
+CREATE FUNCTION public.no_score(float8, float8, float8, float8[]) RETURNS float8 LANGUAGE sql AS $$ SELECT 'NaN'::float8 $$;
+SELECT streetgen.set('town', 'roundabout_score', 'public.no_score') \gset
+SELECT 'a score that is none names the ring', r.state = '22023' AND r.detail LIKE 'At the ring about POINT%' FROM test.refusal($q$SELECT FROM streetgen.generate('town')$q$) r;
+SELECT 'a score function that is none is refused', test.state($q$SELECT streetgen.set('town', 'roundabout_score', 'nobody')$q$) = '22023';
+SELECT streetgen.set('town', 'roundabout_score', 'streetgen.roundabout_score') \gset
+
+-- Edits are as a run over all.
+UPDATE town.axis SET geom = circle(0, 0, 25) WHERE axis_id = 1;
+UPDATE town.axis SET geom = arm(0, 0, 25, 30) WHERE axis_id = 2;
+UPDATE town.axis SET geom = arm(0, 0, 25, 90) WHERE axis_id = 3;
+UPDATE town.axis SET geom = arm(0, 0, 25, 180) WHERE axis_id = 4;
+UPDATE town.axis SET geom = arm(0, 0, 25, 270) WHERE axis_id = 5;
+SELECT 'a ring that was moved is one again', (SELECT accepted AND abs(radius - 25) < 0.4 FROM town.roundabout ORDER BY score DESC LIMIT 1);
+CREATE TABLE edited AS SELECT * FROM test.content('town');
+SELECT 'what edits made a run leaves', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town');
+DO $$ BEGIN PERFORM streetgen.create_model('anew', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right'); END $$;
+INSERT INTO anew.axis SELECT * FROM town.axis;
+SELECT 'edits give what a model from scratch has', test.same('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 1;
+SELECT 'with its axis the ring goes', NOT EXISTS (SELECT FROM town.roundabout WHERE accepted) AND NOT EXISTS (SELECT FROM town.roundabout_edge JOIN town.roundabout USING (roundabout_id) WHERE accepted);
+UPDATE anew.axis SET direction = 'reverse' WHERE axis_id = 1;
+SELECT 'a direction of the source stays', NOT EXISTS (SELECT FROM anew.lane l JOIN anew.edge USING (edge_id) WHERE axis_id = 1 AND l.along_axis);

@@ -1,0 +1,113 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Sidewalks: strips behind kerbs, live and by hand.  (name, holds)
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_Translate(ST_GeomFromText($1, 2154), 650000, 6860000) $$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{sidewalk}');
+  INSERT INTO town.axis (axis_id, geom, width, radius, sidewalk_left, sidewalk_right, importance) VALUES
+    (1, pg_temp.line('LINESTRING(0 0,100 0)'), 8, 5, 2, 3, 4), (2, pg_temp.line('LINESTRING(100 0,200 0)'), 8, 5, 2, 3, 4),
+    (3, pg_temp.line('LINESTRING(100 0,100 -90)'), 6, 5, NULL, 4, 4);
+END $$;
+SELECT 'a subject brings what it needs', streetgen._subjects('town') @> '{network,surface,kerb,sidewalk}';
+SELECT 'every kerb of a width has a sidewalk', count(*) = 6 FROM town.sidewalk WHERE node_id IS NULL AND side IN ('left', 'right');
+SELECT 'it is as wide as its axis says', bool_and(s.width = CASE s.side WHEN 'left' THEN e.sidewalk_left ELSE e.sidewalk_right END) FROM town.sidewalk s JOIN town.edge e USING (edge_id) WHERE s.side IN ('left', 'right');
+SELECT 'what the axis lacks is estimated and said', sidewalk_left = 2 AND 'sidewalk_left' = ANY (estimated) AND 'sidewalk_right' <> ALL (estimated) FROM town.edge WHERE axis_id = 3;
+SELECT 'the middle of a long straight sidewalk is its width', bool_and(abs(ST_Area(ST_Intersection(surface, ST_Expand(ST_Translate(ST_SetSRID(ST_MakePoint(50, 0), 2154), 650000, 6860000), 10))) / 20 - s.width) < 0.01)
+  FROM town.sidewalk s JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND side IN ('left', 'right');
+SELECT 'sidewalks lie on their kerbs', NOT EXISTS (SELECT FROM town.sidewalk s WHERE NOT EXISTS (SELECT FROM town.kerb k WHERE (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part) AND ST_Distance(k.geom, s.surface) < 0.001));
+SELECT 'none lies on a roadway', sum(ST_Area(ST_Intersection(s.surface, r.surface))) < 1e-4 FROM town.sidewalk s JOIN town.roadway r ON ST_Intersects(s.surface, r.surface);
+SELECT 'none lies on another', coalesce(sum(ST_Area(ST_Intersection(a.surface, b.surface))), 0) < 1e-4 FROM town.sidewalk a JOIN town.sidewalk b ON a.sidewalk_id < b.sidewalk_id AND ST_Intersects(a.surface, b.surface);
+SELECT 'a sidewalk leads around a corner from one width to the other', abs(s.width - (3 + 4) / 2.0) < 1e-9 FROM town.sidewalk s JOIN town.edge e USING (edge_id) WHERE s.side LIKE 'corner%' AND axis_id = 1;
+SELECT 'nothing is wrong with them', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+
+-- Edits: as from scratch, and no row without need.
+CREATE FUNCTION pg_temp.sidewalks(model name) RETURNS SETOF text LANGUAGE plpgsql AS $$ BEGIN
+  RETURN QUERY EXECUTE format('SELECT concat_ws('' '', axis_id, round(start_abscissa::numeric, 3), side, part, s.width, method, ST_AsText(ST_Normalize(ST_SnapToGrid(surface, 0.0001)))) FROM %1$I.sidewalk s JOIN %1$I.edge USING (edge_id)', model);
+END $$;
+CREATE FUNCTION pg_temp.follows(statement text) RETURNS TABLE(name text, holds boolean) LANGUAGE plpgsql AS $$ BEGIN
+  EXECUTE statement;
+  PERFORM streetgen.create_model('scratch', 2154, subjects => '{sidewalk}');
+  INSERT INTO scratch.sidewalk_override SELECT * FROM town.sidewalk_override;
+  INSERT INTO scratch.axis SELECT * FROM town.axis;
+  RETURN QUERY SELECT 'as from scratch: ' || statement, NOT EXISTS ((SELECT pg_temp.sidewalks('town') EXCEPT SELECT pg_temp.sidewalks('scratch')) UNION ALL (SELECT pg_temp.sidewalks('scratch') EXCEPT SELECT pg_temp.sidewalks('town')))
+    AND (SELECT count(*) > 0 FROM town.sidewalk);
+  PERFORM streetgen.drop_model('scratch');
+END $$;
+SELECT * FROM pg_temp.follows('UPDATE town.axis SET sidewalk_left = 5 WHERE axis_id = 1');
+SELECT * FROM pg_temp.follows('UPDATE town.axis SET sidewalk_right = 0 WHERE axis_id = 2');
+SELECT * FROM pg_temp.follows($$INSERT INTO town.axis (axis_id, geom, width, sidewalk_left, sidewalk_right) VALUES (4, pg_temp.line('LINESTRING(0 -14,96 -12)'), 6, 3, 3)$$);
+SELECT * FROM pg_temp.follows($$INSERT INTO town.axis (axis_id, geom, width, level) VALUES (5, pg_temp.line('LINESTRING(150 -60,150 60)'), 7, 1)$$);
+SELECT * FROM pg_temp.follows($$UPDATE town.axis SET geom = pg_temp.line('LINESTRING(0 -11,96 -10)') WHERE axis_id = 4$$);
+SELECT * FROM pg_temp.follows('UPDATE town.axis SET geom = ST_Reverse(geom), sidewalk_left = sidewalk_right, sidewalk_right = sidewalk_left WHERE axis_id = 1');
+SELECT * FROM pg_temp.follows('DELETE FROM town.axis WHERE axis_id = 3');
+SELECT 'two of a narrow block share it', count(*) > 0 FROM town.sidewalk WHERE method = 'contested';
+SELECT 'a run over nothing changed writes no row', inserted + updated + deleted = 0 AND unchanged > 0 FROM streetgen.generate('town') WHERE relation = 'sidewalk';
+SELECT 'a part over nothing changed writes no row', inserted + updated + deleted = 0 FROM streetgen.generate('town', '{2}') WHERE relation = 'sidewalk';
+
+-- By hand.
+UPDATE town.sidewalk_editing SET width = 1.25 WHERE sidewalk_id = (SELECT sidewalk_id FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left');
+SELECT 'a width typed holds', (s.width, s.method) = (1.25, 'by_hand') FROM town.sidewalk s JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
+SELECT 'the view says so', by_hand FROM town.sidewalk_editing JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
+SELECT * FROM pg_temp.follows('UPDATE town.sidewalk_override SET width = 1.5');
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 2;
+SELECT 'it keeps its place when the axis is turned', (SELECT side = 'right' FROM town.sidewalk_override) AND (SELECT method = 'by_hand' FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'right');
+UPDATE town.sidewalk_override SET width = 0;
+SELECT 'a width of 0 takes it away', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'right');
+DELETE FROM town.sidewalk_override;
+SELECT 'taken back it is as before', method <> 'by_hand' FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'right';
+INSERT INTO town.sidewalk_override (axis_id, abscissa, side, width) VALUES (77, 5, 'left', 2);
+SELECT 'an override on no edge is told', count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'sidewalk override without its edge';
+DELETE FROM town.sidewalk_override;
+
+-- Kinds that have none.
+UPDATE town.axis SET kind = 'motorway', sidewalk_left = NULL, sidewalk_right = NULL WHERE axis_id = 2;
+SELECT 'a motorway has none', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND node_id IS NULL AND side IN ('left', 'right'));
+UPDATE town.axis SET sidewalk_left = 2 WHERE axis_id = 2;
+SELECT 'unless it says so', count(*) = 1 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
+UPDATE town.axis SET sidewalk_left = 50, sidewalk_right = 50;
+SELECT 'sidewalks wider than their blocks are what the roadways leave', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error')
+  AND (SELECT coalesce(sum(ST_Area(ST_Intersection(s.surface, r.surface))), 0) < 1e-3 FROM town.sidewalk s JOIN town.roadway r ON ST_Intersects(s.surface, r.surface) AND r.level = 0 JOIN town.edge e ON e.edge_id = s.edge_id AND e.level = 0);
+
+-- Bad input.
+SELECT 'refused: ' || said, test.state(format('UPDATE town.axis SET sidewalk_left = %s WHERE axis_id = 1', said)) = '23514' FROM unnest('{''NaN'',-1,100,''Infinity''}'::text[]) said;
+SELECT 'refused by hand: ' || said, test.state(format('UPDATE town.sidewalk_editing SET width = %s WHERE side = ''left''', said)) = '22023' FROM unnest('{''NaN'',-1,100}'::text[]) said;
+SELECT 'no sidewalk is drawn', test.state('INSERT INTO town.sidewalk_editing (width) VALUES (2)') = '0A000';
+SELECT 'a setting is refused: ' || said, test.state(format('SELECT streetgen.set(''town'', ''sidewalk_by_importance'', %L)', said)) = '22023' FROM unnest(ARRAY['{"1": -1}', '{"1": 51}', '{"one": 2}', '3']) said;
+
+-- A table of widths.
+CREATE TABLE survey (arc text, odd float8, even float8);
+INSERT INTO town.axis (axis_id, geom, width, source, source_ref) SELECT 100 + n, pg_temp.line(format('LINESTRING(1000 %s,1200 %s)', 100 * n, 100 * n)), 8, 'survey', 's' || n FROM generate_series(1, 6) n;
+INSERT INTO survey VALUES ('s1', 1.5, 2.5), ('s2', 0, 3), ('s3', 160, 2), ('s4', 0.2, NULL), ('nowhere', 1, 1), ('s5', 'NaN', 2);
+CREATE TABLE told AS SELECT * FROM streetgen.import_sidewalk_widths('town', 'survey', '{"source_ref": "arc", "odd": "odd", "even": "even"}');
+SELECT 'odd numbers stand on the left', (sidewalk_left, sidewalk_right) = (1.5, 2.5) FROM town.axis WHERE source_ref = 's1';
+SELECT 'zero is no sidewalk', (sidewalk_left, sidewalk_right) = (0, 3) FROM town.axis WHERE source_ref = 's2';
+SELECT 'every width is taken or told', (SELECT sum(count) FROM told) = 11 AND (SELECT array_agg(what || ': ' || array_to_string(source_refs, ',') ORDER BY what, class) FROM told WHERE source_refs IS NOT NULL) =
+  '{"narrower than sidewalk_width_minimal, left out: s4","no axis of this source_ref, left out: nowhere","no axis of this source_ref, left out: nowhere","no width, left out: s5","wider than sidewalk_width_maximal, left out: s3"}';
+DO $$ BEGIN PERFORM FROM streetgen.import_sidewalk_widths('town', 'survey', '{"source_ref": "arc", "odd": "odd", "even": "even", "odd_side": "right"}'); END $$;
+SELECT 'or on the right', (sidewalk_left, sidewalk_right) = (2.5, 1.5) FROM town.axis WHERE source_ref = 's1';
+SELECT 'a mapping is checked: ' || mapping, test.state(format('SELECT streetgen.import_sidewalk_widths(''town'', ''survey'', %L)', mapping)) = state FROM (VALUES ('{"left": "odd"}', '22023'),
+  ('{"source_ref": "arc", "left": "nothing"}', '42703'), ('{"source_ref": "arc", "left": "odd", "odd": "odd"}', '22023'), ('{"source_ref": "arc", "width": "odd"}', '22023'), ('{"source_ref": "arc", "odd": "odd", "odd_side": "top"}', '22023')) v(mapping, state);
+INSERT INTO survey VALUES ('s1', 1, 1);
+SELECT 'doubled ids are refused', test.state($$SELECT streetgen.import_sidewalk_widths('town', 'survey', '{"source_ref": "arc", "odd": "odd"}')$$) = '22023';
+SELECT 'the tags of sidewalks: ' || said, streetgen._osm_sidewalk(of_side, of_way, width, 'left') IS NOT DISTINCT FROM wanted FROM (VALUES ('both', NULL, 'both', NULL, NULL::float8), ('no', NULL, 'no', NULL, 0),
+  ('on the right', NULL, 'right', NULL, 0), ('on the left with a width', NULL, 'left', '2.5', 2.5), ('of the side', 'no', 'both', '2', 0), ('in feet', 'yes', NULL, '10 ft', 3.048), ('nonsense', 'yes', NULL, 'wide', NULL)) v(said, of_side, of_way, width, wanted);
+
+-- By clusters as at once.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('once', 2154, subjects => '{sidewalk}');
+  PERFORM streetgen.live('once', false);
+  INSERT INTO once.axis (axis_id, geom, width, importance) SELECT 100 * x + y, pg_temp.line(CASE d WHEN 0 THEN format('LINESTRING(%s %s,%s %s)', 60 * x, 50 * y, 60 * x + 60, 50 * y) ELSE format('LINESTRING(%s %s,%s %s)', 60 * x, 50 * y, 60 * x, 50 * y + 50) END), 6 + (x + y) % 3, 3 + (x * y) % 3
+    FROM generate_series(1, 24) x, generate_series(1, 48) y, LATERAL (SELECT y % 2 AS d) d;
+  PERFORM streetgen.create_model('parts', 2154, subjects => '{sidewalk}');
+  PERFORM streetgen.live('parts', false);
+  INSERT INTO parts.axis SELECT * FROM once.axis;
+  PERFORM FROM streetgen.generate('once');
+  PERFORM FROM streetgen.plan_clusters('parts', 8);
+END $$;
+DO $$ BEGIN
+  WHILE EXISTS (SELECT FROM streetgen.generate_cluster('parts')) LOOP NULL; END LOOP;
+  WHILE streetgen.finish_clusters('parts') IS NOT NULL LOOP NULL; END LOOP;
+END $$;
+SELECT 'clusters make the same sidewalks', (SELECT count(*) > 1000 FROM once.sidewalk) AND NOT EXISTS ((SELECT pg_temp.sidewalks('parts') EXCEPT SELECT pg_temp.sidewalks('once')) UNION ALL (SELECT pg_temp.sidewalks('once') EXCEPT SELECT pg_temp.sidewalks('parts')));
