@@ -25,7 +25,9 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
         SELECT ROW(streetgen._link_rules(%2$L, %3$s), streetgen._design_text(%2$L, 'clearance'))
         UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
         UNION ALL SELECT ROW(g.*) FROM %1$I.grade_point g WHERE design_link_id = %3$s AND (by_hand OR rejected)
-        UNION ALL SELECT ROW(c.*) FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND (by_hand OR rejected)
+        -- Where a crossing lies follows of both alignments.
+        UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected) FROM %1$I.design_crossing
+            WHERE design_link_id = %3$s AND (by_hand OR rejected)
         UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
             AND NOT rejected
         UNION ALL SELECT ROW(o.design_link_id, o.geom) FROM %1$I.design_link l JOIN %1$I.design_link o
