@@ -76,7 +76,7 @@ def junction_movement():
 
 def control_point():
     return rules(('signals', "kind = 'signals'", point('circle', '#1a9641', 3)), ('stop', "kind = 'stop'", point('octagon', REPORT, 3)),
-                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
+                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('mini-roundabout', "kind = 'mini_roundabout'", point('circle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
 
 
 def axis():
