@@ -43,6 +43,7 @@ struct SignalState {
 // Few phases: approaches whose through traffic does not meet share one, and their turns give way
 // within it. After each phase come amber and all red, which lasts until the last car has left.
 // Greens are shared out by Webster's rule where flows are known, else by lanes and importance.
+// Where all streets share one phase, all red lasts as long as people need to cross them.
 // Every movement has green once a cycle. No movements: no states. Refused (invalid_input): numbers
 // that are not finite or out of range, conflicts that name no movement.
 std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& movements);

@@ -87,6 +87,8 @@ class Phases {
       append_change(movements_, states.back().greens, states);
     }
     share_out(phases, states);
+    // Where all streets have green at once, people cross in all red.
+    if (phases.size() == 1) states.back().duration += longest_walk();
     return states;
   }
 
@@ -169,6 +171,14 @@ class Phases {
       if (!has_green(m.exit)) least = std::max(least, m.walk_out);
     }
     return std::ceil(least);
+  }
+
+  // What people need to cross the widest street.
+  double longest_walk() const {
+    double longest = 0;
+    for (const SignalRequest& m : movements_)
+      longest = std::max({longest, m.walk_in, m.walk_out});
+    return std::ceil(longest);
   }
 
   // How loaded its lanes are, 0 to 1: by the flows of its approaches, where one is known.
