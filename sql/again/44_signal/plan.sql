@@ -4,14 +4,13 @@ CREATE OR REPLACE FUNCTION streetgen._require_signals(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM streetgen._require_reader(model);
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
         RAISE EXCEPTION 'model "%" computes no signals', model USING ERRCODE = '55000',
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''signal'', true) computes them.', model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_signals(name) IS
-    'Raises 55000 where a model computes no signals, and as _require_reader.';
+    'Raises 55000 where a model computes no signals.';
 
 CREATE OR REPLACE FUNCTION streetgen.signals(model name, at float8)
     RETURNS TABLE(controller_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
@@ -19,7 +18,8 @@ CREATE OR REPLACE FUNCTION streetgen.signals(model name, at float8)
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._require_signals(model), streetgen._check_given('at', at::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('at', at::text),
+        streetgen._require_signals(model);
     IF NOT at BETWEEN -1e9 AND 1e9 THEN
         RAISE EXCEPTION 'at is % s', at USING ERRCODE = '22023', HINT = 'Expected -1e9 to 1e9 s.';
     END IF;
@@ -55,7 +55,8 @@ CREATE OR REPLACE FUNCTION streetgen.signal_plan(model name, controller bigint)
 DECLARE
     there boolean;
 BEGIN
-    PERFORM streetgen._require_signals(model), streetgen._check_given('controller', controller::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
+        streetgen._require_signals(model);
     EXECUTE format('SELECT EXISTS (SELECT FROM %I.controller WHERE controller_id = $1)', model) INTO there
         USING controller;
     IF NOT there THEN
@@ -81,6 +82,8 @@ CREATE OR REPLACE FUNCTION streetgen.signal_svg(model name, controller bigint) R
 DECLARE
     svg text;
 BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
+        streetgen._require_signals(model);
     EXECUTE format($sql$
 WITH plan AS MATERIALIZED (SELECT * FROM streetgen.signal_plan($1, $2)),
 whole AS (SELECT greatest(max(ends), 1) AS cycle FROM plan),
