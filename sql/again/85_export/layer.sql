@@ -48,9 +48,10 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
     (12, 'blocks', 'MULTIPOLYGON', false, 'block_id AS id, kind, method', 'surface', 'block'),
     (11, 'roads_arcs', 'LINESTRING', false, 'road_id AS id, from_node, to_node, closed, length',
         'streetgen.arc_road_line(geom, 0.01)', 'road'),
-    (36, 'road_meshes', 'MULTIPOLYGONZ', false, 'coalesce(2 * edge_id, 2 * node_id + 1) AS id, edge_id, node_id, road_id, level',
-        'triangles', 'road_edge RIGHT JOIN streetgen.road_mesh(%1$L) USING (edge_id), LATERAL ('
-        'SELECT ST_Collect(ST_MakePolygon(ST_ExteriorRing(t.geom)) ORDER BY path) AS triangles FROM ST_Dump(geom) t) t'),
+    (36, 'road_meshes', 'MULTIPOLYGONZ', false,
+        'coalesce(2 * edge_id, 2 * node_id + 1) AS id, edge_id, node_id, road_id, level', 'triangles',
+        'road_edge RIGHT JOIN streetgen.road_mesh(%1$L) USING (edge_id), LATERAL (SELECT ST_Collect(ST_MakePolygon('
+        'ST_ExteriorRing(t.geom)) ORDER BY path) AS triangles FROM ST_Dump(geom) t) t'),
     (35, 'sidewalks', 'MULTIPOLYGON', false, 'sidewalk_id AS id, edge_id, node_id, side, part, width, method',
         'surface', 'sidewalk'),
     (40, 'junctions', 'MULTIPOLYGON', false, 'junction_id AS id, kind, method', 'surface', 'junction'),
