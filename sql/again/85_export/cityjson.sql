@@ -8,20 +8,32 @@ CREATE OR REPLACE FUNCTION streetgen._cityjson_surface()
 COMMENT ON FUNCTION streetgen._cityjson_surface() IS
     'What the kinds of surfaces of streets are in CityJSON: semantic type and function.';
 
+CREATE OR REPLACE FUNCTION streetgen._cityjson_place(place geometry, x float8, y float8, steps float8)
+    RETURNS bigint[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN ARRAY[round((ST_X(place) - x) * steps)::bigint, round((ST_Y(place) - y) * steps)::bigint,
+        round(ST_Z(place) * steps)::bigint];
+COMMENT ON FUNCTION streetgen._cityjson_place(geometry, float8, float8, float8) IS
+    'A point as whole steps from an origin, so many of them a metre.';
+
 CREATE OR REPLACE FUNCTION streetgen._cityjson_query() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
--- A place is one vertex, counted in steps of the precision.
+-- A place is one vertex, counted in steps of the precision. A triangle that they leave no ground is left out.
+rounded AS (
+    SELECT m.edge_id, m.node_id, s.number AS semantic, m.id, t.path[1] AS triangle,
+        streetgen._cityjson_place(ST_PointN(ring, 1), x, y, steps) AS a,
+        streetgen._cityjson_place(ST_PointN(ring, 2), x, y, steps) AS b,
+        streetgen._cityjson_place(ST_PointN(ring, 3), x, y, steps) AS c
+    FROM origin, streetgen._street_mesh(%1$L, $1) m JOIN streetgen._cityjson_surface() s USING (kind),
+        LATERAL (SELECT 10::float8 ^ digits AS steps OFFSET 0) d, LATERAL ST_Dump(m.mesh) t,
+        LATERAL (SELECT ST_ExteriorRing(t.geom) AS ring OFFSET 0) r),
 corner AS MATERIALIZED (
-    SELECT m.edge_id, m.node_id, s.number AS semantic, m.id, p.path[1] AS triangle, p.path[3] AS k,
-        dense_rank() OVER (ORDER BY v.x, v.y, v.z) - 1 AS vertex, v.x, v.y, v.z
-    FROM origin o, streetgen._street_mesh(%1$L, $1) m JOIN streetgen._cityjson_surface() s USING (kind),
-        LATERAL ST_DumpPoints(m.mesh) p, LATERAL (SELECT round((ST_X(p.geom) - o.x) * 10 ^ digits)::bigint AS x,
-            round((ST_Y(p.geom) - o.y) * 10 ^ digits)::bigint AS y, round(ST_Z(p.geom) * 10 ^ digits)::bigint AS z) v
-    WHERE p.path[3] < 4),
+    SELECT edge_id, node_id, semantic, id, triangle, k, dense_rank() OVER (ORDER BY place) - 1 AS vertex, place
+    FROM rounded, LATERAL (VALUES (1, a), (2, b), (3, c)) v(k, place) WHERE a <> b AND b <> c AND c <> a),
 triangle AS (
     SELECT edge_id, node_id, semantic, id, triangle, string_agg(vertex::text, ',' ORDER BY k) AS ring FROM corner
-    GROUP BY edge_id, node_id, semantic, id, triangle HAVING count(DISTINCT vertex) = 3),
+    GROUP BY edge_id, node_id, semantic, id, triangle),
 road AS (
     SELECT edge_id, node_id, string_agg('[[' || ring || ']]', ',' ORDER BY semantic, id, triangle) AS boundaries,
         string_agg(place::text, ',' ORDER BY semantic, id, triangle) AS of_surface
@@ -42,11 +54,11 @@ object AS (
     FROM road r JOIN meaning m ON (m.edge_id = r.edge_id OR m.node_id = r.node_id)
     LEFT JOIN written_edge e ON e.edge_id = r.edge_id LEFT JOIN %1$I.axis a USING (axis_id)),
 box AS (
-    SELECT json_build_array(min(c.x) * step + o.x, min(c.y) * step + o.y, min(c.z) * step,
-        max(c.x) * step + o.x, max(c.y) * step + o.y, max(c.z) * step) AS extent,
+    SELECT json_build_array(min(place[1]) * step + o.x, min(place[2]) * step + o.y, min(place[3]) * step,
+        max(place[1]) * step + o.x, max(place[2]) * step + o.y, max(place[3]) * step) AS extent,
         json_build_object('scale', json_build_array(step, step, step), 'translate', json_build_array(o.x, o.y, 0))
             AS transform
-    FROM corner c, origin o, LATERAL (SELECT round(10::numeric ^ -digits, digits) AS step) s GROUP BY step, o.x, o.y),
+    FROM corner, origin o, LATERAL (SELECT round(10::numeric ^ -digits, digits) AS step) s GROUP BY step, o.x, o.y),
 line AS (
     SELECT 1 AS turn, 0::bigint AS id, 0 AS part, format('{"type":"CityJSON","version":"2.0","transform":%%s,'
         '"metadata":%%s,"CityObjects":{', transform, json_strip_nulls(json_build_object('geographicalExtent', extent,
@@ -58,9 +70,9 @@ line AS (
         text || CASE WHEN lead(true) OVER (ORDER BY node_id NULLS FIRST, edge_id) THEN ',' ELSE '' END FROM object
     UNION ALL SELECT 3, 0, 0, '},"vertices":['
     UNION ALL
-    SELECT 4, vertex, 0, format('[%%s,%%s,%%s]', x, y, z)
+    SELECT 4, vertex, 0, format('[%%s]', array_to_string(place, ','))
         || CASE WHEN lead(true) OVER (ORDER BY vertex) THEN ',' ELSE '' END
-    FROM (SELECT DISTINCT vertex, x, y, z FROM corner) v
+    FROM (SELECT DISTINCT vertex, place FROM corner) v
     UNION ALL SELECT 5, 0, 0, ']}')
 SELECT row_number() OVER (ORDER BY turn, part, id), text FROM line ORDER BY turn, part, id$part$ $$;
 COMMENT ON FUNCTION streetgen._cityjson_query() IS

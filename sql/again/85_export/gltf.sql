@@ -64,7 +64,8 @@ view AS (
 mesh AS (
     SELECT cell, row_number() OVER (ORDER BY cell) - 1 AS number, json_build_object('name', 'cell_' || cell,
         'primitives', json_agg(json_build_object('attributes', json_build_object('POSITION', 4 * number,
-            'NORMAL', 4 * number + 1, 'TEXCOORD_0', 4 * number + 2), 'indices', 4 * number + 3, 'material', kind) ORDER BY number)) AS mesh
+            'NORMAL', 4 * number + 1, 'TEXCOORD_0', 4 * number + 2), 'indices', 4 * number + 3,
+            'material', kind) ORDER BY number)) AS mesh
     FROM block GROUP BY cell),
 told AS (
     SELECT json_build_object(

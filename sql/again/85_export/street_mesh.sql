@@ -24,9 +24,8 @@ ground AS NOT MATERIALIZED (
     FROM (%2$s) r
     UNION ALL %3$s),
 paint AS NOT MATERIALIZED (%4$s)$q$, model, streetgen._roadway_query(model),
-        format(CASE WHEN 'sidewalk' = ANY (subjects) THEN 'SELECT ''sidewalk'', sidewalk_id, part, '
-                'CASE WHEN node_id IS NULL THEN edge_id END, node_id, level, surface, geom '
-                'FROM %1$I.sidewalk s JOIN %1$I.edge USING (edge_id)'
+        format(CASE WHEN 'sidewalk' = ANY (subjects) THEN 'SELECT ''sidewalk'', sidewalk_id, part, edge_id, '
+                'node_id, level, surface, geom FROM %1$I.sidewalk JOIN %1$I.edge USING (edge_id)'
             ELSE 'SELECT NULL, 0, 0, NULL, NULL, 0, NULL, NULL WHERE false' END, model),
         format(CASE WHEN 'lane' = ANY (subjects) THEN 'SELECT 2 * lane_separator_id AS id, edge_id, level, s.surface, '
                 'e.geom AS line FROM %1$I.lane_separator s JOIN %1$I.edge e USING (edge_id) UNION ALL '
@@ -37,7 +36,8 @@ paint AS NOT MATERIALIZED (%4$s)$q$, model, streetgen._roadway_query(model),
     FROM streetgen._subjects(model) subjects $$;
 COMMENT ON FUNCTION streetgen._mesh_surfaces(name) IS
     'Queries of the surfaces of a model that are written in three dimensions: ground, the roadway and the sidewalks, '
-    'each of an edge or of a node; paint, lines between lanes and markings. line is what texture is counted along.';
+    'each of a node or, without one, of an edge; paint, lines between lanes and markings. line is what texture is '
+    'counted along.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_cells(model name, options jsonb)
     RETURNS TABLE(cell integer, edges bigint[], nodes bigint[], about geometry)
@@ -63,15 +63,15 @@ CREATE OR REPLACE FUNCTION streetgen._mesh_input(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT 'WITH ' || streetgen._mesh_surfaces(model) || format($q$,
 own AS MATERIALIZED (
-    SELECT * FROM ground WHERE edge_id = ANY ($1) AND NOT ST_IsEmpty(surface)
+    SELECT * FROM ground WHERE edge_id = ANY ($1) AND node_id IS NULL AND NOT ST_IsEmpty(surface)
     UNION ALL SELECT * FROM ground WHERE node_id = ANY ($2) AND NOT ST_IsEmpty(surface)),
 -- Neighbours tell which vertices they have on common borders.
 member AS MATERIALIZED (
     SELECT row_number() OVER (ORDER BY kind, id, part) AS number, g.*, raised, k.number AS kind_number
     FROM (SELECT *, true AS wanted FROM own
-        UNION ALL SELECT DISTINCT ON (g.kind, g.id) g.*, false FROM own o JOIN ground g
-            ON g.surface && ST_Expand(o.surface, 0.01) AND g.level = o.level
-        WHERE NOT ST_IsEmpty(g.surface) AND NOT EXISTS (SELECT FROM own s WHERE (s.kind, s.id) = (g.kind, g.id))) g
+        UNION ALL SELECT DISTINCT ON (g.kind, g.id) g.*, false FROM own o, LATERAL (
+            SELECT * FROM ground WHERE surface && ST_Expand(o.surface, 0.01) AND level = o.level OFFSET 0) g
+        WHERE NOT ST_IsEmpty(g.surface) AND (g.kind, g.id) NOT IN (SELECT kind, id FROM own)) g
     JOIN streetgen._mesh_kind() k USING (kind)),
 height AS MATERIALIZED (%s),
 axes AS (SELECT coalesce(array_agg(geom::bytea ORDER BY edge_id), '{}') AS axes,
@@ -93,7 +93,8 @@ DECLARE
     place record;
     cell record;
     query constant text := streetgen._mesh_input(model) || $q$
-SELECT m.edge_id, m.node_id, CASE WHEN t.kerb THEN 'kerb' ELSE kind END, id, t.mesh::geometry
+SELECT CASE WHEN m.node_id IS NULL THEN m.edge_id END, m.node_id, CASE WHEN t.kerb THEN 'kerb' ELSE kind END,
+    id, t.mesh::geometry
 FROM laid l, axes a, streetgen._road_mesh(surfaces, levels, l.wanted, l.raised, lines, axes, axis_levels, $5, $6) t
     JOIN member m USING (number)$q$;
 BEGIN

@@ -18,7 +18,7 @@ for (const file of files) {
     const report = await validateBytes(new Uint8Array(readFileSync(file)), { maxIssues: 20 });
     const { numErrors, numWarnings, numInfos, numHints } = report.issues;
     say(numErrors + numWarnings === 0, `${name}: no error and no warning of gltf-validator`);
-    console.error(`${name}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} infos, ${numHints} hints; ${report.info.totalTriangleCount} triangles`);
+    console.error(`${name}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} infos, ${numHints} hints; ${report.info?.totalTriangleCount} triangles`);
     for (const issue of report.issues.messages.slice(0, 5)) console.error(JSON.stringify(issue));
   } else {
     const city = JSON.parse(readFileSync(file));
