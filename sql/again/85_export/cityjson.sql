@@ -20,7 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._cityjson_query() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
 -- A place is one vertex, counted in steps of the precision. A triangle that they leave no ground is left out.
-rounded AS (
+rounded AS MATERIALIZED (
     SELECT m.edge_id, m.node_id, s.number AS semantic, m.id, t.path[1] AS triangle,
         streetgen._cityjson_place(ST_PointN(ring, 1), x, y, steps) AS a,
         streetgen._cityjson_place(ST_PointN(ring, 2), x, y, steps) AS b,
@@ -30,19 +30,16 @@ rounded AS (
         LATERAL (SELECT ST_ExteriorRing(t.geom) AS ring OFFSET 0) r),
 corner AS MATERIALIZED (
     SELECT edge_id, node_id, semantic, id, triangle, k, dense_rank() OVER (ORDER BY place) - 1 AS vertex, place
-    FROM rounded, LATERAL (VALUES (1, a), (2, b), (3, c)) v(k, place) WHERE a <> b AND b <> c AND c <> a),
+    FROM (SELECT *, CASE k WHEN 1 THEN a WHEN 2 THEN b ELSE c END AS place FROM rounded, generate_series(1, 3) k
+        WHERE a <> b AND b <> c AND c <> a) r),
 triangle AS (
     SELECT edge_id, node_id, semantic, id, triangle, string_agg(vertex::text, ',' ORDER BY k) AS ring FROM corner
     GROUP BY edge_id, node_id, semantic, id, triangle),
 road AS (
     SELECT edge_id, node_id, string_agg('[[' || ring || ']]', ',' ORDER BY semantic, id, triangle) AS boundaries,
-        string_agg(place::text, ',' ORDER BY semantic, id, triangle) AS of_surface
+        string_agg(place::text, ',' ORDER BY semantic, id, triangle) AS of_surface,
+        array_agg(DISTINCT semantic) AS semantics
     FROM (SELECT *, dense_rank() OVER (PARTITION BY edge_id, node_id ORDER BY semantic) - 1 AS place FROM triangle) t
-    GROUP BY edge_id, node_id),
-meaning AS (
-    SELECT edge_id, node_id, json_agg(json_build_object('type', type, 'function', function) ORDER BY number) AS surfaces
-    FROM (SELECT DISTINCT edge_id, node_id, semantic FROM triangle) t
-    JOIN streetgen._cityjson_surface() ON number = semantic
     GROUP BY edge_id, node_id),
 object AS (
     SELECT r.edge_id, r.node_id, format('"%%s":{"type":"Road","attributes":%%s,"geometry":[{"type":"MultiSurface",'
@@ -51,8 +48,9 @@ object AS (
             'node_id', r.node_id, 'name', streetgen._xml_text(a.name), 'class', streetgen._xml_text(a.kind),
             'importance', e.importance, 'level', e.level, 'width', e.width, 'speed', e.speed)),
         boundaries, surfaces, of_surface) AS text
-    FROM road r JOIN meaning m ON (m.edge_id = r.edge_id OR m.node_id = r.node_id)
-    LEFT JOIN written_edge e ON e.edge_id = r.edge_id LEFT JOIN %1$I.axis a USING (axis_id)),
+    FROM road r LEFT JOIN written_edge e ON e.edge_id = r.edge_id LEFT JOIN %1$I.axis a USING (axis_id), LATERAL (
+        SELECT json_agg(json_build_object('type', type, 'function', function) ORDER BY number) AS surfaces
+        FROM streetgen._cityjson_surface() WHERE number = ANY (semantics)) m),
 box AS (
     SELECT json_build_array(min(place[1]) * step + o.x, min(place[2]) * step + o.y, min(place[3]) * step,
         max(place[1]) * step + o.x, max(place[2]) * step + o.y, max(place[3]) * step) AS extent,
