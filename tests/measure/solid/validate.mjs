@@ -1,36 +1,64 @@
-// Holds files of CityJSON and glTF against their validators: node validate.mjs SCHEMA FILE… prints "t or f, name" for each.
+// Holds a file of glTF and one of CityJSON against their validators, and the second one against areas of the tables, in m2:
+// node validate.mjs SCHEMA FILE.glb FILE.city.json ROADWAY SIDEWALKS prints "t or f, name"; figures go to stderr. SCHEMA - is none.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { basename } from 'node:path';
 const require = createRequire(process.cwd() + '/');
-const Ajv = require('ajv').default;
-const addFormats = require('ajv-formats').default;
-const { validateBytes } = require('gltf-validator');
-const [schema, ...files] = process.argv.slice(2);
-
-const ajv = new Ajv({ strict: false, allErrors: false });
-addFormats(ajv);
-const isCityJson = ajv.compile(JSON.parse(readFileSync(schema)));
+const [schema, solid, city, roadway, sidewalks] = process.argv.slice(2);
 const say = (holds, name) => console.log(`${holds ? 't' : 'f'}\t${name}`);
 
-for (const file of files) {
-  const name = file.split('/').pop();
-  if (file.endsWith('.glb')) {
-    const report = await validateBytes(new Uint8Array(readFileSync(file)), { maxIssues: 20 });
-    const { numErrors, numWarnings, numInfos, numHints } = report.issues;
-    say(numErrors + numWarnings === 0, `${name}: no error and no warning of gltf-validator`);
-    console.error(`${name}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} infos, ${numHints} hints; ${report.info?.totalTriangleCount} triangles`);
-    for (const issue of report.issues.messages.slice(0, 5)) console.error(JSON.stringify(issue));
-  } else {
-    const city = JSON.parse(readFileSync(file));
-    say(isCityJson(city), `${name}: valid by the schema of CityJSON`);
-    if (isCityJson.errors) console.error(JSON.stringify(isCityJson.errors.slice(0, 3)));
-    const used = new Set();
-    let surfaces = 0;
-    for (const object of Object.values(city.CityObjects))
-      for (const geometry of object.geometry)
-        for (const [ring] of geometry.boundaries) { surfaces++; for (const vertex of ring) used.add(vertex); }
-    say(used.size === city.vertices.length, `${name}: every vertex is used`);
-    say(new Set(city.vertices.map(String)).size === city.vertices.length, `${name}: no place has two vertices`);
-    console.error(`${name}: ${Object.keys(city.CityObjects).length} roads, ${surfaces} triangles, ${city.vertices.length} vertices`);
-  }
+async function holdGltf(file) {
+  const { validateBytes } = require('gltf-validator');
+  const { issues } = await validateBytes(new Uint8Array(readFileSync(file)), { ignoredIssues: ['UNUSED_OBJECT'] });
+  const worst = issues.messages.slice(0, 3).map((issue) => JSON.stringify(issue)).join('\n');
+  say(issues.numErrors + issues.numWarnings === 0, `${basename(file)}: no error and no warning of gltf-validator`);
+  if (worst) console.error(worst);
 }
+
+function holdSchema(file, value) {
+  if (schema === '-') return console.log(`s\t${basename(file)}: valid by the schema of CityJSON`);
+  const Ajv = require('ajv').default;
+  const ajv = new Ajv({ strict: false });
+  require('ajv-formats').default(ajv);
+  const holds = ajv.compile(JSON.parse(readFileSync(schema)));
+  say(holds(value), `${basename(file)}: valid by the schema of CityJSON`);
+}
+
+// Area in plan by function, and sides of kerbs without a triangle on their other side.
+function measure({ vertices, CityObjects }) {
+  const area = {}, sides = new Map();
+  let triangles = 0;
+  for (const { geometry: [{ boundaries, semantics }] } of Object.values(CityObjects))
+    boundaries.forEach(([ring], place) => {
+      triangles++;
+      const { function: of } = semantics.surfaces[semantics.values[place]];
+      const [a, b, c] = ring.map((vertex) => vertices[vertex]);
+      area[of] = (area[of] ?? 0) + ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
+      ring.forEach((from, k) => {
+        const side = `${from} ${ring[(k + 1) % 3]}`;
+        sides.set(side, sides.get(side) === 'kerbstone' ? 'kerbstone' : of);
+      });
+    });
+  let kerb = 0, open = 0;
+  for (const [side, of] of sides) {
+    if (of !== 'kerbstone') continue;
+    const [from, to] = side.split(' ');
+    const [a, b] = [vertices[from], vertices[to]];
+    if (a[0] === b[0] && a[1] === b[1]) continue;
+    kerb++;
+    if (!sides.has(`${to} ${from}`)) open++;
+  }
+  return { area, triangles, kerb, open };
+}
+
+await holdGltf(solid);
+const value = JSON.parse(readFileSync(city));
+holdSchema(city, value);
+const { area, triangles, kerb, open } = measure(value);
+const name = basename(city), square = value.transform.scale[0] ** 2;
+const near = (have, want) => Math.abs((have ?? 0) * square - want) <= 1e-3 * want;
+say(near(area.roadway, Number(roadway)), `${name}: the roadway has the area of the tables`);
+say(near(area.footpath, Number(sidewalks)), `${name}: sidewalks have the area of the tables`);
+say(new Set(value.vertices.map(String)).size === value.vertices.length, `${name}: no place has two vertices`);
+console.error(`${name}: ${triangles} triangles; roadway ${((area.roadway * square) / roadway - 1).toExponential(1)}, sidewalks ${(((area.footpath ?? 0) * square) / sidewalks - 1).toExponential(1)} off; ` +
+  `${open} of ${kerb} level sides of kerbs are open`);
