@@ -9,6 +9,7 @@
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
+#include "traffic/turn.hpp"
 
 namespace streetgen {
 

@@ -9,6 +9,7 @@
 #include "geometry/space.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/error.hpp"
+#include "traffic/turn.hpp"
 
 namespace streetgen {
 

@@ -257,7 +257,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
     double longest = 0;
     for (const int i : hole.around) {
       const double shared = shared_border(hole.ring, *claims[i].surface);
-      if (shared <= longest) continue;
+      if (shared <= longest + coordinate_margin) continue;  // both sides of a notch are as long
       longest = shared;
       owner = claims[i].surface;
     }

@@ -34,6 +34,7 @@ double united_ground(const Streets& town) {
 StreetSettings with_slits_up_to(double width) {
   StreetSettings settings;
   settings.slit_width = width;
+  settings.kerb_radius_minimal = 0;  // the corners of streets that cross stay sharp
   return settings;
 }
 
@@ -76,6 +77,23 @@ TEST(Slit, StaysBetweenLevelsAndWhereAnotherStreetLies) {
   const Streets crossed = streets({low, beside, across}, with_slits_up_to(0.2));
   EXPECT_NEAR(united_ground(crossed), ground_of(crossed), 1e-5);
   EXPECT_NEAR(ground_of(crossed), 1200 + 94 * 0.1 + 6 * 70 - 6 * 12, 1e-5);
+}
+
+// Two streets that cross on one level without a node have four notches between their kerbs.
+TEST(Notch, BetweenKerbsThatCrossIsRound) {
+  const std::vector<StreetAxis> crossed = {axis(1, {{0, 0, 0}, {100, 0, 0}}),
+                                           axis(2, {{50, -30, 0}, {50, 40, 0}})};
+  StreetSettings settings;
+  settings.kerb_radius_minimal = 0;
+  const double sharp = ground_of(streets(crossed, settings));
+  EXPECT_NEAR(sharp, 600 + 420 - 36, 1e-6);
+  for (const double radius : {0.25, 0.5, 1.0}) {
+    settings.kerb_radius_minimal = radius;
+    const Streets round = streets(crossed, settings);
+    // A third of the triangle between the corner and both ends of the curve.
+    EXPECT_NEAR(ground_of(round) - sharp, 4 * radius * radius / 6, 0.02 * radius);
+    EXPECT_NEAR(united_ground(round), ground_of(round), 1e-5);
+  }
 }
 
 TEST(Slit, IsTheSameWhereverTheStreetsLie) {
