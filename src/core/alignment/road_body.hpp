@@ -7,7 +7,6 @@
 
 #include "alignment/road_piece.hpp"
 #include "streetgen/arc_road.hpp"
-#include "traffic/turn.hpp"
 
 namespace streetgen {
 

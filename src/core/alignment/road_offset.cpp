@@ -9,7 +9,6 @@
 #include "geometry/space.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/error.hpp"
-#include "traffic/turn.hpp"
 
 namespace streetgen {
 

@@ -15,7 +15,9 @@ namespace {
 constexpr double widest_wedge = 135 * M_PI / 180;
 constexpr double farthest = 1.5;  // metres from the place where the borders cross
 constexpr double beside = 0.01;   // metres: ground this near to that place is in the wedge
-constexpr int chords = 12;
+constexpr double least_radius = 0.1;  // metres: kerbs that cross at a sharper angle leave a slit
+constexpr int chords = 8;
+constexpr double least_sine = 1e-6;
 const double smooth_cosine = std::cos(M_PI / 4);
 
 // A side of a ring, which has the surface on its left.
@@ -66,13 +68,18 @@ bool cross_each_other(const Side& a, const Side& b) {
          cross(along_b, a.from() - b.from()) * cross(along_b, a.to() - b.from()) < 0;
 }
 
-// A quadratic Bezier curve tangent to both borders, which lie to its start and from its end on.
+// An arc that leaves `from` towards the corner.
 Line bend(const Point& from, const Point& corner, const Point& to) {
-  Line line;
-  for (int i = 0; i <= chords; ++i) {
-    const double t = static_cast<double>(i) / chords;
-    line.push_back(from * ((1 - t) * (1 - t)) + corner * (2 * t * (1 - t)) + to * (t * t));
+  const Point along = unit(corner - from), chord = unit(to - from);
+  const double sine = cross(along, chord), half_sweep = std::atan2(sine, dot(along, chord));
+  const double diameter = distance(from, to) / std::max(std::abs(sine), least_sine);
+  Line line{from};
+  for (int i = 1; i < chords; ++i) {
+    const double turn = half_sweep * i / chords;
+    const Point ray = along * std::cos(turn) + left_normal(along) * std::sin(turn);
+    line.push_back(from + ray * (diameter * std::sin(std::abs(turn))));
   }
+  line.push_back(to);
   return line;
 }
 
@@ -89,7 +96,7 @@ std::optional<Line> across(const Side& a, const Side& b, const Point& place, dou
   const Line on_a = smooth_part(a, place, a_onwards), on_b = smooth_part(b, place, !a_onwards);
   const double away =
       std::min({radius / std::tan(wedge / 2), farthest, length(on_a), length(on_b)});
-  if (away < beside) return std::nullopt;
+  if (away * std::tan(wedge / 2) < least_radius) return std::nullopt;
   const LinePosition from = position_at(on_a, away), to = position_at(on_b, away);
   if (!is_free((from.point + to.point) * 0.5)) return std::nullopt;
   Line line = bend(from.point, place, to.point);

@@ -117,7 +117,7 @@ class Slits {
 
   std::vector<Line> cuts_between(int i, int j) const {
     std::vector<Line> cuts;
-    if (radius_ > 0)
+    if (radius_ > 0 && claims_[i].node && claims_[j].node && share_edge(i, j))
       cuts = across_notches(*claims_[i].surface, *claims_[j].surface, radius_,
                             [&](const Point& p) { return is_free(p, i, j); });
     if (width_ <= 0 || share_edge(i, j)) return cuts;
