@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, single, with_arrow)
+from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, shaded, single, with_arrow)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -76,7 +76,7 @@ def junction_movement():
 
 def control_point():
     return rules(('signals', "kind = 'signals'", point('circle', '#1a9641', 3)), ('stop', "kind = 'stop'", point('octagon', REPORT, 3)),
-                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
+                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('mini-roundabout', "kind = 'mini_roundabout'", point('circle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
 
 
 def axis():
@@ -193,7 +193,7 @@ DESIGN = (
     Layer('design', 'design_node_editing', 'design_node_id', 'geom', design_node, ('name', 'kind', 'importance', 'by_hand', 'rejected')),
     Layer('design', 'design_link_editing', 'design_link_id', 'geom', standing(lambda colour: line(colour, 0.6)), ('node_a', 'node_b', 'network', 'by_hand', 'rejected')),
     Layer('design', 'zone_editing', 'zone_id', 'geom', zone, ('class',)),
-    Layer('design', 'terrain_tile', 'terrain_tile_id', 'geom', lambda: single(fill('#00000000', AXIS, 0.2))),
+    Layer('design', 'terrain_tile', 'hill_shade_id', 'geom', lambda: single(shaded('grey')), query="SELECT * FROM streetgen.hill_shade((parse_ident('@'))[1])", kind='Polygon', shown=True),
 )
 
 

@@ -64,7 +64,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'edited by hand'),
     ('control_point', 'control_point_id', 'key'),
     ('control_point', 'geom', 'where it stands, on or beside an axis'),
-    ('control_point', 'kind', 'signals, stop, yield or pedestrian_crossing'),
+    ('control_point', 'kind', 'signals, stop, yield, mini_roundabout or pedestrian_crossing'),
     ('control_point', 'direction', 'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: '
         'that of a one-way street, else that towards the nearer junction, and all that comes to a node it lies on'),
     ('control_point', 'axis_id', 'the axis; filled with the nearest where left out; NULL: it stands off all axes'),

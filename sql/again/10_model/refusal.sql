@@ -38,7 +38,7 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('junction_override', 'kind',
         'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
         'Leave it empty where the row decides of an edge.'),
-    ('control_point', 'kind', 'signals, stop, yield or pedestrian_crossing', 'Say what stands there.'),
+    ('control_point', 'kind', 'signals, stop, yield, mini_roundabout or pedestrian_crossing', 'Say what stands there.'),
     ('control_point', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
     ('control_point', 'axis_distance', '0 m or more from the axis', 'Leave it empty: it follows from the place.'),
     ('control_point', 'direction', 'direct, reverse or both', 'Leave it empty where it is unknown.'),

@@ -164,6 +164,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('bridge_cost', '1000', 'per m2', 'cost of a bridge, over the formation', 0, 1000000, NULL),
     ('tunnel_cost', '2000', 'per m2', 'cost of a tunnel, over the formation', 0, 1000000, NULL),
     ('use_cost', '100', 'per m', 'cost of the use of a road, by its length', 0.01, 1000000000, NULL),
+    ('utilisation_cost', '0', 'per m', 'cost of the use of a road by its length, for each unit of the utilisation of '
+        'its link', 0, 1000000000, NULL),
     ('climb_cost', '300', 'per m', 'cost of the use of a road, by what it climbs and descends', 0, 1000000000, NULL),
     ('side_slope', '1.5', NULL, 'run of the slope of a cut or fill for a rise of 1', 0.1, 20, NULL),
     ('fill_greatest', '20', 'm', 'a designed road that lies higher over the ground is a bridge', 0, 1000, NULL),

@@ -5,7 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, su
     AS $$ VALUES ('conflict'::name, 'junction'), ('right_of_way', 'junction'), ('movement', 'junction'),
         ('rim_marking', 'junction'), ('junction_link', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
         ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
-        ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment') $$;
+        ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment'),
+        ('roundabout_block', 'block'), ('roundabout_block', 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._subject_view() IS
     'The views of a model that read tables of a subject, and go with it; one that reads another comes before it. One '
     'that can do without the subject is made again.';
@@ -210,6 +211,9 @@ $sql$, model);
     END IF;
     IF 'alignment' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_road_arc_view(model);
+    END IF;
+    IF with_rings AND 'block' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_roundabout_block_view(model);
     END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS

@@ -124,15 +124,19 @@ class Slits {
     const Box shared = boxes_[i].grown(width_).shared_with(boxes_[j].grown(width_));
     const std::vector<Side> of_j = sides_within(*claims_[j].surface, shared);
     if (of_j.empty()) return cuts;
-    for (const Side& a : sides_within(*claims_[i].surface, shared))
-      for (const Side& b : of_j) {
-        if (!box_of(a.from, a.to).meets(box_of(b.from, b.to), width_)) continue;
-        auto ends = ends_of_slit(a, b, width_);
+    std::vector<Box> boxes;
+    for (const Side& b : of_j) boxes.push_back(box_of(b.from, b.to));
+    const BoxIndex sides(boxes);
+    for (const Side& a : sides_within(*claims_[i].surface, shared)) {
+      poll_cancel();
+      for (const int k : sides.near(box_of(a.from, a.to), width_)) {
+        auto ends = ends_of_slit(a, of_j[k], width_);
         if (ends && is_free(*ends, i, j)) {
           cuts.push_back(std::move(ends->first));
           cuts.push_back(std::move(ends->second));
         }
       }
+    }
     return cuts;
   }
 
@@ -163,6 +167,7 @@ class Slits {
 
   bool narrow(const Ring& ring, int i, int j) const {
     const auto beside = [&](const Point& p, int k) {
+      poll_cancel();
       for (const Polygon& polygon : *claims_[k].surface)
         for (const Ring& border : polygon)
           if (comes_within(p, border, width_ + same_place)) return true;
