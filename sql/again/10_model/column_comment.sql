@@ -301,7 +301,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('lane', 'along_axis', 'does its traffic run in the direction of the axis; true of a lane for both directions'),
     ('lane', 'both_ways', 'do both directions use it'),
     ('lane', 'kind', 'general, bus, cycle or parking'),
-    ('lane', 'width', 'width at the start limit of the edge, metres'),
+    ('lane', 'width', 'width at the start limit of the edge, metres, without what begins or ends there'),
     ('lane', 'axis_offset', 'offset of the centre line at the start limit, metres to the left of the axis'),
     ('lane', 'turn', 'movements that the source says it allows, as OSM''s turn:lanes; NULL: nothing is said'),
     ('lane', 'geom', 'centre line between the limits, in the direction of the axis: where along_axis is false its '
