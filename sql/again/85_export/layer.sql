@@ -58,6 +58,10 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
     (41, 'movements', 'LINESTRING', false, 'row_number() OVER (ORDER BY lane_in, lane_out, along_in, along_out) AS id, '
         'junction_id AS junction, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, '
         'connecting', 'geom', 'movement'),
+    (60, 'signal_heads', 'POINT', false, 'row_number() OVER (ORDER BY lane_id, along_axis) AS id, controller_id AS '
+        'controller, lane_id AS lane, along_axis AS along, angle', 'geom', 'signal_head'),
+    (61, 'controllers', 'POINT', false, 'controller_id AS id, program, cycle, start_offset AS offset_s, method',
+        'geom', 'controller'),
     (55, 'overpasses', 'POINT', false, 'overpass_id AS id, edge_above, abscissa_above AS at_above, edge_below, '
         'abscissa_below AS at_below, clearance, method', 'geom', 'overpass'),
     (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile')
