@@ -22,6 +22,15 @@ SELECT 'none lies on another', coalesce(sum(ST_Area(ST_Intersection(a.surface, b
 SELECT 'a sidewalk leads around a corner from one width to the other', abs(s.width - (3 + 4) / 2.0) < 1e-9 FROM town.sidewalk s JOIN town.edge e USING (edge_id) WHERE s.side LIKE 'corner%' AND axis_id = 1;
 SELECT 'nothing is wrong with them', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
 
+-- What they leave of blocks.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('quad', 2154, subjects => '{sidewalk,block}');
+  INSERT INTO quad.axis (geom, width, radius, sidewalk_left, sidewalk_right) SELECT pg_temp.line(l), 8, 5, 2, 3 FROM unnest(ARRAY['LINESTRING(0 0,100 0)', 'LINESTRING(100 0,100 60)', 'LINESTRING(100 60,0 60)', 'LINESTRING(0 60,0 0)', 'LINESTRING(40 0,40 25)']) l;
+END $$;
+SELECT 'sidewalks of the left sides lie on the block, the others on none', count(b.block_id) FILTER (WHERE s.side = 'left') = 6 AND count(b.block_id) FILTER (WHERE s.side = 'right' AND axis_id <> 5) = 0 FROM quad.sidewalk s JOIN quad.sidewalk_block b USING (sidewalk_id) JOIN quad.edge USING (edge_id);
+SELECT 'the interior of a block is its ground less its sidewalks', count(*) = 1 AND bool_and(abs(ST_Area(b.surface) - ST_Area(i.geom) - w.area) < 1e-6) FROM quad.block b JOIN quad.block_interior i USING (block_id)
+  JOIN (SELECT block_id, sum(ST_Area(surface)) AS area FROM quad.sidewalk JOIN quad.sidewalk_block USING (sidewalk_id) GROUP BY 1) w USING (block_id);
+
 -- Edits: as from scratch, and no row without need.
 CREATE FUNCTION pg_temp.sidewalks(model name) RETURNS SETOF text LANGUAGE plpgsql AS $$ BEGIN
   RETURN QUERY EXECUTE format('SELECT concat_ws('' '', axis_id, round(start_abscissa::numeric, 3), side, part, s.width, method, ST_AsText(ST_Normalize(ST_SnapToGrid(surface, 0.0001)))) FROM %1$I.sidewalk s JOIN %1$I.edge USING (edge_id)', model);

@@ -278,7 +278,10 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('block', 'kind', 'block; island: small, see setting block_island_area; strip: narrow and long, see '
         'block_strip_width; roadway: no ground is left. Else as block_override has it'),
     ('block', 'surface', 'the ground: empty where the face is roadway all over'),
-    ('block', 'interior', 'the ground behind the sidewalks; without sidewalks the surface'),
+    ('sidewalk_block', 'sidewalk_id', 'the sidewalk'),
+    ('sidewalk_block', 'block_id', 'the block that it lies on; NULL: it lies in no face'),
+    ('block_interior', 'block_id', 'the block'),
+    ('block_interior', 'geom', 'its ground behind the sidewalks; empty: they take all of it'),
     ('block', 'method', 'hypothesis; covered: no ground is left; axis_bound: where a street beside it has no roadway '
         'on its level, the axis bounds it; robust_fallback: kerbs cross, or are missing'),
     ('block_edge', 'edge_id', 'the edge, of level ground_level'),

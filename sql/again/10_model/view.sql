@@ -6,7 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, su
         ('rim_marking', 'junction'), ('junction_link', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
         ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
         ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment'),
-        ('roundabout_block', 'block'), ('roundabout_block', 'roundabout') $$;
+        ('sidewalk_block', 'block'), ('sidewalk_block', 'sidewalk'), ('block_interior', 'block'),
+        ('block_interior', 'sidewalk'), ('roundabout_block', 'block'), ('roundabout_block', 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._subject_view() IS
     'The views of a model that read tables of a subject, and go with it; one that reads another comes before it. One '
     'that can do without the subject is made again.';
@@ -216,6 +217,9 @@ $sql$, model);
     END IF;
     IF 'alignment' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_road_arc_view(model);
+    END IF;
+    IF streetgen._subjects(model) @> '{block,sidewalk}' THEN
+        PERFORM streetgen._make_sidewalk_block_view(model);
     END IF;
     IF with_rings AND 'block' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_roundabout_block_view(model);

@@ -88,10 +88,10 @@ changed_block AS MATERIALIZED (
     SELECT n.* FROM new_block n LEFT JOIN {model}.block o USING (block_id)
     WHERE n.fresh OR (o.kind, o.surface, o.method) IS DISTINCT FROM (n.kind, n.surface, n.method)),
 set_block AS (
-    INSERT INTO {model}.block (block_id, kind, surface, interior, method)
-    SELECT block_id, kind, surface, surface, method FROM changed_block ORDER BY number
-    ON CONFLICT (block_id) DO UPDATE SET (kind, surface, interior, method) =
-        (excluded.kind, excluded.surface, excluded.interior, excluded.method)),
+    INSERT INTO {model}.block (block_id, kind, surface, method)
+    SELECT block_id, kind, surface, method FROM changed_block ORDER BY number
+    ON CONFLICT (block_id) DO UPDATE SET (kind, surface, method) =
+        (excluded.kind, excluded.surface, excluded.method)),
 gone_block AS (
     DELETE FROM {model}.block b USING given
     WHERE given.whole AND ({whole} OR b.block_id = ANY ($1)) AND b.block_id NOT IN (SELECT block_id FROM new_block)

@@ -8,8 +8,8 @@ COMMENT ON FUNCTION streetgen.signal_phases(streetgen.signal_request[]) IS
     '(permitted). Amber lasts 1 s and the time to stop at 3 m/s2, at least 3 s; all red until the last car has left, '
     'turning at up to 30 km/h. Greens are shared out by Webster''s rule, in a cycle of 30 to 120 s, where all flows '
     'are known, else by lanes and importance. Each lasts at least 7 s, and as long as people need to cross the streets '
-    'that have red; where none has, all red lasts so long. No movements: no rows. NULL for NULL. A number out of range, '
-    'an unknown turn: 22023; NULL in a row: 22004.';
+    'that have red; where none has, all red lasts so long. No movements: no rows. NULL for NULL. A number out of '
+    'range, an unknown turn: 22023; NULL in a row: 22004.';
 
 CREATE OR REPLACE FUNCTION streetgen.signal_pairs(movements streetgen.signal_request[])
     RETURNS SETOF streetgen.signal_answer

@@ -86,5 +86,6 @@ COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'nine numbers a triangle: that of the roadway along the nearest axis, level across it, so neighbours agree. '
     'texture has two numbers of each corner, six a triangle: metres along the edge and to its left, on intersections '
     'metres east and north of the node. The mesh leaves the heights of the axes by at most the tolerance, 0.001 to '
-    '10 m, and those along borders but where the nearest axis is another one. An extent of another SRID, or with coordinates that are'
+    '10 m, and those along borders but where the nearest axis is another one. An extent of another SRID, or with '
+    'coordinates that are'
     ' not finite, and a bad tolerance: 22023.';

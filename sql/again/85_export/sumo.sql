@@ -171,12 +171,14 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'A plain file of SUMO, line by line, of which netconvert makes a network: part nodes, edges, connections, types or '
-    'tlLogics. An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one ends in .end. '
+    'tlLogics. An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one '
+    'ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
     'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
     'since netconvert invents what is not said. A node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
-    'one. Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists them: an unknown one, another '
+    'one. Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists '
+    'them: an unknown one, another '
     'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
     'interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a warning.';

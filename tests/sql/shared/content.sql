@@ -25,7 +25,7 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
       FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text, b.interior::text)
+    UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text)
       FROM @.block b JOIN @.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'block side', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, s.end_abscissa, s.ring, s.ordinality, s.block_id IS NULL)
       FROM @.block_edge s JOIN @.edge e USING (edge_id)$q$ END

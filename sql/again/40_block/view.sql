@@ -1,0 +1,26 @@
+-- Sidewalks of blocks, and what they leave.
+CREATE OR REPLACE FUNCTION streetgen._make_sidewalk_block_view(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.sidewalk_block WITH (security_invoker = true) AS
+SELECT s.sidewalk_id, (SELECT b.block_id FROM %1$I.block_edge b WHERE b.edge_id = s.edge_id
+    AND b.side = CASE WHEN s.side IN ('right', 'corner_at_end') THEN 'right' ELSE 'left' END
+    ORDER BY b.start_abscissa LIMIT 1) AS block_id
+FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id)
+WHERE e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level');
+COMMENT ON VIEW %1$I.sidewalk_block IS 'The block that each sidewalk of the ground lies on';
+CREATE OR REPLACE VIEW %1$I.block_interior WITH (security_invoker = true) AS
+SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
+    FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id)
+    WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
+        AND e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level'))), b.surface), 3))
+    ::geometry(MultiPolygon, %2$s) AS geom
+FROM %1$I.block b;
+COMMENT ON VIEW %1$I.block_interior IS
+    'The ground of each block behind its sidewalks, computed when it is asked for'
+$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+END $$;
+COMMENT ON FUNCTION streetgen._make_sidewalk_block_view(name) IS
+    'Makes the views sidewalk_block and block_interior of a model that computes blocks and sidewalks.';
