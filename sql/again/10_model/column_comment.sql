@@ -33,6 +33,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('axis', 'lanes_backward', 'general and bus lanes against geom; NULL or 0: from lane_count'),
     ('axis', 'lanes_both', 'general lanes in the middle that both directions use, of a two-way street; NULL or 0: '
         'from lane_count and width'),
+    ('axis', 'flow', 'vehicles an hour, of both directions; NULL: unknown'),
     ('axis', 'sidewalk_left', 'width of the sidewalk on the left of geom, metres; 0: none; NULL: estimated, by setting '
         'sidewalk_by_importance'),
     ('axis', 'sidewalk_right', 'the same on the right of geom'),
@@ -476,6 +477,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours')
     UNION ALL SELECT relation, attribute, description FROM streetgen._design_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._roundabout_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._signal_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';
 

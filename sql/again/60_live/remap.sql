@@ -77,7 +77,7 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     AS $$
     SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
         OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'road_override')
+            'control_point', 'junction_override', 'controller_override', 'road_override')
             AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
@@ -237,6 +237,10 @@ WHERE o.control_point_id = n.id AND (o.axis_id, o.abscissa, o.direction) IS DIST
 new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'junction_override')
 UPDATE %1$I.junction_override o SET axis_id = n.axis_id FROM new n
 WHERE o.junction_override_id = n.id AND o.axis_id <> n.axis_id$sql$
+        WHEN 'controller_override' THEN $sql$,
+new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'controller_override')
+UPDATE %1$I.controller_override o SET axis_id = n.axis_id FROM new n
+WHERE o.controller_override_id = n.id AND o.axis_id <> n.axis_id$sql$
         WHEN 'interconnection_override' THEN $sql$,
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom,
@@ -356,7 +360,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'road_override}';
+        'controller_override,road_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -378,6 +382,8 @@ UNION ALL SELECT 'control_point', control_point_id, 'axis_id', axis_id, geom,
     FROM %1$I.control_point
 UNION ALL SELECT 'junction_override', junction_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.junction_override
+UNION ALL SELECT 'controller_override', controller_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.controller_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8
