@@ -104,9 +104,22 @@ SELECT node_id, ST_Buffer(ST_StartPoint(line_a), least(half_a, half_b), 64) FROM
 CREATE INDEX ON fillet USING gist (ground);
 ANALYZE axis_buffer; ANALYZE fillet;
 
+-- Piece by piece, also without what tapers within a section.
+CREATE TEMPORARY TABLE full_width AS
+SELECT axis_id, ST_Buffer(ST_LineMerge(ST_Collect(line)), min(half), 'endcap=flat join=round quad_segs=16') AS buffer
+FROM (SELECT axis_id, start_abscissa, width / 2 AS half, ST_LineSubstring(line,
+             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = from_node) THEN least(first, last) / length ELSE 0 END,
+             CASE WHEN EXISTS (SELECT FROM change WHERE node_id = to_node) THEN last / length ELSE 1 END) AS line
+      FROM (SELECT e.*, ST_Force2D(e.geom) AS line, ST_Length(ST_Force2D(e.geom)) AS length,
+                -- A taper that goes on within the section ends at 0.4 of the edge.
+                CASE WHEN abs(ST_Length(a.border_line) - e.width) > 0.005 THEN greatest(a.abscissa, 0.4 * ST_Length(ST_Force2D(e.geom))) ELSE a.abscissa END AS first,
+                CASE WHEN abs(ST_Length(b.border_line) - e.width) > 0.005 THEN least(b.abscissa, 0.6 * ST_Length(ST_Force2D(e.geom))) ELSE b.abscissa END AS last
+            FROM :"model".edge e JOIN :"model".section_limit a ON a.edge_id = e.edge_id AND a.which = 'start' JOIN :"model".section_limit b ON b.edge_id = e.edge_id AND b.which = 'end'
+            WHERE abs(width - width_end) < 1e-9) e) e
+GROUP BY axis_id;
 CREATE TEMPORARY TABLE uncovered AS
 SELECT axis_id, ST_Area(buffer) AS area, ST_Area(missing) AS missing_area, missing
-FROM axis_buffer CROSS JOIN LATERAL (SELECT pg_temp.remainder(buffer, ARRAY(SELECT surface FROM surface s WHERE s.surface && buffer)) AS missing) m;
+FROM full_width CROSS JOIN LATERAL (SELECT pg_temp.remainder(buffer, ARRAY(SELECT surface FROM surface s WHERE s.surface && buffer)) AS missing) m;
 INSERT INTO finding SELECT 'buffer outside roadway', 'axis', axis_id, missing_area, missing FROM uncovered WHERE missing_area > 0.0005 * area;
 
 CREATE TEMPORARY TABLE excess AS
