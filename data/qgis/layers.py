@@ -33,6 +33,7 @@ ROADWAY = {
                       'FROM @.lane_separator JOIN @.edge USING (edge_id)',
     'marking': "SELECT marking_id * 4 + 3, 'marking', marking_id, level, NULL, surface FROM @.marking JOIN @.edge USING (edge_id)",
 }
+BRIDGE_ROWS = 'SELECT b.*, level FROM @.bridge b JOIN @.edge USING (edge_id)'
 REPORT_ROWS = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'
 
 
@@ -46,6 +47,11 @@ def roadway():
                  (f'intersection, level {level}', f"{at} AND kind = 'intersection'", fill(JUNCTION, JUNCTION, 0.02, 'MapUnit')),
                  (f'paint, level {level}', f"{at} AND kind IN ('lane_separator', 'marking')", fill(PAINT))]
     return rules(*rows)
+
+
+def bridge():
+    """Level by level, so that the higher deck hides the lower one."""
+    return rules(*((f'bridge, level {level}', f'clamp(0, level, 3) = {level}', fill(ASPHALT, LIMIT, 0.5)) for level in (0, 1, 2, 3)))
 
 
 def surface_by_method(colour):
@@ -159,6 +165,8 @@ LAYERS = (
     Layer('streets', 'profile', 'edge_id', 'geom', lambda: rules(('lifted', "method = 'lifted'", line(LIMIT, 0.6)), ('sunk', "method = 'sunk'", line(LIMIT, 0.6, dash='2;1'))), scale=10000),
     Layer('streets', 'overpass', 'overpass_id', 'geom', lambda: single(point('triangle', AXIS, 2)), scale=10000),
     Layer('streets', 'roundabout', 'roundabout_id', 'geom', roundabout, scale=10000),
+    Layer('streets', 'bridge', 'bridge_id', 'surface', bridge, query=BRIDGE_ROWS, kind='MultiPolygon', scale=10000),
+    Layer('streets', 'tunnel', 'tunnel_id', 'surface', lambda: single(fill('#00000000', LIMIT, 0.4)), scale=10000),
     Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),
     Layer('streets', 'junction', 'junction_id', 'surface', junction),
     Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),

@@ -476,7 +476,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours')
     UNION ALL SELECT relation, attribute, description FROM streetgen._design_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._roundabout_column()
-    UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column() $$;
+    UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';
 
 CREATE OR REPLACE FUNCTION streetgen._comment_model(model name) RETURNS void

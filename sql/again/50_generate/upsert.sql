@@ -144,10 +144,12 @@ DECLARE
     spreads_to bigint[];
     locked record;
     blocks bigint[] := '{}';
+    edges bigint[] := '{}';
 BEGIN
     LOOP
         EXECUTE format('SELECT ARRAY(SELECT unnest($1) UNION SELECT block_id FROM %I._touched_blocks($2))', model)
             INTO blocks USING blocks, written;
+        edges := edges || streetgen._edges_at_bridges(model, written);
         IF cardinality(changed) > most_planned THEN
             RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed, 'part',
                 may_spread);
@@ -163,7 +165,7 @@ BEGIN
         EXIT WHEN locked.changed <@ changed;
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks);
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks, edges);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '

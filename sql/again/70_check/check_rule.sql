@@ -385,6 +385,14 @@ SELECT 'error', 'clearance not kept, m', 'overpass', o.overpass_id, h.over, o.ge
         LATERAL (SELECT streetgen._height_along(a.geom, o.abscissa_above)
             - streetgen._height_along(b.geom, o.abscissa_below) AS over) h
     WHERE h.over < o.clearance - 1e-3$part$),
+    (69, 'bridge', 'rule', $part$
+SELECT 'notice', 'bridge ends at a node above what it crosses, m', 'bridge', b.bridge_id, d.apart, o.geom
+    FROM %1$I.bridge b JOIN %1$I.overpass o ON o.edge_above = b.edge_id JOIN %1$I.edge e ON e.edge_id = b.edge_id
+        JOIN %1$I.edge c ON c.edge_id = o.edge_below, LATERAL (SELECT min(ST_Distance(v.place, c.geom)) AS apart
+            FROM (VALUES (0, ST_StartPoint(e.geom)), (ST_Length2D(e.geom), ST_EndPoint(e.geom))) v(at, place)
+            WHERE v.at BETWEEN b.start_abscissa AND b.end_abscissa) d
+    WHERE b.method = 'overpass' AND d.apart < greatest(c.width, c.width_end) / 2
+        AND o.abscissa_above BETWEEN b.start_abscissa AND b.end_abscissa$part$),
     (64, 'network', 'rule', $part$
 SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$),
     (66, 'interconnection', 'rule', $part$
