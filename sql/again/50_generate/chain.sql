@@ -12,6 +12,7 @@ CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touch
             WHERE e.axis_id = ANY (axes)
         UNION SELECT e.axis_id, 0 FROM {model}.edge e JOIN {model}.overpass o ON o.edge_below = e.edge_id
             WHERE e.axis_id = ANY (axes)
+        UNION SELECT axis_id, 0 FROM {model}.height_override WHERE axis_id = ANY (axes)
         UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.axis b ON ST_Crosses(a.geom, b.geom)
             WHERE a.axis_id = ANY (axes) AND a.level <> b.level$q$, false),
     ('road'::name, $q$

@@ -16,7 +16,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
         -- Chains of a first run by clusters are left for its end.
         'subjects', (SELECT array_agg(s ORDER BY n) FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n)
             WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_at_end())),
-        'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
+        'quoted_model', replace(quote_ident(model), '''', ''''''), 'model_name', replace(model, '''', ''''''),
+        'srid', m.srid,
         'whole', run IN ('whole', 'empty'), 'empty', run = 'empty',
         'by_key', CASE WHEN run IN ('whole', 'empty') THEN '' ELSE 'OFFSET 0' END,
         'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
@@ -26,9 +27,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
 COMMENT ON FUNCTION streetgen._upsert_places(name, text) IS
     'The places of the one statement, with the subjects that the model computes. run: part (some axes of a model), '
     'cluster (axes without computed rows, beside rows that are right), whole (all axes) or empty (all axes of a model '
-    'without computed rows). {model}: the schema; {quoted_model}: the same between quotes; {srid}. {whole}: all axes '
-    'are requested, {empty}: no computed row is there: true or false, which the planner takes out. {by_key}: keeps a '
-    'lateral subquery apart in a run for some axes, so that each of its few rows is looked up and not joined. '
+    'without computed rows). {model}: the schema; {quoted_model}: the same between quotes; {model_name}: its name '
+    'there; {srid}. {whole}: all axes are requested, {empty}: no computed row is there: true or false, which the '
+    'planner takes out. {by_key}: keeps a lateral subquery apart in a run for some axes, so that each of its few rows is looked up and not joined. '
     '{geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.

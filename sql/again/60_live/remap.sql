@@ -77,7 +77,7 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     AS $$
     SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
         OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'road_override')
+            'control_point', 'junction_override', 'road_override', 'height_override')
             AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
@@ -223,6 +223,15 @@ new AS (
 UPDATE %1$I.road_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
 WHERE o.road_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.geom)$sql$
+        WHEN 'height_override' THEN $sql$,
+new AS (
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
+    FROM found f JOIN %1$I.height_override o ON o.height_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'height_override')
+UPDATE %1$I.height_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
+WHERE o.height_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.geom)$sql$
         WHEN 'control_point' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, CASE WHEN f.turned THEN CASE o.direction WHEN 'direct'
@@ -356,7 +365,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'road_override}';
+        'road_override,height_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -369,6 +378,8 @@ UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id',
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
 UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.road_override
+UNION ALL SELECT 'height_override', height_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.height_override
 UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.sidewalk_override
 UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,

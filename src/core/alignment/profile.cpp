@@ -64,6 +64,10 @@ class Builder {
     return roads;
   }
 
+  bool is_off_ground(const ProfileHeight& height) const {
+    return height.height > height_at(ground_[height.edge], height.abscissa) + same_place;
+  }
+
   void lift() {
     std::vector<Lift> lifts;
     for (const ProfileLift& lift : lifts_)
@@ -72,7 +76,9 @@ class Builder {
                          lift.clearance + crest_loss(edges_[lift.above])});
     std::vector<LeastHeight> least;
     for (const ProfileHeight& height : by_hand_)
-      least.push_back({height.edge, height.abscissa, height.height});
+      if (is_off_ground(height))
+        least.push_back({height.edge, height.abscissa,
+                         height.height + crest_loss(edges_[height.edge])});
     heights_ = least_heights(roads(false), lifts, least);
   }
 
@@ -97,6 +103,10 @@ class Builder {
         bounds[lift.below].raised.push_back(lift.at_below);
       else
         bounds[lift.above].lowered.push_back(lift.at_above);
+    }
+    for (const ProfileHeight& height : by_hand_) {
+      bounds[height.edge].fixed.push_back(height.abscissa);
+      if (is_off_ground(height)) bounds[height.edge].lowered.push_back(height.abscissa);
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       bounds[e].ground = ground_[e];
