@@ -1,6 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
+\ir shared/made_terrain.sql
 -- Heights along edges: clearances, grades, edits by any path.
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,height}'), streetgen.create_model('fresh', 2154, subjects => '{interconnection,height}'),
@@ -107,6 +108,18 @@ SELECT h.* FROM pg_temp.holds('hill') h;
 SELECT 'a surveyed road that keeps all stays as it is', bool_and(p.method = 'ground' AND ST_Equals(p.geom, e.geom)) FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id IN (1, 2);
 SELECT 'another one is lifted', bool_and(p.method = 'lifted') FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 3;
 SELECT 'ground steeper than the grade keeps it', grade_max > 0.0999 FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 1;
+
+-- Ground of a terrain, with a hole of 300 m between its tiles.
+DO $$ BEGIN PERFORM streetgen.create_model('slope', 2154, 3, subjects => '{height}'), streetgen.create_design('slope'); END $$;
+CREATE TABLE tile AS SELECT test.tile(x, 6861000, 20, 50, '200 + 0.02 * (x - 650000)') AS heights FROM (VALUES (650000), (651300)) v(x);
+SELECT 'its tiles are there', streetgen.import_terrain('slope', 'tile') = 2;
+INSERT INTO slope.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINESTRING Z(650100 6860500 0, 652100 6860500 0)', 7, 50), (2, 'SRID=2154;LINESTRING Z(650400 6860300 7, 650400 6860400 8)', 7, 50),
+    (3, 'SRID=2154;LINESTRING Z(660400 6860300 0, 660400 6860400 0)', 7, 50);
+SELECT 'an axis whose Z is 0 all along lies on the terrain, across a hole too', bool_and(abs(z - 200 - 0.02 * (x - 650000)) < 1.2) AND count(*) > 100 AND max(x - before) < 10.1
+    FROM (SELECT ST_Z(d.geom) AS z, ST_X(d.geom) AS x, lag(ST_X(d.geom)) OVER (ORDER BY d.path) AS before
+        FROM slope.profile JOIN slope.edge USING (edge_id), ST_DumpPoints(profile.geom) d WHERE axis_id = 1) v;
+SELECT 'one with heights keeps them', ST_ZMin(p.geom) = 7 AND ST_ZMax(p.geom) = 8 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 2;
+SELECT 'without terrain it is 0', ST_ZMin(p.geom) = 0 AND ST_ZMax(p.geom) = 0 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 3;
 SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),

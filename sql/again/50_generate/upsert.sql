@@ -29,7 +29,8 @@ COMMENT ON FUNCTION streetgen._upsert_places(name, text) IS
     'cluster (axes without computed rows, beside rows that are right), whole (all axes) or empty (all axes of a model '
     'without computed rows). {model}: the schema; {quoted_model}: the same between quotes; {model_name}: its name '
     'there; {srid}. {whole}: all axes are requested, {empty}: no computed row is there: true or false, which the '
-    'planner takes out. {by_key}: keeps a lateral subquery apart in a run for some axes, so that each of its few rows is looked up and not joined. '
+    'planner takes out. {by_key}: keeps a lateral subquery apart in a run for some axes, so that each of its few rows '
+    'is looked up and not joined. '
     '{geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.
