@@ -11,11 +11,7 @@ profile_edges AS MATERIALIZED (
     FROM setting, new_edge e JOIN new_node f ON f.node_id = e.from_node JOIN new_node t ON t.node_id = e.to_node),
 profile_lifts AS MATERIALIZED (
     SELECT coalesce(array_agg(ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below, o.clearance,
-        b.level < 0)::streetgen.profile_lift), ARRAY[]::streetgen.profile_lift[]) AS list
-    FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids)) o
-        JOIN crossing_edge c ON c.edge_id = o.edge_below JOIN computed_edge b ON b.number = c.number
-    WHERE {whole} OR o.edge_above IN (SELECT edge_id FROM new_edge)
-        OR o.edge_below IN (SELECT edge_id FROM new_edge)),
+        o.sinks)::streetgen.profile_lift), ARRAY[]::streetgen.profile_lift[]) AS list FROM found_overpass o),
 profile_heights AS MATERIALIZED (
     SELECT coalesce(array_agg(ROW (e.edge_id, (o.abscissa - e.start_abscissa) / (e.end_abscissa - e.start_abscissa)
         * ST_Length2D(e.geom), o.height)::streetgen.profile_height), ARRAY[]::streetgen.profile_height[]) AS list
