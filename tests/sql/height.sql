@@ -120,6 +120,13 @@ SELECT 'an axis whose Z is 0 all along lies on the terrain, across a hole too', 
         FROM slope.profile JOIN slope.edge USING (edge_id), ST_DumpPoints(profile.geom) d WHERE axis_id = 1) v;
 SELECT 'one with heights keeps them', ST_ZMin(p.geom) = 7 AND ST_ZMax(p.geom) = 8 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 2;
 SELECT 'without terrain it is 0', ST_ZMin(p.geom) = 0 AND ST_ZMax(p.geom) = 0 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 3;
+-- Holes of Z, as BD TOPO writes them.
+DO $$ BEGIN PERFORM streetgen.create_model('holes', 2154, 3, subjects => '{height}'); END $$;
+INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINESTRING Z(650000 6860000 100, 650100 6860000 -1000, 650200 6860000 104)', 7, 50),
+    (2, 'SRID=2154;LINESTRING Z(650200 6860000 104, 650300 6860000 -1000)', 7, 50), (3, 'SRID=2154;LINESTRING Z(650300 6860000 -1000, 650400 6860000 -1000)', 7, 50);
+SELECT 'a hole of Z is filled between what is known, and at a node by what is near', array_agg(round(ST_Z(d.geom)::numeric, 6) ORDER BY axis_id, d.path) = '{100,102,104,104,104,104,104}'
+    FROM holes.profile p JOIN holes.edge USING (edge_id), ST_DumpPoints(p.geom) d;
+SELECT 'roads meet at one height beside holes', count(*) = 0 FROM streetgen.check_model('holes') WHERE severity = 'error';
 SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),

@@ -32,7 +32,7 @@ CREATE OR REPLACE FUNCTION streetgen._bridge_column()
         ('edge_id', 'the edge'),
         ('start_abscissa', 'where it begins, metres along the edge'),
         ('end_abscissa', 'where it ends, metres along the edge'),
-        ('surface', 'the roadway of that stretch; of an edge without a section, a strip of the width of the edge'),
+        ('surface', 'the roadway there: the section of a whole edge; else, or without one, a strip of its width'),
         ('method', 'how it is known: ' || further || 'stated (by the level of its axis) or design (by the structures '
             'of a design)')) c(attribute, description) $$;
 COMMENT ON FUNCTION streetgen._bridge_column() IS 'The columns of bridges and tunnels, and what each is.';

@@ -24,17 +24,13 @@ CREATE OR REPLACE FUNCTION streetgen._stretch_surface(section geometry, line geo
     width float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN low <= 0 AND high >= length AND NOT ST_IsEmpty(section) THEN section
-        WHEN ST_IsEmpty(cut) THEN ST_Multi(strip) ELSE ST_Multi(cut) END
-    FROM (SELECT ST_Length2D(line) AS length) l, LATERAL (SELECT ST_Force2D(ST_LineSubstring(line,
-            greatest(0, low / length), least(1, high / length))) AS part) p,
-        -- A little wider than the road, so that its border is that of the section.
-        LATERAL (SELECT ST_Buffer(part, width / 2, 'endcap=flat join=mitre') AS strip,
-            ST_Buffer(part, width / 2 + 2, 'endcap=flat join=mitre') AS wide) b,
-        LATERAL (SELECT coalesce(ST_CollectionExtract(ST_Intersection(section, wide), 3), part) AS cut) c $$;
+    SELECT CASE WHEN ST_IsEmpty(section) OR low > 0 OR high < length THEN ST_Multi(ST_Buffer(ST_Force2D(
+        ST_LineSubstring(line, greatest(0, low / length), least(1, high / length))), width / 2,
+        'endcap=flat join=mitre')) ELSE section END
+    FROM (SELECT ST_Length2D(line) AS length) l $$;
 COMMENT ON FUNCTION streetgen._stretch_surface(geometry, geometry, float8, float8, float8) IS
-    'The roadway of an edge between two abscissas of its line: that part of its section (MULTIPOLYGON); a strip of '
-    'the width where the section has none there.';
+    'The roadway of an edge between two abscissas of its line (MULTIPOLYGON): of all of it its section, else a strip '
+    'of the width. Where it crosses an edge of its level, the ground is in one of the two sections alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_renew_bridges(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
