@@ -31,7 +31,7 @@ install_qgis() { install_missing python3-qgis qgis-providers; }
 
 install_for_tests() {
   install_packages
-  install_missing libgtest-dev assimp-utils sumo sumo-tools libxml2-utils python3
+  install_missing libgtest-dev assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils
 }
 
 install_missing() {

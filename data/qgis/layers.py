@@ -33,6 +33,7 @@ ROADWAY = {
                       'FROM @.lane_separator JOIN @.edge USING (edge_id)',
     'marking': "SELECT marking_id * 4 + 3, 'marking', marking_id, level, NULL, surface FROM @.marking JOIN @.edge USING (edge_id)",
 }
+BRIDGE_ROWS = 'SELECT b.*, level FROM @.bridge b JOIN @.edge USING (edge_id)'
 REPORT_ROWS = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'
 
 
@@ -46,6 +47,11 @@ def roadway():
                  (f'intersection, level {level}', f"{at} AND kind = 'intersection'", fill(JUNCTION, JUNCTION, 0.02, 'MapUnit')),
                  (f'paint, level {level}', f"{at} AND kind IN ('lane_separator', 'marking')", fill(PAINT))]
     return rules(*rows)
+
+
+def bridge():
+    """Level by level, so that the higher deck hides the lower one."""
+    return rules(*((f'bridge, level {level}', f'clamp(0, level, 3) = {level}', fill(ASPHALT, LIMIT, 0.5)) for level in (0, 1, 2, 3)))
 
 
 def surface_by_method(colour):
@@ -113,6 +119,7 @@ LAYERS = (
     Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
     Layer('edit', 'controller_editing', 'controller_id', 'geom', handle('circle', 3, '#c92a2a'), ('program', 'cycle', 'start_offset', 'durations', 'by_hand'), scale=5000),
     Layer('edit', 'overpass_editing', 'overpass_id', 'geom', handle('triangle', 2.4, AXIS), ('axis_above', 'clearance', 'by_hand'), scale=5000),
+    Layer('edit', 'height_editing', 'height_id', 'geom', lambda: single(point('triangle', HAND, 2.2)), ('axis_id', 'height'), scale=5000),
     Layer('edit', 'roundabout_editing', 'roundabout_id', 'geom', roundabout, ('confirmed',), scale=10000),
     Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
     Layer('edit', 'sidewalk_editing', 'sidewalk_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('width', 'by_hand'), scale=2500),
@@ -138,6 +145,7 @@ LAYERS = (
     by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
     by_hand('controller_override', 'axis_id', 'program', 'cycle', 'start_offset', 'durations'),
     by_hand('overpass_override', 'axis_above', 'axis_below', 'clearance'),
+    by_hand('height_override', 'axis_id', 'abscissa', 'height'),
     by_hand('roundabout_override', 'confirmed'),
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
@@ -162,6 +170,8 @@ LAYERS = (
     Layer('streets', 'signal_head', 'lane_id', 'geom', lambda: single(point('circle', '#c92a2a', 1.6)), scale=2500),
     Layer('streets', 'overpass', 'overpass_id', 'geom', lambda: single(point('triangle', AXIS, 2)), scale=10000),
     Layer('streets', 'roundabout', 'roundabout_id', 'geom', roundabout, scale=10000),
+    Layer('streets', 'bridge', 'bridge_id', 'surface', bridge, query=BRIDGE_ROWS, kind='MultiPolygon', scale=10000),
+    Layer('streets', 'tunnel', 'tunnel_id', 'surface', lambda: single(fill('#00000000', LIMIT, 0.4)), scale=10000),
     Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),
     Layer('streets', 'junction', 'junction_id', 'surface', junction),
     Layer('streets', 'intersection', 'node_id', 'surface', surface_by_method(JUNCTION)),

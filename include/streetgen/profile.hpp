@@ -35,7 +35,7 @@ struct ProfileLift {
   bool sinks = false;    // the road below sinks, else the one above is lifted
 };
 
-// By hand: the road lies at least so high there.
+// By hand: the road lies at least so high there.  One at the ground or below it changes nothing.
 struct ProfileHeight {
   int edge = 0;
   double abscissa = 0;  // metres along it

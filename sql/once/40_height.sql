@@ -19,3 +19,9 @@ COMMENT ON COLUMN streetgen.profile_lift.edge_below IS 'the edge below';
 COMMENT ON COLUMN streetgen.profile_lift.abscissa_below IS 'where it passes below, m along the edge';
 COMMENT ON COLUMN streetgen.profile_lift.clearance IS 'm from roadway to roadway';
 COMMENT ON COLUMN streetgen.profile_lift.sinks IS 'does the road below sink? Else the one above is lifted';
+
+CREATE TYPE streetgen.profile_height AS (edge_id bigint, abscissa float8, height float8);
+COMMENT ON TYPE streetgen.profile_height IS 'A height by hand: the road lies at least so high there.';
+COMMENT ON COLUMN streetgen.profile_height.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.profile_height.abscissa IS 'm along the edge';
+COMMENT ON COLUMN streetgen.profile_height.height IS 'm';

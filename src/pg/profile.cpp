@@ -23,6 +23,7 @@ struct ProfilesCall {
   LineArray lines;
   ValueArray from_nodes, to_nodes, grades, radii;
   ValueArray above, at_above, below, at_below, clearances, sinks;
+  ValueArray by_hand, at_hand, heights;
   int srid;
 };
 
@@ -41,7 +42,11 @@ ProfilesCall take(FunctionCallInfo fcinfo) {
   call.at_below = take_values(fcinfo, 8, FLOAT8OID, lifts, "at_below");
   call.clearances = take_values(fcinfo, 9, FLOAT8OID, lifts, "clearances");
   call.sinks = take_values(fcinfo, 10, BOOLOID, lifts, "sinks");
-  call.srid = PG_GETARG_INT32(11);
+  call.by_hand = take_values(fcinfo, 11, INT4OID, any_count, "by_hand");
+  const int heights = call.by_hand.count;
+  call.at_hand = take_values(fcinfo, 12, FLOAT8OID, heights, "at_hand");
+  call.heights = take_values(fcinfo, 13, FLOAT8OID, heights, "heights");
+  call.srid = PG_GETARG_INT32(14);
   return call;
 }
 
@@ -74,6 +79,15 @@ std::vector<ProfileLift> lifts_of(const ProfilesCall& call) {
   return lifts;
 }
 
+std::vector<ProfileHeight> heights_of(const ProfilesCall& call) {
+  std::vector<ProfileHeight> heights;
+  for (int i = 0; i < call.by_hand.count; ++i)
+    heights.push_back({edge_of(call.by_hand.values[i], call.lines.count, "by_hand"),
+                       finite(DatumGetFloat8(call.at_hand.values[i]), "at_hand"),
+                       finite(DatumGetFloat8(call.heights.values[i]), "heights")});
+  return heights;
+}
+
 const char* profile_method_name(ProfileMethod method) {
   switch (method) {
     case ProfileMethod::ground:
@@ -103,7 +117,8 @@ STREETGEN_FUNCTION(streetgen_profiles) {
   Slot<std::vector<Written>>* slot = make_slot<std::vector<Written>>(CurrentMemoryContext);
   report(compute([&] {
     slot->value = new std::vector<Written>;
-    for (const Profile& profile : profiles(edges_of(call), lifts_of(call), {}).edges)
+    for (const Profile& profile :
+         profiles(edges_of(call), lifts_of(call), heights_of(call)).edges)
       slot->value->push_back({write_line(profile.line, {call.srid, true}), profile.grade,
                               profile_method_name(profile.method)});
   }));

@@ -1,6 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
+\ir shared/made_terrain.sql
 -- Heights along edges: clearances, grades, edits by any path.
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,height}'), streetgen.create_model('fresh', 2154, subjects => '{interconnection,height}'),
@@ -38,8 +39,8 @@ SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0)
 CREATE FUNCTION pg_temp.same_from_scratch() RETURNS boolean LANGUAGE plpgsql AS $$
 BEGIN
   PERFORM set_config('streetgen.live', 'off', true);
-  DELETE FROM fresh.axis;
-  INSERT INTO fresh.axis SELECT * FROM town.axis;
+  DELETE FROM fresh.axis; DELETE FROM fresh.height_override;
+  INSERT INTO fresh.axis SELECT * FROM town.axis; INSERT INTO fresh.height_override SELECT * FROM town.height_override;
   PERFORM set_config('streetgen.live', 'on', true);
   PERFORM streetgen.generate('fresh');
   RETURN NOT EXISTS (SELECT FROM (SELECT axis_id, start_abscissa, p.geom, p.method FROM town.profile p JOIN town.edge USING (edge_id)) t
@@ -64,6 +65,33 @@ SELECT 'a road that leads up is made shorter', pg_temp.same_from_scratch();
 UPDATE town.axis SET speed = 30 WHERE axis_id IN (2, 4);
 SELECT 'a slower road is steeper', pg_temp.same_from_scratch();
 
+
+-- By hand: the road lies at least so high at a place.
+INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860002)', 4);
+SELECT 'a height drawn lies on the nearest axis', (SELECT array_agg((axis_id, round(abscissa), height)::text) FROM town.height_override) = '{"(6,150,4)"}';
+SELECT 'the road lies so high there, and little more', height BETWEEN 4 - 1e-6 AND 4 + 0.7 FROM (SELECT pg_temp.height('town', edge_id, 150) AS height FROM town.edge WHERE axis_id = 6) h;
+SELECT 'no kink is left there', max(abs(after - before)) < 0.02 FROM (SELECT (z - lag(z) OVER w) / nullif(at - lag(at) OVER w, 0) AS before, (lead(z) OVER w - z) / nullif(lead(at) OVER w - at, 0) AS after
+    FROM (SELECT d.path[1] AS n, ST_Z(d.geom) AS z, ST_X(d.geom) AS at FROM town.profile p JOIN town.edge USING (edge_id), ST_DumpPoints(p.geom) d WHERE axis_id = 6) v WINDOW w AS (ORDER BY n)) g;
+SELECT h.* FROM pg_temp.holds('town') h;
+SELECT 'a height by hand, as from scratch', pg_temp.same_from_scratch();
+UPDATE town.height_editing SET height = 7, geom = 'SRID=2154;POINT(650890 6860000)';
+SELECT 'moved and higher it is the same from scratch', pg_temp.same_from_scratch() AND (SELECT max(ST_ZMax(p.geom)) >= 7 FROM town.profile p JOIN town.edge USING (edge_id) WHERE axis_id = 6);
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 6;
+SELECT 'it stays at its place on an axis that is turned round', abs(abscissa - 10) < 1e-6 AND pg_temp.same_from_scratch() FROM town.height_override;
+UPDATE town.height_editing SET height = -3;
+SELECT 'a height under the ground changes nothing, and is told', pg_temp.same_from_scratch() AND (SELECT count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'height by hand below the road, m')
+    AND (SELECT bool_and(p.method = 'ground') FROM town.profile p JOIN town.edge USING (edge_id) WHERE axis_id = 6);
+UPDATE town.height_override SET axis_id = 999;
+SELECT 'one without its axis is told', count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'height override without its axis';
+DELETE FROM town.height_editing;
+SELECT 'taken back by the view', count(*) = 0 FROM town.height_override;
+SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
+    ('a height that is no number', $$INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860000)', 'NaN')$$, '22023'),
+    ('a height beyond its range', $$INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860000)', 20000)$$, '22023'),
+    ('a height far from all axes', $$INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(750750 6860000)', 5)$$, '22023'),
+    ('a height without a place', $$INSERT INTO town.height_editing (height) VALUES (5)$$, '22023'),
+    ('a height in the table that is infinite', $$INSERT INTO town.height_override (axis_id, abscissa, height) VALUES (6, 10, 'Infinity')$$, '23514')) r(name, statement, state);
+
 -- Roads that pass over each other in turn, nearer than their grades allow.
 DO $$ BEGIN PERFORM streetgen.create_model('spiral', 2154, subjects => '{height}'); END $$;
 INSERT INTO spiral.axis (axis_id, geom, width, level, speed) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 7, 0, 50), (2, 'SRID=2154;LINESTRING(650030 6859990, 650030 6860010, 650050 6860010, 650050 6859990)', 7, 0, 50);
@@ -80,7 +108,26 @@ SELECT h.* FROM pg_temp.holds('hill') h;
 SELECT 'a surveyed road that keeps all stays as it is', bool_and(p.method = 'ground' AND ST_Equals(p.geom, e.geom)) FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id IN (1, 2);
 SELECT 'another one is lifted', bool_and(p.method = 'lifted') FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 3;
 SELECT 'ground steeper than the grade keeps it', grade_max > 0.0999 FROM hill.profile p JOIN hill.edge e USING (edge_id) WHERE axis_id = 1;
+
+-- Ground of a terrain, with a hole of 300 m between its tiles.
+DO $$ BEGIN PERFORM streetgen.create_model('slope', 2154, 3, subjects => '{height}'), streetgen.create_design('slope'); END $$;
+CREATE TABLE tile AS SELECT test.tile(x, 6861000, 20, 50, '200 + 0.02 * (x - 650000)') AS heights FROM (VALUES (650000), (651300)) v(x);
+SELECT 'its tiles are there', streetgen.import_terrain('slope', 'tile') = 2;
+INSERT INTO slope.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINESTRING Z(650100 6860500 0, 652100 6860500 0)', 7, 50), (2, 'SRID=2154;LINESTRING Z(650400 6860300 7, 650400 6860400 8)', 7, 50),
+    (3, 'SRID=2154;LINESTRING Z(660400 6860300 0, 660400 6860400 0)', 7, 50);
+SELECT 'an axis whose Z is 0 all along lies on the terrain, across a hole too', bool_and(abs(z - 200 - 0.02 * (x - 650000)) < 1.2) AND count(*) > 100 AND max(x - before) < 10.1
+    FROM (SELECT ST_Z(d.geom) AS z, ST_X(d.geom) AS x, lag(ST_X(d.geom)) OVER (ORDER BY d.path) AS before
+        FROM slope.profile JOIN slope.edge USING (edge_id), ST_DumpPoints(profile.geom) d WHERE axis_id = 1) v;
+SELECT 'one with heights keeps them', ST_ZMin(p.geom) = 7 AND ST_ZMax(p.geom) = 8 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 2;
+SELECT 'without terrain it is 0', ST_ZMin(p.geom) = 0 AND ST_ZMax(p.geom) = 0 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 3;
+-- Holes of Z, as BD TOPO writes them.
+DO $$ BEGIN PERFORM streetgen.create_model('holes', 2154, 3, subjects => '{height}'); END $$;
+INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINESTRING Z(650000 6860000 100, 650100 6860000 -1000, 650200 6860000 104)', 7, 50),
+    (2, 'SRID=2154;LINESTRING Z(650200 6860000 104, 650300 6860000 -1000)', 7, 50), (3, 'SRID=2154;LINESTRING Z(650300 6860000 -1000, 650400 6860000 -1000)', 7, 50);
+SELECT 'a hole of Z is filled between what is known, and at a node by what is near', array_agg(round(ST_Z(d.geom)::numeric, 6) ORDER BY axis_id, d.path) = '{100,102,104,104,104,104,104}'
+    FROM holes.profile p JOIN holes.edge USING (edge_id), ST_DumpPoints(p.geom) d;
+SELECT 'roads meet at one height beside holes', count(*) = 0 FROM streetgen.check_model('holes') WHERE severity = 'error';
 SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),
-    ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);
+    ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);

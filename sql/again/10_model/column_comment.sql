@@ -274,28 +274,6 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'the corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the '
         'side; '
         'level_change: the roadway goes on there on another level; by_hand'),
-    ('block', 'block_id', 'key; kept while the smallest place of its ring is there'),
-    ('block', 'kind', 'block; island: small, see setting block_island_area; strip: narrow and long, see '
-        'block_strip_width; roadway: no ground is left. Else as block_override has it'),
-    ('block', 'surface', 'the ground: empty where the face is roadway all over'),
-    ('sidewalk_block', 'sidewalk_id', 'the sidewalk'),
-    ('sidewalk_block', 'block_id', 'the block that it lies on; NULL: it lies in no face'),
-    ('block_interior', 'block_id', 'the block'),
-    ('block_interior', 'geom', 'its ground behind the sidewalks; empty: they take all of it'),
-    ('block', 'method', 'hypothesis; covered: no ground is left; axis_bound: where a street beside it has no roadway '
-        'on its level, the axis bounds it; robust_fallback: kerbs cross, or are missing'),
-    ('block_edge', 'edge_id', 'the edge, of level ground_level'),
-    ('block_edge', 'side', 'left or right in the direction of the edge'),
-    ('block_edge', 'start_abscissa', 'where the part of the side begins, metres along the edge: 0 unless another edge '
-        'crosses it without a node'),
-    ('block_edge', 'end_abscissa', 'where the part ends, metres along the edge'),
-    ('block_edge', 'block_id', 'the block that lies there; NULL: the outside of all blocks'),
-    ('block_edge', 'ring', '1: the edge is about the block; others: about an island of streets within'),
-    ('block_edge', 'ordinality', 'number along the rings of the block, with the block on the left, from its smallest '
-        'place; 1 where no block lies'),
-    ('block_override', 'block_override_id', 'key'),
-    ('block_override', 'geom', 'a place on the ground of the block'),
-    ('block_override', 'kind', 'block, island or strip'),
     ('lane', 'lane_id', 'key; kept while the edge has a lane of this ordinality'),
     ('lane', 'edge_id', 'the edge'),
     ('lane', 'ordinality', 'number from 1, from the middle outwards, by setting lane_order'),
@@ -481,7 +459,9 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     UNION ALL SELECT relation, attribute, description FROM streetgen._design_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._roundabout_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._signal_column()
-    UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column() $$;
+    UNION ALL SELECT relation, attribute, description FROM streetgen._block_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';
 
 CREATE OR REPLACE FUNCTION streetgen._comment_model(model name) RETURNS void

@@ -39,6 +39,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
     (55, 'overpass', 'overpass', 'overpass_id', 'edge_above, edge_below, ordinality', 'overpass',
         1),
     (56, 'profile', 'height', 'edge_id', NULL, 'edge', 1),
+    (57, 'bridge', 'bridge', 'bridge_id', 'edge_id, start_abscissa', 'bridge', 1),
+    (58, 'tunnel', 'bridge', 'tunnel_id', 'edge_id, start_abscissa', 'tunnel', 1),
     (99, 'report', 'network', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._computed_table() IS
     'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that '
@@ -79,7 +81,9 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
     (14, 'overpass', '{network}'::text[], false, false, 'little',
         'overpasses: where two edges cross without a node, and which of them is above'),
     (15, 'height', '{overpass}'::text[], false, false, 'little',
-        'heights along edges, with clearances and grades where roads pass over and under each other') $$;
+        'heights along edges, with clearances and grades where roads pass over and under each other'),
+    (16, 'bridge', '{overpass}'::text[], false, false, 'little',
+        'bridges and tunnels: stretches of edges over others, or off the ground by their level') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '

@@ -192,7 +192,7 @@ BEGIN
     PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
         streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
         streetgen._make_controller_override_table(model, srid),
-        streetgen._make_overpass_override_table(model, srid),
+        streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
         streetgen._add_both_ways(model), streetgen._add_sidewalks(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
@@ -396,6 +396,7 @@ BEGIN
             '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
             '%1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
             '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
+            '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);
     END IF;
     PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);

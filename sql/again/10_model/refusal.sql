@@ -69,6 +69,8 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('block_override', 'kind', 'block, island or strip', 'Delete the row to have it computed.'),
     ('road_override', 'abscissa', '0 m or more along the axis', 'Edit road_arc_editing, which fills it.'),
     ('road_override', 'radius', '0 to 4000 m', '0 for a sharp bend; delete the row to have it computed.'),
+    ('height_override', 'abscissa', '0 m or more along the axis', 'Edit height_editing, which fills it.'),
+    ('height_override', 'height', '-1000 to 10000 m', 'Delete the row to have the height computed.'),
     ('overpass_override', 'clearance', '0 to 100 m', 'Leave it empty for setting clearance.'),
     ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12',
         'Leave it empty to have it computed.')

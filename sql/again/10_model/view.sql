@@ -54,7 +54,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
            class_width, class_speed, class_importance, kerb_width,
            CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
-               OR any_sidewalk OR any_junction OR any_bend
+               OR any_sidewalk OR any_junction OR any_bend OR any_height
                THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
                SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
                    0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
@@ -81,7 +81,9 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    controller.program, cycle, start_offset, durations), 0)
                    FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
                UNION ALL SELECT 8, road_override_id, hash_record_extended(ROW(abscissa, radius), 0)
-                   FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id) o) END,
+                   FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id
+               UNION ALL SELECT 9, height_override_id, hash_record_extended(ROW(abscissa, height), 0)
+                   FROM %1$I.height_override WHERE any_height AND axis_id = a.axis_id) o) END,
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
@@ -119,6 +121,7 @@ LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
     EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
     EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
     EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
+    EXISTS (SELECT FROM %1$I.height_override) AS any_height,
     EXISTS (SELECT FROM %1$I.control_point) AS any_control,
     EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
     EXISTS (SELECT FROM %1$I.overpass_override) AS any_overpass,

@@ -18,6 +18,11 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_column()
     ('overpass', 'clearance', 'wanted from roadway to roadway, metres'),
     ('overpass', 'method', 'how it is known who is above: by_hand, level (the levels differ), importance (of one '
         'level, the more important axis is above) or order (of one level and importance, the greater axis_id is)'),
+    ('height_override', 'height_override_id', 'key'),
+    ('height_override', 'axis_id', 'the axis'),
+    ('height_override', 'abscissa', 'the place, metres along the axis'),
+    ('height_override', 'height', 'the road lies at least so high there, metres'),
+    ('height_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out'),
     ('profile', 'edge_id', 'the edge'),
     ('profile', 'geom', 'the line of the edge with the heights of the roadway, metres, and further points where its '
         'grade changes'),

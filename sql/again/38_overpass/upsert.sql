@@ -19,16 +19,20 @@ crossing_edge AS MATERIALIZED (
     FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
         WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
     WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
-crossing_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM crossing_edge)$part$, places),
+crossing_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM crossing_edge),
+found_overpass AS MATERIALIZED (
+    SELECT o.*, b.level < 0 AS sinks
+    FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids)) o
+        JOIN crossing_edge c ON c.edge_id = o.edge_below JOIN computed_edge b ON b.number = c.number
+    WHERE {whole} OR o.edge_above IN (SELECT edge_id FROM new_edge)
+        OR o.edge_below IN (SELECT edge_id FROM new_edge))$part$, places),
     streetgen._upsert_rows(places, 'overpass',
         columns => 'edge_above, abscissa_above, edge_below, abscissa_below, ordinality, geom, clearance, method',
         rows => $part$
         SELECT number, edge_above, abscissa_above, edge_below, abscissa_below,
             row_number() OVER (PARTITION BY edge_above, edge_below ORDER BY number)::integer AS ordinality,
             geom, clearance, method
-        FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids))
-        WHERE {whole} OR edge_above IN (SELECT edge_id FROM new_edge) OR edge_below IN (SELECT edge_id
-            FROM new_edge)$part$,
+        FROM found_overpass$part$,
         there => $part$
         SELECT o.overpass_id FROM new_edge e, LATERAL (SELECT overpass_id FROM {model}.overpass o
             WHERE o.edge_above = e.edge_id {by_key}) o WHERE NOT e.fresh

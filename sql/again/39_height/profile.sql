@@ -13,33 +13,29 @@ CREATE OR REPLACE FUNCTION streetgen._height_along(line geometry, abscissa float
 COMMENT ON FUNCTION streetgen._height_along(geometry, float8) IS
     'The height (m) of a LINESTRING Z at an abscissa, metres along it in the plane.';
 
-CREATE OR REPLACE FUNCTION streetgen._ground_line(line geometry, from_place geometry, to_place geometry)
-    RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE WHEN ST_NDims(line) = 2 THEN line
-        ELSE ST_SetPoint(ST_SetPoint(line, 0, from_place), -1, to_place) END $$;
-COMMENT ON FUNCTION streetgen._ground_line(geometry, geometry, geometry) IS
-    'The ground along an edge: its line, at its ends the places of its nodes, at which edges have one height.';
-
 CREATE OR REPLACE FUNCTION streetgen._profiles(lines bytea[], from_nodes bigint[], to_nodes bigint[], grades float8[],
     radii float8[], above integer[], at_above float8[], below integer[], at_below float8[], clearances float8[],
-    sinks boolean[], srid integer) RETURNS TABLE(number integer, line bytea, grade_max float8, method text)
+    sinks boolean[], by_hand integer[], at_hand float8[], heights float8[], srid integer)
+    RETURNS TABLE(number integer, line bytea, grade_max float8, method text)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_profiles';
 COMMENT ON FUNCTION streetgen._profiles(bytea[], bigint[], bigint[], float8[], float8[], integer[], float8[],
-    integer[], float8[], float8[], boolean[], integer) IS
+    integer[], float8[], float8[], boolean[], integer[], float8[], float8[], integer) IS
     'The height (LINESTRING Z, EWKB) of each line, its greatest grade and how it came about: ground, lifted or sunk. '
     'radii: of vertical arcs, m. above and below: numbers, from 1, of the lines that cross there, with metres along '
-    'them. Arrays of one thing have one length (2202E); a NULL in one: 22004; a number of no line: 22023.';
+    'them. by_hand: numbers of lines that lie at least so high there. Arrays of one thing have one length (2202E); a '
+    'NULL in one: 22004; a number of no line: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._solved_profile(edges streetgen.profile_edge[], lifts streetgen.profile_lift[],
-    srid integer) RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
+    heights streetgen.profile_height[], srid integer)
+    RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 WITH edge AS MATERIALIZED (SELECT row_number() OVER (ORDER BY e.edge_id)::integer AS number, e.* FROM unnest(edges) e),
 lift AS MATERIALIZED (
     SELECT a.number AS above, l.abscissa_above, b.number AS below, l.abscissa_below, l.clearance, l.sinks,
         row_number() OVER (ORDER BY l.edge_above, l.abscissa_above, l.edge_below) AS turn
-    FROM unnest(lifts) l JOIN edge a ON a.edge_id = l.edge_above JOIN edge b ON b.edge_id = l.edge_below)
+    FROM unnest(lifts) l JOIN edge a ON a.edge_id = l.edge_above JOIN edge b ON b.edge_id = l.edge_below),
+by_hand AS MATERIALIZED (SELECT e.number, h.abscissa, h.height FROM unnest(heights) h JOIN edge e USING (edge_id))
 SELECT e.edge_id, p.line::geometry, p.grade_max, p.method
 FROM (SELECT array_agg(line ORDER BY number) AS lines, array_agg(from_node ORDER BY number) AS from_nodes,
         array_agg(to_node ORDER BY number) AS to_nodes, array_agg(grade ORDER BY number) AS grades,
@@ -51,13 +47,16 @@ FROM (SELECT array_agg(line ORDER BY number) AS lines, array_agg(from_node ORDER
         coalesce(array_agg(abscissa_below ORDER BY turn), '{}') AS at_below,
         coalesce(array_agg(clearance ORDER BY turn), '{}') AS clearances,
         coalesce(array_agg(sinks ORDER BY turn), '{}') AS sinks FROM lift) t,
+    (SELECT coalesce(array_agg(number ORDER BY number, abscissa, height), '{}') AS numbers,
+        coalesce(array_agg(abscissa ORDER BY number, abscissa, height), '{}') AS at,
+        coalesce(array_agg(height ORDER BY number, abscissa, height), '{}') AS heights FROM by_hand) h,
     streetgen._profiles(lines, from_nodes, to_nodes, grades, radii, above, at_above, below, at_below, clearances,
-        t.sinks, srid) p JOIN edge e USING (number) $$;
-COMMENT ON FUNCTION streetgen._solved_profile(streetgen.profile_edge[], streetgen.profile_lift[], integer) IS
-    'The heights along edges, with all that lifts and sinks them.';
+        t.sinks, h.numbers, h.at, h.heights, srid) p JOIN edge e USING (number) $$;
+COMMENT ON FUNCTION streetgen._solved_profile(streetgen.profile_edge[], streetgen.profile_lift[],
+    streetgen.profile_height[], integer) IS 'The heights along edges, with all that lifts and sinks them.';
 
 CREATE OR REPLACE FUNCTION streetgen._renewed_profile(model name, edges streetgen.profile_edge[],
-    lifts streetgen.profile_lift[], gone bigint[])
+    lifts streetgen.profile_lift[], heights streetgen.profile_height[], gone bigint[])
     RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
     -- STABLE: it sees the model before the statement that calls it.
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
@@ -67,6 +66,7 @@ DECLARE
     place record;
     region streetgen.profile_edge[] := edges;
     crossings streetgen.profile_lift[] := lifts;
+    by_hand streetgen.profile_height[] := heights;
     known bigint[] := ARRAY(SELECT e.edge_id FROM unnest(edges) e) || gone;
     more bigint[];
 BEGIN
@@ -78,26 +78,25 @@ WITH crossed AS (
     SELECT unnest(ARRAY[edge_above, edge_below]) AS edge_id FROM unnest($2) l
     UNION SELECT o.edge_above FROM %1$I.overpass o WHERE o.edge_below = ANY ($3)
     UNION SELECT o.edge_below FROM %1$I.overpass o WHERE o.edge_above = ANY ($3)),
-solved AS MATERIALIZED (SELECT * FROM streetgen._solved_profile($1, $2, $4)),
+solved AS MATERIALIZED (SELECT * FROM streetgen._solved_profile($1, $2, $5, $4)),
 -- Places of nodes, before and after, where a road is off the ground.
 off_ground AS (
-    SELECT node_id FROM (
-        SELECT v.node_id, v.z, v.ground FROM solved s JOIN unnest($1) e USING (edge_id), LATERAL (VALUES
-            (e.from_node, ST_Z(ST_StartPoint(s.geom)), ST_Z(ST_StartPoint(e.line::geometry))),
-            (e.to_node, ST_Z(ST_EndPoint(s.geom)), ST_Z(ST_EndPoint(e.line::geometry)))) v(node_id, z, ground)
-        UNION ALL SELECT v.node_id, v.z, ST_Z(n.geom) FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id),
-            LATERAL (VALUES (e.from_node, ST_Z(ST_StartPoint(p.geom))), (e.to_node, ST_Z(ST_EndPoint(p.geom))))
-                v(node_id, z) JOIN %1$I.node n USING (node_id)
-        WHERE e.edge_id = ANY ($3) AND p.method <> 'ground') n
-    WHERE abs(z - coalesce(ground, 0)) > 1e-6)
+    SELECT node_id FROM solved s JOIN unnest($1) e USING (edge_id), LATERAL (VALUES
+        (e.from_node, ST_Z(ST_StartPoint(s.geom)), ST_Z(ST_StartPoint(e.line::geometry))),
+        (e.to_node, ST_Z(ST_EndPoint(s.geom)), ST_Z(ST_EndPoint(e.line::geometry)))) v(node_id, z, ground)
+    WHERE abs(z - coalesce(ground, 0)) > 1e-6
+    UNION SELECT v.node_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id),
+        LATERAL (VALUES (e.from_node, ST_Z(ST_StartPoint(p.geom))), (e.to_node, ST_Z(ST_EndPoint(p.geom))))
+            v(node_id, z) JOIN %1$I.node n USING (node_id)
+    WHERE e.edge_id = ANY ($3) AND p.method <> 'ground' AND abs(v.z - coalesce(ST_Z(n.geom), 0)) > 1e-6)
 SELECT ARRAY(SELECT edge_id FROM crossed
     UNION SELECT e.edge_id FROM %1$I.edge e WHERE e.from_node IN (SELECT node_id FROM off_ground)
     UNION SELECT e.edge_id FROM %1$I.edge e WHERE e.to_node IN (SELECT node_id FROM off_ground)
-    EXCEPT SELECT unnest($3)) $sql$, model) INTO more USING region, crossings, known, place.srid;
+    EXCEPT SELECT unnest($3)) $sql$, model) INTO more USING region, crossings, known, place.srid, by_hand;
         EXIT WHEN more = '{}';
         EXECUTE format($sql$
 SELECT $1 || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
-        streetgen._ground_line(e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) / 100,
+        streetgen._ground_of(%2$L, e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) / 100,
         e.speed)::streetgen.profile_edge
     FROM %1$I.edge e JOIN %1$I.node f ON f.node_id = e.from_node JOIN %1$I.node t ON t.node_id = e.to_node,
         (SELECT value::jsonb AS grades FROM %1$I.setting WHERE name = 'grade_maximal') s
@@ -105,13 +104,17 @@ SELECT $1 || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
     $2 || ARRAY(SELECT ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below, o.clearance,
         b.level < 0)::streetgen.profile_lift
     FROM %1$I.overpass o JOIN %1$I.edge b ON b.edge_id = o.edge_below
-    WHERE (o.edge_above = ANY ($3) OR o.edge_below = ANY ($3)) AND NOT ARRAY[o.edge_above, o.edge_below] && $4)
-$sql$, model) INTO region, crossings USING region, crossings, more, known;
+    WHERE (o.edge_above = ANY ($3) OR o.edge_below = ANY ($3)) AND NOT ARRAY[o.edge_above, o.edge_below] && $4),
+    $5 || ARRAY(SELECT h FROM %1$I.edge e, LATERAL streetgen._heights_by_hand(%2$L, e.edge_id, e.axis_id,
+        e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY ($3))
+$sql$, model, model) INTO region, crossings, by_hand USING region, crossings, more, known, by_hand;
         known := known || more;
     END LOOP;
     RETURN QUERY SELECT s.edge_id, s.geom, s.grade_max, s.method
-        FROM streetgen._solved_profile(region, crossings, place.srid) s;
+        FROM streetgen._solved_profile(region, crossings, by_hand, place.srid) s;
 END $$;
-COMMENT ON FUNCTION streetgen._renewed_profile(name, streetgen.profile_edge[], streetgen.profile_lift[], bigint[]) IS
-    'The heights along all edges that a change can move: edges and lifts as they are written, gone the edges that go; '
+COMMENT ON FUNCTION streetgen._renewed_profile(name, streetgen.profile_edge[], streetgen.profile_lift[],
+    streetgen.profile_height[], bigint[]) IS
+    'The heights along all edges that a change can move: edges, lifts and heights by hand as they are written, gone '
+    'the edges that go; '
     'the others, and their crossings, as the model has them.';

@@ -12,8 +12,9 @@ CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touch
             WHERE e.axis_id = ANY (axes)
         UNION SELECT e.axis_id, 0 FROM {model}.edge e JOIN {model}.overpass o ON o.edge_below = e.edge_id
             WHERE e.axis_id = ANY (axes)
+        UNION SELECT axis_id, 0 FROM {model}.height_override WHERE axis_id = ANY (axes)
         UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.axis b ON ST_Crosses(a.geom, b.geom)
-            WHERE a.axis_id = ANY (axes) AND a.level <> b.level$q$, false),
+            WHERE a.axis_id = ANY (axes) AND a.level <> b.level$q$, true),
     ('road'::name, $q$
         SELECT a.axis_id, r.road_id AS chain FROM {model}.edge a, LATERAL (
             SELECT edge_id FROM {model}.edge e WHERE e.from_node IN (a.from_node, a.to_node)
@@ -31,8 +32,8 @@ COMMENT ON FUNCTION streetgen._chain() IS
     '{model} is the schema, axes an array of the axes. The query sees a model before the run. So it names each chain '
     'at the edges of the axes, at the nodes of these edges, and at the place of an axis that has no edge yet. A chain '
     'after the run is then made of new rows and of pieces of the chains named. at_end: a first run by clusters leaves '
-    'the table to its end, since its part of the one statement reads nothing but new_node, new_edge, setting and '
-    'tables in a run for all of a model.';
+    'the table to its end, since its part of the one statement reads nothing but new_node, new_edge, setting, '
+    'found_overpass and tables in a run for all of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_key(relation name, chain bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
@@ -119,6 +120,7 @@ DECLARE
     subject text;
     parts text[];
     part text;
+    chained boolean := false;
 BEGIN
     parts := ARRAY[streetgen._fill_template($part$
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
@@ -127,12 +129,19 @@ new_edge AS MATERIALIZED (SELECT *, false AS fresh FROM {model}.edge),
 left_node AS (SELECT node_id FROM new_node WHERE false),
 old_edge AS (SELECT *, true AS written FROM new_edge WHERE false),
 written_axis AS (SELECT axis_id FROM new_edge WHERE false)$part$, places)];
+    IF 'overpass' = ANY (streetgen._subjects(model)) THEN
+        parts := parts || streetgen._fill_template($part$
+found_overpass AS MATERIALIZED (
+    SELECT o.*, e.level < 0 AS sinks FROM {model}.overpass o JOIN {model}.edge e ON e.edge_id = o.edge_below)$part$,
+            places);
+    END IF;
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
         CONTINUE WHEN subject <> ALL (streetgen._subjects_at_end());
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
+        chained := true;
     END LOOP;
-    IF cardinality(parts) > 1 THEN
+    IF chained THEN
         EXECUTE 'WITH RECURSIVE ' || array_to_string(parts, ',') || ' SELECT';
     END IF;
 END $$;

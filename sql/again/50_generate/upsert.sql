@@ -16,7 +16,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
         -- Chains of a first run by clusters are left for its end.
         'subjects', (SELECT array_agg(s ORDER BY n) FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n)
             WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_at_end())),
-        'quoted_model', replace(quote_ident(model), '''', ''''''), 'srid', m.srid,
+        'quoted_model', replace(quote_ident(model), '''', ''''''), 'model_name', replace(model, '''', ''''''),
+        'srid', m.srid,
         'whole', run IN ('whole', 'empty'), 'empty', run = 'empty',
         'by_key', CASE WHEN run IN ('whole', 'empty') THEN '' ELSE 'OFFSET 0' END,
         'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
@@ -26,9 +27,10 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
 COMMENT ON FUNCTION streetgen._upsert_places(name, text) IS
     'The places of the one statement, with the subjects that the model computes. run: part (some axes of a model), '
     'cluster (axes without computed rows, beside rows that are right), whole (all axes) or empty (all axes of a model '
-    'without computed rows). {model}: the schema; {quoted_model}: the same between quotes; {srid}. {whole}: all axes '
-    'are requested, {empty}: no computed row is there: true or false, which the planner takes out. {by_key}: keeps a '
-    'lateral subquery apart in a run for some axes, so that each of its few rows is looked up and not joined. '
+    'without computed rows). {model}: the schema; {quoted_model}: the same between quotes; {model_name}: its name '
+    'there; {srid}. {whole}: all axes are requested, {empty}: no computed row is there: true or false, which the '
+    'planner takes out. {by_key}: keeps a lateral subquery apart in a run for some axes, so that each of its few rows '
+    'is looked up and not joined. '
     '{geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 -- Height for a line or point computed in the plane: that of the nearest place of its axis.
@@ -144,10 +146,12 @@ DECLARE
     spreads_to bigint[];
     locked record;
     blocks bigint[] := '{}';
+    edges bigint[] := '{}';
 BEGIN
     LOOP
         EXECUTE format('SELECT ARRAY(SELECT unnest($1) UNION SELECT block_id FROM %I._touched_blocks($2))', model)
             INTO blocks USING blocks, written;
+        edges := edges || streetgen._edges_at_bridges(model, written);
         IF cardinality(changed) > most_planned THEN
             RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed, 'part',
                 may_spread);
@@ -163,7 +167,7 @@ BEGIN
         EXIT WHEN locked.changed <@ changed;
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks);
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks, edges);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '

@@ -94,6 +94,10 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             o.method = 'by_hand' AS by_hand, o.geom
         FROM %1$I.overpass o JOIN %1$I.edge a ON a.edge_id = o.edge_above
             JOIN %1$I.edge b ON b.edge_id = o.edge_below$sql$, 'overpass'),
+    ('height_editing', 'Edit layer: drop a point on a road and type how high it lies there at least; DELETE takes it '
+        'back',
+        ARRAY['key', 'the axis: the nearest one where left out', 'height, metres', 'the place on the axis'],
+        $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height'),
     ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
         'come first; DELETE takes back what was decided by hand',
         ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',

@@ -1,88 +1,5 @@
 -- Decisions by hand find their axes again after a split, merge, reversal or redraw.
 
-CREATE OR REPLACE FUNCTION streetgen._heading(line geometry, place geometry) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_Azimuth(ST_LineInterpolatePoint(line, greatest(at - step, 0)),
-        ST_LineInterpolatePoint(line, least(at + step, 1)))
-    FROM (SELECT ST_LineLocatePoint(line, place) AS at, 0.1 / greatest(ST_Length2D(line), 0.1) AS step) s
-    $$;
-COMMENT ON FUNCTION streetgen._heading(geometry, geometry) IS
-    'Azimuth (radians) of a line where it is nearest to a place, over 0.1 m to either side.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_runs_against(before geometry, after geometry, place geometry)
-    RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT coalesce(cos(streetgen._heading(before, place) - streetgen._heading(after, place)) < 0, false) $$;
-COMMENT ON FUNCTION streetgen._remap_runs_against(geometry, geometry, geometry) IS
-    'Whether a line runs against another at a place; false where one is NULL.';
-
-CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
-        WHEN (ordinality + lanes) % 2 = 1 THEN ordinality + 1 ELSE ordinality - 1 END $$;
-COMMENT ON FUNCTION streetgen._mirrored_ordinality(integer, bigint) IS
-    'Ordinality, on an axis turned round, of the lane that had this one among so many lanes (0: unknown, as it was).';
-
-CREATE OR REPLACE FUNCTION streetgen._end_of(line geometry, which text) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE which WHEN 'start' THEN ST_StartPoint(line) ELSE ST_EndPoint(line) END $$;
-COMMENT ON FUNCTION streetgen._end_of(geometry, text) IS 'The start or the end of a line.';
-
-CREATE OR REPLACE FUNCTION streetgen._moved_vertex(before geometry, after geometry, place geometry, reach float8)
-    RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT CASE WHEN ST_DWithin(ST_StartPoint(before), place, reach) THEN ST_StartPoint(after)
-                WHEN ST_DWithin(ST_EndPoint(before), place, reach) THEN ST_EndPoint(after)
-                WHEN ST_NPoints(before) = ST_NPoints(after)
-                THEN (SELECT ST_PointN(after, v.path[1]) FROM ST_DumpPoints(before) v
-                    WHERE ST_DWithin(v.geom, place, reach) ORDER BY ST_Distance(v.geom, place) LIMIT 1) END
-    $$;
-COMMENT ON FUNCTION streetgen._moved_vertex(geometry, geometry, geometry, float8) IS
-    'Where the vertex of a line that was within reach of a place is now; NULL where nothing says so.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_is_cut_back(before geometry, after geometry, slack float8) RETURNS boolean
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT ST_Length2D(after) < ST_Length2D(before) AND NOT EXISTS (SELECT FROM ST_DumpPoints(after) v
-        WHERE NOT ST_DWithin(v.geom, before, slack)) $$;
-COMMENT ON FUNCTION streetgen._remap_is_cut_back(geometry, geometry, float8) IS
-    'Whether a line is a piece of what it was, as the first half of a split is.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_point_beside(line geometry, place geometry) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_LineInterpolatePoint(line, CASE WHEN at < 0.5 THEN least(at + step, 1) ELSE greatest(at - step, 0) END)
-    FROM (SELECT ST_LineLocatePoint(line, place) AS at, 5 / greatest(ST_Length2D(line), 5) AS step) s
-    $$;
-COMMENT ON FUNCTION streetgen._remap_point_beside(geometry, geometry) IS
-    'The place on a line 5 m along it from another, towards its farther end.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(relation text, line geometry) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
-        ELSE line END $$;
-COMMENT ON FUNCTION streetgen._remap_part_of_axis(text, geometry) IS
-    'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_lies_beside(line geometry, place geometry) RETURNS boolean
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
-COMMENT ON FUNCTION streetgen._remap_lies_beside(geometry, geometry) IS
-    'Whether a place lies beside a line and not beyond its ends.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geometry, after geometry, place geometry,
-    reach float8) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
-        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'controller_override', 'road_override')
-            AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
-    $$;
-COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
-    'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
-
 -- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is
 -- none.
 CREATE OR REPLACE FUNCTION streetgen._remap_places(model name) RETURNS text
@@ -223,6 +140,15 @@ new AS (
 UPDATE %1$I.road_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
 WHERE o.road_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.geom)$sql$
+        WHEN 'height_override' THEN $sql$,
+new AS (
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
+    FROM found f JOIN %1$I.height_override o ON o.height_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'height_override')
+UPDATE %1$I.height_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
+WHERE o.height_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.geom)$sql$
         WHEN 'control_point' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, CASE WHEN f.turned THEN CASE o.direction WHEN 'direct'
@@ -360,7 +286,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'controller_override,road_override}';
+        'controller_override,road_override,height_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -373,6 +299,8 @@ UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id',
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
 UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.road_override
+UNION ALL SELECT 'height_override', height_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.height_override
 UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.sidewalk_override
 UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,

@@ -350,13 +350,6 @@ SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_
     FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
     WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')),
         used))$part$),
-    (67, 'overpass', 'rule', $part$
-SELECT 'warning', 'overpass override without its crossing', 'overpass_override', o.overpass_override_id,
-    o.clearance, o.geom FROM %1$I.overpass_override o
-    WHERE NOT EXISTS (SELECT FROM %1$I.overpass p JOIN %1$I.edge a ON a.edge_id = p.edge_above
-        JOIN %1$I.edge b ON b.edge_id = p.edge_below
-        WHERE (a.axis_id, b.axis_id) = (o.axis_above, o.axis_below) AND p.method = 'by_hand'
-            AND ST_DWithin(p.geom, o.geom, 20))$part$),
     (70, 'roundabout', 'rule', $part$
 SELECT 'error', 'ring of a roundabout is not closed', 'roundabout', r.roundabout_id, count(n.edge_id), r.geom
     FROM %1$I.roundabout r LEFT JOIN %1$I.roundabout_edge n USING (roundabout_id)
@@ -378,13 +371,6 @@ SELECT 'warning', 'arm of a roundabout that nobody may enter or leave', 'edge', 
     (73, 'network', 'rule', $part$
 SELECT 'warning', 'roundabout override without its ring', 'roundabout_override', o.roundabout_override_id, 0, o.geom
     FROM %1$I.roundabout_override o WHERE NOT streetgen._has_ring(%1$L, o.geom)$part$),
-    (68, 'height', 'rule', $part$
-SELECT 'error', 'clearance not kept, m', 'overpass', o.overpass_id, h.over, o.geom
-    FROM %1$I.overpass o JOIN %1$I.profile a ON a.edge_id = o.edge_above
-        JOIN %1$I.profile b ON b.edge_id = o.edge_below,
-        LATERAL (SELECT streetgen._height_along(a.geom, o.abscissa_above)
-            - streetgen._height_along(b.geom, o.abscissa_below) AS over) h
-    WHERE h.over < o.clearance - 1e-3$part$),
     (64, 'network', 'rule', $part$
 SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM %1$I.report$part$),
     (66, 'interconnection', 'rule', $part$
@@ -486,7 +472,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_statement(model name) RETURNS text
     AS $$
     SELECT format('WITH ' || string_agg(query, ',' ORDER BY place) FILTER (WHERE kind = 'with')
         || string_agg(query, E'\nUNION ALL' ORDER BY place) FILTER (WHERE kind = 'rule'), model)
-    FROM (SELECT * FROM streetgen._check_part() WHERE subject = ANY (streetgen._subjects(model))
+    FROM (SELECT * FROM (SELECT * FROM streetgen._check_part() UNION ALL SELECT * FROM streetgen._height_check_part())
+            part WHERE subject = ANY (streetgen._subjects(model))
         UNION ALL SELECT 900, 'signal', 'rule', streetgen._signal_check()
         WHERE 'signal' = ANY (streetgen._subjects(model))
         UNION ALL SELECT 1000, 'design', 'rule', streetgen._design_check() WHERE streetgen._has_design(model)) p $$;

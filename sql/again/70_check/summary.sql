@@ -59,6 +59,14 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
     SELECT 'sidewalks', round(coalesce(sum(ST_Area(surface)), 0)::numeric, 1), 'm2' FROM %1$I.sidewalk$part$),
     (19, 'overpass', $part$
     (SELECT 'overpasses by ' || method, count(*), NULL FROM %1$I.overpass GROUP BY method ORDER BY method)$part$),
+    (24, 'bridge', $part$
+    (SELECT kind || 's, ' || method, count(*), NULL FROM (SELECT 'bridge' AS kind, method FROM %1$I.bridge
+        UNION ALL SELECT 'tunnel', method FROM %1$I.tunnel) b GROUP BY 1 ORDER BY 1)$part$),
+    (25, 'bridge', $part$
+    (SELECT kind || 's, length', round(sum(length)::numeric, 1), 'm' FROM (
+        SELECT 'bridge' AS kind, end_abscissa - start_abscissa AS length FROM %1$I.bridge
+        UNION ALL SELECT 'tunnel', end_abscissa - start_abscissa FROM %1$I.tunnel) b GROUP BY kind
+        ORDER BY kind)$part$),
     (30, 'roundabout', $part$
     (SELECT 'roundabouts, ' || CASE WHEN accepted THEN kind ELSE 'not accepted' END, count(*), NULL FROM %1$I.roundabout
         GROUP BY 1 ORDER BY 1)$part$),

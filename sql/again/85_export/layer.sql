@@ -64,7 +64,11 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'geom', 'controller'),
     (55, 'overpasses', 'POINT', false, 'overpass_id AS id, edge_above, abscissa_above AS at_above, edge_below, '
         'abscissa_below AS at_below, clearance, method', 'geom', 'overpass'),
-    (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile')
+    (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile'),
+    (57, 'bridges', 'MULTIPOLYGON', false, 'bridge_id AS id, edge_id, start_abscissa AS at_start, '
+        'end_abscissa AS at_end, method', 'surface', 'bridge'),
+    (58, 'tunnels', 'MULTIPOLYGON', false, 'tunnel_id AS id, edge_id, start_abscissa AS at_start, '
+        'end_abscissa AS at_end, method', 'surface', 'tunnel')
     $$;
 COMMENT ON FUNCTION streetgen._export_layer() IS
     'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: '

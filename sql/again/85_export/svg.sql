@@ -25,6 +25,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
             (16, 'road radius', 'line', 'radius of a bend'),
             (17, 'block', 'ground', 'city block'), (18, 'block island', 'ground', 'island'),
             (19, 'block strip', 'ground', 'strip between carriageways'), (20, 'kerb', 'ground', 'kerb stones'),
+            (23, 'bridge', 'ground', 'bridge'), (24, 'tunnel', 'line', 'tunnel'),
             (21, 'ring', 'line', 'roundabout, bar: its score'), (22, 'ring refused', 'line', 'ring that is none'))
         l(place, style, form, said)
     WHERE style = ANY (styles) AND said IS NOT NULL
@@ -129,6 +130,23 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
         WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.method IS NULL OR j.method = 'hypothesis'
             OR ST_Distance(ST_LineInterpolatePoint(ST_CurveToLine(c.arc, 16), 0.5),
                 ST_Boundary(j.surface)) < 0.05)$part$),
+    -- A deck lies over what is painted on its level, and has its own paint.
+    (50, 'bridge', $part$
+    SELECT CASE method WHEN 'overpass' THEN 5.5 ELSE 0.5 END + e.level * 10, 'bridge', false, b.surface, b.bridge_id
+        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
+    (51, 'bridge,lane', $part$
+    SELECT 6.5 + e.level * 10, 'paint', false, ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3),
+        b.bridge_id FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), LATERAL (
+            SELECT surface FROM %1$I.lane_separator l WHERE l.edge_id = b.edge_id
+            UNION ALL SELECT surface FROM %1$I.marking m WHERE m.edge_id = b.edge_id) p, size
+        WHERE b.method = 'overpass' AND pixel < 0.5 AND b.surface && size.box$part$),
+    -- The sun stands in the north-west.
+    (52, 'bridge', $part$
+    SELECT CASE method WHEN 'overpass' THEN 4.5 ELSE -0.5 END + e.level * 10, 'shadow', false,
+        ST_Translate(b.surface, 2, -2), b.bridge_id
+        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
+    (53, 'bridge', $part$
+    SELECT 8.5, 'tunnel', true, ST_Boundary(surface), tunnel_id FROM %1$I.tunnel, size WHERE pixel < 3$part$),
     (10, 'network', $part$
     SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$),
     (11, 'alignment', $part$
@@ -146,7 +164,7 @@ COMMENT ON FUNCTION streetgen._drawn_instead() IS
 COMMENT ON FUNCTION streetgen._drawn_part() IS
     'What streetgen.svg draws, query by query, over a model %1$I and the query size of the drawing: layer (drawn in '
     'ascending order), style, is it a line, geometry and key. subject: the query stands only in models that compute '
-    'it.';
+    'it, or all of several.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -198,8 +216,9 @@ size AS (SELECT ST_XMin(box) AS x, ST_YMax(box) AS y, greatest(ST_XMax(box) - ST
                 greatest(ST_XMax(box) - ST_XMin(box), 1) / $2 AS pixel, ST_SetSRID(box, %2$s) AS box FROM frame),
 shape(layer, style, line, geom, id) AS (
     $sql$ || (SELECT string_agg(query, ' UNION ALL ' ORDER BY place) FROM streetgen._drawn_part() p
-        WHERE subject = ANY (streetgen._subjects(model)) AND NOT EXISTS (SELECT FROM streetgen._drawn_instead() i
-            WHERE i.place = p.place AND i.subject = ANY (streetgen._subjects(model)))) || $sql$),
+        WHERE string_to_array(subject, ',') <@ streetgen._subjects(model)
+            AND NOT EXISTS (SELECT FROM streetgen._drawn_instead() i WHERE i.place = p.place
+                AND i.subject = ANY (streetgen._subjects(model)))) || $sql$),
 drawn AS (
     SELECT layer, id, style, format('<path class="%%s" d="%%s"/>', style || CASE WHEN line THEN ' line' ELSE '' END,
         CASE GeometryType(geom) WHEN 'COMPOUNDCURVE' THEN streetgen._curve_as_svg(geom, x, y)
@@ -217,6 +236,9 @@ SELECT pixel, round(w::numeric, 3) AS w, round(h::numeric, 3) AS h,
         round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}.road{stroke:#a21caf;stroke-width:'
     || round((pixel * 1.2)::numeric, 4) || '}.radius{stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}'
     || '.signal.head{fill:#c92a2a}.block{fill:#dfe6d3}.island{fill:#bcd3a5}.strip{fill:#cfdcb4}.kerb{fill:#8b8f96}'
+    || '.bridge{fill:#c9ccd1;stroke:#374151;stroke-width:' || round((pixel * 1.2)::numeric, 4)
+    || '}.shadow{fill:#111827;fill-opacity:.3}.tunnel{stroke:#374151;stroke-dasharray:'
+    || round((pixel * 5)::numeric, 4) || ';stroke-width:' || round((pixel * 1)::numeric, 4) || '}'
     || '.ring{stroke:#7c3aed;stroke-width:' || round((pixel * 2)::numeric, 4)
     || '}.refused{stroke:#6b7280;stroke-width:' || round((pixel * 1)::numeric, 4) || '}'
     || CASE WHEN pixel < 3 THEN ''
@@ -237,5 +259,6 @@ COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean) IS
     'painted on them and paths between lanes (green, grey where not plausible; both where a pixel is under half a '
     'metre), axes, limits, arcs (blue; orange where the wanted radius did not hold), contested ground (ochre), what '
     'the network reports (red), rings (violet; grey where they are no roundabouts) with a bar at the centre as wide '
-    'as the score says, the radius for 1. Where a pixel is 3 m and more, a map: the roadway alone, dark, and reports. '
+    'as the score says, the radius for 1; bridges over what they cross, with a shadow, and tunnels dashed. Where '
+    'a pixel is 3 m and more, a map: the roadway alone, dark, and reports. '
     'width in pixels. legend: on white beside the map, in addition to its width, with what is drawn and a scale.';

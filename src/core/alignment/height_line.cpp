@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -52,16 +53,20 @@ class Rounding {
            !(on_ground(i - 1) && on_ground(i) && on_ground(i + 1));
   }
 
-  // Whether the road was lifted or sunk by what a parabola takes there.
-  bool has_loss(std::size_t i) const {
-    return holds(change(i) < 0 ? bounds_.lowered : bounds_.raised, heights_[i].at);
+  // What a parabola may take there since the road was lifted or sunk by that; none: it was not.
+  std::optional<double> loss(std::size_t i) const {
+    std::optional<double> least;
+    for (const KinkLoss& loss : change(i) < 0 ? bounds_.lowered : bounds_.raised)
+      if (std::abs(loss.at - heights_[i].at) <= same_place)
+        least = std::min(loss.most, least.value_or(loss.most));
+    return least;
   }
 
   // Whether a parabola at the kink keeps what must hold there.
   bool may_leave(std::size_t i) const {
     const double at = heights_[i].at;
     const bool crest = change(i) < 0;
-    if (has_loss(i)) return true;
+    if (loss(i)) return true;
     return !holds(bounds_.fixed, at) &&
            !(crest && on_ground(i) && !below_ground(i - 1) && !below_ground(i + 1));
   }
@@ -70,7 +75,7 @@ class Rounding {
   double tangent(std::size_t i) const {
     if (bounds_.radius <= 0 || !is_kink(i) || !may_leave(i)) return 0;
     double length = bounds_.radius * std::abs(change(i)) / 2;
-    if (has_loss(i)) length = std::min(length, 4 * bounds_.loss / std::abs(change(i)));
+    if (const auto most = loss(i)) length = std::min(length, 4 * *most / std::abs(change(i)));
     for (const std::size_t next : {i - 1, i + 1}) {
       const double apart = std::abs(heights_[next].at - heights_[i].at);
       length = std::min(length, is_kink(next) ? apart / 2 : apart);

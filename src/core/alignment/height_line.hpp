@@ -19,15 +19,20 @@ double height_at(const HeightLine& heights, double at);
 // The line with these heights: its points, and one at each further height point.
 Line with_heights(const Line& line, const HeightLine& heights);
 
+// At abscissa `at` a parabola may take so much, metres.
+struct KinkLoss {
+  double at = 0;
+  double most = 0;
+};
+
 // How the road may leave its kinks.
 struct KinkBounds {
   HeightLine ground;
   double radius = 0;          // metres, wanted
   std::vector<double> fixed;  // abscissas whose height stays
-  // Those where a crest may lose height, since the road was lifted by that, and where a sag may
-  // gain it, since the road was sunk by that: so much, metres.
-  std::vector<double> lowered, raised;
-  double loss = 0;
+  // Where a crest may lose height, since the road was lifted by that, and where a sag may gain it,
+  // since the road was sunk by that.
+  std::vector<KinkLoss> lowered, raised;
 };
 
 // Kinks off the ground become parabolas of the radius, or of a smaller one where the next kink or a

@@ -45,10 +45,19 @@ class Builder {
   }
 
   Profiles build() {
-    heights_ = ground_;
-    lift();
-    sink();
-    bend();
+    for (const ProfileLift& lift : lifts_)
+      losses_.push_back(crest_loss(edges_[lift.sinks ? lift.below : lift.above]));
+    for (const ProfileHeight& height : by_hand_)
+      losses_.push_back(crest_loss(edges_[height.edge]));
+    // An arc that ends at the next bend takes less than a whole one: the road need not lie so high.
+    for (int round = 0; round < most_rounds; ++round) {
+      heights_ = ground_;
+      lift();
+      sink();
+      const std::vector<HeightLine> straight = heights_;
+      bend();
+      if (!take_losses(straight)) break;
+    }
     Profiles out;
     for (std::size_t e = 0; e < edges_.size(); ++e) out.edges.push_back(profile(e));
     for (const ProfileLift& lift : lifts_) out.unmet.push_back(is_unmet(lift));
@@ -64,15 +73,21 @@ class Builder {
     return roads;
   }
 
+  bool is_off_ground(const ProfileHeight& height) const {
+    return height.height > height_at(ground_[height.edge], height.abscissa) + same_place;
+  }
+
   void lift() {
     std::vector<Lift> lifts;
-    for (const ProfileLift& lift : lifts_)
-      if (!lift.sinks)
+    for (std::size_t l = 0; l < lifts_.size(); ++l)
+      if (const ProfileLift& lift = lifts_[l]; !lift.sinks)
         lifts.push_back({lift.below, lift.at_below, lift.above, lift.at_above,
-                         lift.clearance + crest_loss(edges_[lift.above])});
+                         lift.clearance + losses_[l]});
     std::vector<LeastHeight> least;
-    for (const ProfileHeight& height : by_hand_)
-      least.push_back({height.edge, height.abscissa, height.height});
+    for (std::size_t h = 0; h < by_hand_.size(); ++h)
+      if (const ProfileHeight& height = by_hand_[h]; is_off_ground(height))
+        least.push_back(
+            {height.edge, height.abscissa, height.height + losses_[lifts_.size() + h]});
     heights_ = least_heights(roads(false), lifts, least);
   }
 
@@ -81,29 +96,52 @@ class Builder {
     if (std::none_of(lifts_.begin(), lifts_.end(), [](const ProfileLift& l) { return l.sinks; }))
       return;
     std::vector<Lift> lifts;
-    for (const ProfileLift& lift : lifts_)
-      lifts.push_back({lift.above, lift.at_above, lift.below, lift.at_below,
-                       lift.clearance + (lift.sinks ? crest_loss(edges_[lift.below]) : 0)});
+    for (std::size_t l = 0; l < lifts_.size(); ++l)
+      lifts.push_back({lifts_[l].above, lifts_[l].at_above, lifts_[l].below, lifts_[l].at_below,
+                       lifts_[l].clearance + (lifts_[l].sinks ? losses_[l] : 0)});
     heights_ = least_heights(roads(true), lifts, {});
     for (HeightLine& line : heights_) line = upside_down(std::move(line));
   }
 
   void bend() {
     std::vector<KinkBounds> bounds(edges_.size());
-    for (const ProfileLift& lift : lifts_) {
+    for (std::size_t l = 0; l < lifts_.size(); ++l) {
+      const ProfileLift& lift = lifts_[l];
       bounds[lift.above].fixed.push_back(lift.at_above);
       bounds[lift.below].fixed.push_back(lift.at_below);
       if (lift.sinks)
-        bounds[lift.below].raised.push_back(lift.at_below);
+        bounds[lift.below].raised.push_back({lift.at_below, losses_[l]});
       else
-        bounds[lift.above].lowered.push_back(lift.at_above);
+        bounds[lift.above].lowered.push_back({lift.at_above, losses_[l]});
+    }
+    for (std::size_t h = 0; h < by_hand_.size(); ++h) {
+      const ProfileHeight& height = by_hand_[h];
+      bounds[height.edge].fixed.push_back(height.abscissa);
+      if (is_off_ground(height))
+        bounds[height.edge].lowered.push_back({height.abscissa, losses_[lifts_.size() + h]});
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       bounds[e].ground = ground_[e];
       bounds[e].radius = edges_[e].radius;
-      bounds[e].loss = crest_loss(edges_[e]);
       heights_[e] = without_kinks(heights_[e], bounds[e]);
     }
+  }
+
+  // What the arcs took; whether that is less than the roads were lifted or sunk by for them.
+  bool take_losses(const std::vector<HeightLine>& straight) {
+    bool less = false;
+    const auto take = [&](double* loss, int edge, double at) {
+      const double taken = std::abs(height_at(straight[edge], at) - height_at(heights_[edge], at));
+      if (taken <= same_place || taken >= *loss - rounding_of_losses) return;
+      *loss = taken;
+      less = true;
+    };
+    for (std::size_t l = 0; l < lifts_.size(); ++l)
+      take(&losses_[l], lifts_[l].sinks ? lifts_[l].below : lifts_[l].above,
+           lifts_[l].sinks ? lifts_[l].at_below : lifts_[l].at_above);
+    for (std::size_t h = 0; h < by_hand_.size(); ++h)
+      take(&losses_[lifts_.size() + h], by_hand_[h].edge, by_hand_[h].abscissa);
+    return less;
   }
 
   Profile profile(std::size_t e) const {
@@ -123,11 +161,17 @@ class Builder {
            height_at(heights_[lift.below], lift.at_below) + lift.clearance - same_place;
   }
 
+  // Each round leaves a quarter of what is too high on flat ground.
+  static constexpr int most_rounds = 20;
+  static constexpr double rounding_of_losses = 1e-8;  // metres
+
   const std::vector<ProfileEdge>& edges_;
   const std::vector<ProfileLift>& lifts_;
   const std::vector<ProfileHeight>& by_hand_;
   std::vector<HeightLine> ground_, heights_;
   std::vector<double> grades_;
+  // Metres that the arc over each lift, and at each height by hand, may take.
+  std::vector<double> losses_;
 };
 
 }  // namespace

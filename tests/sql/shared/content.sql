@@ -44,7 +44,10 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'overpass', a.axis_id, a.start_abscissa, o.abscissa_above, b.axis_id, b.start_abscissa, o.abscissa_below, o.ordinality, o.clearance, o.method, o.geom::text)
       FROM @.overpass o JOIN @.edge a ON a.edge_id = o.edge_above JOIN @.edge b ON b.edge_id = o.edge_below$q$ END
     || CASE WHEN to_regclass(format('%I.profile', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'profile', e.axis_id, e.start_abscissa, p.grade_max, p.method, p.geom::text) FROM @.profile p JOIN @.edge e USING (edge_id)$q$ END,
+    UNION ALL SELECT concat_ws(' ', 'profile', e.axis_id, e.start_abscissa, p.grade_max, p.method, p.geom::text) FROM @.profile p JOIN @.edge e USING (edge_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'tunnel', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.tunnel b JOIN @.edge e USING (edge_id)$q$ END,
     '@', quote_ident(model));
 END $$;
 

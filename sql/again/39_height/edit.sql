@@ -1,0 +1,63 @@
+-- The edit view of heights by hand.
+
+CREATE OR REPLACE FUNCTION streetgen._edit_height() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    axis geometry;
+    at float8;
+    known bigint;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.height_override WHERE height_override_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.height_id;
+        RETURN OLD;
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND NEW.height_id IS DISTINCT FROM OLD.height_id THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key',
+            'Only axis_id, height and geom can be changed.');
+    END IF;
+    subject := CASE TG_OP WHEN 'INSERT' THEN 'the new height' ELSE 'height ' || OLD.height_id END;
+    PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+    IF NEW.axis_id IS NULL THEN
+        EXECUTE format('SELECT axis_id FROM %I.axis ORDER BY geom <-> $1, axis_id LIMIT 1', TG_TABLE_SCHEMA)
+            INTO NEW.axis_id USING NEW.geom;
+    END IF;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
+        format('SELECT axis_id FROM %I.height_override WHERE height_override_id = %s UNION ALL SELECT %s',
+        TG_TABLE_SCHEMA, quote_nullable(OLD.height_id), quote_nullable(NEW.axis_id)));
+    EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
+        USING NEW.axis_id;
+    IF axis IS NULL THEN
+        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
+            DETAIL = format('There is no axis %s.', coalesce(NEW.axis_id::text, 'in the model')),
+            HINT = 'Leave axis_id empty to take the nearest axis.';
+    END IF;
+    IF NOT ST_DWithin(axis, NEW.geom, 100) THEN
+        RAISE EXCEPTION '% lies % m from axis %', subject, round(ST_Distance(axis, NEW.geom)::numeric, 1), NEW.axis_id
+            USING ERRCODE = '22023', HINT = 'Put it on the axis, within 100 m.';
+    END IF;
+    PERFORM streetgen._check_edit_number('the height of ' || subject, NEW.height, -1000, 10000, 'm',
+        'Delete the row to take back what was decided by hand.');
+    at := ST_LineLocatePoint(axis, NEW.geom) * ST_Length2D(axis);
+    NEW.geom := ST_LineInterpolatePoint(axis, ST_LineLocatePoint(axis, NEW.geom));
+    IF TG_OP = 'INSERT' THEN
+        EXECUTE format('INSERT INTO %I.height_override (axis_id, abscissa, height, geom) VALUES ($1, $2, $3, $4) '
+            'RETURNING height_override_id', TG_TABLE_SCHEMA)
+            INTO NEW.height_id USING NEW.axis_id, at, NEW.height, NEW.geom;
+        RETURN NEW;
+    END IF;
+    EXECUTE format('UPDATE %I.height_override SET axis_id = $2, abscissa = $3, height = $4, geom = $5 '
+        'WHERE height_override_id = $1 RETURNING height_override_id', TG_TABLE_SCHEMA)
+        INTO known USING OLD.height_id, NEW.axis_id, at, NEW.height, NEW.geom;
+    IF known IS NULL THEN
+        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.',
+            HINT = 'Refresh the layer.';
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_height() IS
+    'Trigger of height_editing: writes height_override, the axis being the nearest one unless given. A point over '
+    '100 m from it, or a height beyond -1000 to 10000 m: 22023.';

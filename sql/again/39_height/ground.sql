@@ -1,0 +1,105 @@
+-- What heights start from: the ground along edges, and heights by hand.
+
+CREATE OR REPLACE FUNCTION streetgen._ground_line(line geometry, from_place geometry, to_place geometry)
+    RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT CASE WHEN ST_NDims(line) = 2 THEN line
+        ELSE ST_SetPoint(ST_SetPoint(line, 0, from_place), -1, to_place) END $$;
+COMMENT ON FUNCTION streetgen._ground_line(geometry, geometry, geometry) IS
+    'The ground along an edge: its line, at its ends the places of its nodes, at which edges have one height.';
+
+CREATE OR REPLACE FUNCTION streetgen._known_height(z float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN z BETWEEN -500 AND 10000 THEN z END $$;
+COMMENT ON FUNCTION streetgen._known_height(float8) IS
+    'A height (m), NULL for one that stands for none: under -500 m there is no land, and -1000, -9999 or less say that '
+    'nobody knows.';
+
+CREATE OR REPLACE FUNCTION streetgen._terrain_heights(model name, area geometry, places geometry[]) RETURNS float8[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.terrain_tile', model)) IS NULL THEN
+        RETURN array_fill('NaN'::float8, ARRAY[cardinality(places)]);
+    END IF;
+    RETURN streetgen._ground_heights(streetgen._tiles_of(model, area),
+        ARRAY(SELECT ST_X(p) FROM unnest(places) WITH ORDINALITY u(p, n) ORDER BY n),
+        ARRAY(SELECT ST_Y(p) FROM unnest(places) WITH ORDINALITY u(p, n) ORDER BY n));
+END $$;
+COMMENT ON FUNCTION streetgen._terrain_heights(name, geometry, geometry[]) IS
+    'The heights (m) of places in an area by the tiles of a model; NaN where there are none.';
+
+CREATE OR REPLACE FUNCTION streetgen._node_height(model name, place geometry) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    z float8 := nullif((streetgen._terrain_heights(model, place, ARRAY[place]))[1], 'NaN');
+BEGIN
+    IF z IS NULL THEN
+        EXECUTE format('SELECT streetgen._known_height(ST_Z(d.geom)) FROM (SELECT geom FROM %I.axis
+                WHERE ST_DWithin(geom, $1, 500) ORDER BY geom <-> $1, axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
+            WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY ST_Distance(d.geom, $1), 1 LIMIT 1',
+            model) INTO z USING place;
+    END IF;
+    RETURN coalesce(z, 0);
+END $$;
+COMMENT ON FUNCTION streetgen._node_height(name, geometry) IS
+    'The height (m) of a node that has none: of the terrain, else of the nearest vertex of an axis that has one, '
+    'within 500 m, else 0.';
+
+CREATE OR REPLACE FUNCTION streetgen._filled_ground(model name, line geometry, from_place geometry,
+    to_place geometry, bare boolean) RETURNS geometry
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    WITH point AS MATERIALIZED (SELECT path[1] AS n, geom, count(*) OVER () AS points,
+            CASE WHEN NOT bare THEN streetgen._known_height(ST_Z(geom)) END AS own
+        FROM ST_DumpPoints(CASE WHEN bare THEN ST_Segmentize(line, 10) ELSE line END)),
+    terrain AS MATERIALIZED (SELECT streetgen._terrain_heights(model, line, array_agg(geom ORDER BY n)) AS heights
+        FROM point),
+    known AS MATERIALIZED (SELECT n, geom, CASE WHEN n IN (1, points) THEN e.z
+            ELSE coalesce(own, nullif(heights[n], 'NaN')) END AS z
+        FROM point, terrain, LATERAL (SELECT CASE n WHEN 1 THEN from_place ELSE to_place END AS place) p,
+            -- Asked of an end alone.
+            LATERAL (SELECT CASE WHEN n IN (1, points) THEN coalesce(CASE WHEN NOT bare OR ST_Z(place) <> 0
+                THEN streetgen._known_height(ST_Z(place)) END, streetgen._node_height(model, place)) END AS z) e)
+    SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(ST_X(k.geom), ST_Y(k.geom), coalesce(k.z, b.z + (a.z - b.z)
+            * ((k.n - b.n)::float8 / (a.n - b.n)))) ORDER BY k.n), ST_SRID(line))
+    FROM known k
+        LEFT JOIN LATERAL (SELECT n, z FROM known o WHERE k.z IS NULL AND o.n < k.n AND o.z IS NOT NULL
+            ORDER BY o.n DESC LIMIT 1) b ON true
+        LEFT JOIN LATERAL (SELECT n, z FROM known o WHERE k.z IS NULL AND o.n > k.n AND o.z IS NOT NULL
+            ORDER BY o.n LIMIT 1) a ON true $$;
+COMMENT ON FUNCTION streetgen._filled_ground(name, geometry, geometry, geometry, boolean) IS
+    'The ground along an edge (LINESTRING Z) whose heights are missing in part, or all of them (bare): of the terrain, '
+    'then every ten metres; where nothing knows, even steps between the vertices that are known.';
+
+CREATE OR REPLACE FUNCTION streetgen._ground_of(model name, line geometry, from_place geometry, to_place geometry)
+    RETURNS geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    bare boolean;
+BEGIN
+    IF ST_NDims(line) = 3 THEN
+        bare := ST_ZMin(line) = 0 AND ST_ZMax(line) = 0 AND to_regclass(format('%I.terrain_tile', model)) IS NOT NULL;
+        IF bare OR streetgen._known_height(least(ST_ZMin(line), ST_Z(from_place), ST_Z(to_place))) IS NULL
+            OR streetgen._known_height(greatest(ST_ZMax(line), ST_Z(from_place), ST_Z(to_place))) IS NULL THEN
+            RETURN streetgen._filled_ground(model, line, from_place, to_place, bare);
+        END IF;
+    END IF;
+    RETURN streetgen._ground_line(line, from_place, to_place);
+END $$;
+COMMENT ON FUNCTION streetgen._ground_of(name, geometry, geometry, geometry) IS
+    'The ground along an edge between the places of its nodes: the Z of its line; where that is 0 all along, the '
+    'terrain of the model, if it has one. Holes of Z are filled.';
+
+CREATE OR REPLACE FUNCTION streetgen._heights_by_hand(model name, edge bigint, axis bigint, low float8, high float8,
+    length float8) RETURNS SETOF streetgen.profile_height
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format('SELECT $1, (abscissa - $3) / ($4 - $3) * $5, height FROM %I.height_override
+        WHERE axis_id = $2 AND abscissa BETWEEN $3 AND $4', model) USING edge, axis, low, high, length;
+END $$;
+COMMENT ON FUNCTION streetgen._heights_by_hand(name, bigint, bigint, float8, float8, float8) IS
+    'The heights by hand of an edge: of its axis, between two abscissas; length is that of the edge, m.';

@@ -1,0 +1,140 @@
+-- Bridges and tunnels after a run: they read the overpasses and the sections that the one statement wrote.
+
+CREATE OR REPLACE FUNCTION streetgen._heading_at(line geometry, abscissa float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_Azimuth(ST_LineInterpolatePoint(line, greatest(0, (abscissa - 0.5) / length)),
+        ST_LineInterpolatePoint(line, least(1, (abscissa + 0.5) / length)))
+    FROM (SELECT nullif(ST_Length2D(line), 0) AS length) l $$;
+COMMENT ON FUNCTION streetgen._heading_at(geometry, float8) IS
+    'The direction of a line (radians clockwise from north) over the metre about an abscissa; NULL where it turns '
+    'back on itself there.';
+
+CREATE OR REPLACE FUNCTION streetgen._deck_half(width_above float8, width_below float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    -- Three metres beyond the roadway below for what stands beside it. Flatter crossings count as of 12 degrees.
+    SELECT ((width_below / 2 + 3) + width_above / 2 * abs(cos(a))) / greatest(abs(sin(a)), 0.2)
+    FROM (SELECT coalesce(angle, pi() / 2) AS a) v $$;
+COMMENT ON FUNCTION streetgen._deck_half(float8, float8, float8) IS
+    'Metres from a crossing to the end of the deck there: of the widths of both roads (m) and the angle between them '
+    '(radians; NULL: a right one).';
+
+CREATE OR REPLACE FUNCTION streetgen._stretch_surface(section geometry, line geometry, low float8, high float8,
+    width float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN ST_IsEmpty(section) OR low > 0 OR high < length THEN ST_Multi(ST_Buffer(ST_Force2D(
+        ST_LineSubstring(line, greatest(0, low / length), least(1, high / length))), width / 2,
+        'endcap=flat join=mitre')) ELSE section END
+    FROM (SELECT ST_Length2D(line) AS length) l $$;
+COMMENT ON FUNCTION streetgen._stretch_surface(geometry, geometry, float8, float8, float8) IS
+    'The roadway of an edge between two abscissas of its line (MULTIPOLYGON): of all of it its section, else a strip '
+    'of the width. Where it crosses an edge of its level, the ground is in one of the two sections alone.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_renew_bridges(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    IF 'bridge' <> ALL (streetgen._subjects(model)) THEN
+        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._renew_bridges(bigint[]), %1$I._crossing_edges(bigint[])', model);
+        RETURN;
+    END IF;
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._crossing_edges(axes bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+    AS $body$
+BEGIN
+    RETURN ARRAY(
+        WITH own AS MATERIALIZED (SELECT edge_id FROM %1$I.edge WHERE axis_id = ANY (axes))
+        SELECT edge_id FROM own
+        UNION SELECT o.edge_above FROM own e JOIN %1$I.overpass o ON o.edge_below = e.edge_id
+        UNION SELECT o.edge_below FROM own e JOIN %1$I.overpass o ON o.edge_above = e.edge_id);
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I._renew_bridges(edges bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path FROM CURRENT SET jit = off
+    AS $body$
+#variable_conflict use_column
+BEGIN
+    %2$s
+END $body$ $sql$, model, (SELECT string_agg(format($part$
+    RETURN QUERY WITH region AS MATERIALIZED (
+        SELECT edge_id FROM %1$I.edge WHERE edges IS NULL UNION ALL SELECT DISTINCT unnest(edges)),
+    stretch AS (%3$s),
+    new AS MATERIALIZED (
+        SELECT s.edge_id, s.low AS start_abscissa, s.high AS end_abscissa, s.method,
+            streetgen._stretch_surface(c.surface, e.geom, s.low, s.high, greatest(e.width, e.width_end)) AS surface
+        FROM stretch s JOIN %1$I.edge e USING (edge_id) JOIN %1$I.section c USING (edge_id)),
+    compared AS MATERIALIZED (
+        SELECT n.*, o.%2$I_id, (o.end_abscissa, o.method, o.surface::bytea) IS DISTINCT FROM
+            (n.end_abscissa, n.method, n.surface::bytea) AS changed
+        FROM new n LEFT JOIN %1$I.%2$I o USING (edge_id, start_abscissa)),
+    gone AS (
+        DELETE FROM %1$I.%2$I o USING region r WHERE o.edge_id = r.edge_id AND NOT EXISTS (SELECT FROM new n
+            WHERE (n.edge_id, n.start_abscissa) = (o.edge_id, o.start_abscissa)) RETURNING 1),
+    put AS (
+        INSERT INTO %1$I.%2$I (edge_id, start_abscissa, end_abscissa, surface, method)
+        SELECT edge_id, start_abscissa, end_abscissa, surface, method FROM compared WHERE changed
+        ORDER BY edge_id, start_abscissa
+        ON CONFLICT (edge_id, start_abscissa) DO UPDATE SET (end_abscissa, surface, method)
+            = ROW (excluded.end_abscissa, excluded.surface, excluded.method))
+    SELECT %2$L, count(*) FILTER (WHERE %2$I_id IS NULL), count(*) FILTER (WHERE changed AND %2$I_id IS NOT NULL),
+        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;$part$,
+        model, k.relation, format(k.query, model)), '') FROM (VALUES ('bridge', $part$
+        SELECT e.edge_id, 0::float8 AS low, ST_Length2D(e.geom) AS high,
+            CASE a.source WHEN 'design' THEN 'design' ELSE 'stated' END AS method
+        FROM region r JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis a USING (axis_id) WHERE e.level > 0
+        UNION ALL
+        SELECT edge_id, lower(part)::float8, upper(part)::float8, 'overpass' FROM (
+            SELECT a.edge_id, unnest(range_agg(numrange(greatest(0, o.abscissa_above - h.half)::numeric,
+                least(ST_Length2D(a.geom), o.abscissa_above + h.half)::numeric))) AS part
+            FROM region r JOIN %1$I.edge a USING (edge_id) JOIN %1$I.overpass o ON o.edge_above = a.edge_id
+                JOIN %1$I.edge b ON b.edge_id = o.edge_below, LATERAL (SELECT streetgen._deck_half(
+                    greatest(a.width, a.width_end), greatest(b.width, b.width_end),
+                    streetgen._heading_at(a.geom, o.abscissa_above) - streetgen._heading_at(b.geom, o.abscissa_below))
+                    AS half) h
+            WHERE a.level = 0 AND b.level >= 0
+            GROUP BY a.edge_id) d WHERE upper(part) > lower(part)$part$), ('tunnel', $part$
+        SELECT e.edge_id, 0::float8 AS low, ST_Length2D(e.geom) AS high,
+            CASE a.source WHEN 'design' THEN 'design' ELSE 'stated' END AS method
+        FROM region r JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis a USING (axis_id)
+        WHERE e.level < 0$part$)) k(relation, query)));
+    PERFORM streetgen._own_function(model, '_crossing_edges(bigint[])',
+        'The edges of axes, and those that cross them without a node'),
+        streetgen._own_function(model, '_renew_bridges(bigint[])',
+        'Brings the bridges and tunnels of edges (NULL: of all) up to date with the rows of the model; a row per '
+        'table');
+END $$;
+COMMENT ON FUNCTION streetgen._make_renew_bridges(name) IS
+    'Makes the functions of a model that bring its bridges and tunnels up to date, or drops them where it computes '
+    'none.';
+
+CREATE OR REPLACE FUNCTION streetgen._edges_at_bridges(model name, axes bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    edges bigint[] := '{}';
+BEGIN
+    IF axes IS NOT NULL AND 'bridge' = ANY (streetgen._subjects(model)) THEN
+        EXECUTE format('SELECT %I._crossing_edges($1)', model) INTO edges USING axes;
+    END IF;
+    RETURN edges;
+END $$;
+COMMENT ON FUNCTION streetgen._edges_at_bridges(name, bigint[]) IS
+    'The edges whose bridges a run for axes may change, as the model is now; none where it computes no bridges.';
+
+CREATE OR REPLACE FUNCTION streetgen._update_bridges(model name, axes bigint[], edges bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF 'bridge' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY EXECUTE format('SELECT * FROM %I._renew_bridges($1)', model)
+            USING CASE WHEN axes IS NOT NULL THEN edges || streetgen._edges_at_bridges(model, axes) END;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._update_bridges(name, bigint[], bigint[]) IS
+    'After the one statement wrote rows of axes (NULL: of all): brings bridges and tunnels up to date; edges: those '
+    'at the axes before.';
