@@ -31,9 +31,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj | *.net.xml | *.symuvia.xml) ;;
+      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.symuvia.xml) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .net.xml and .symuvia.xml a network for simulators" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml and .symuvia.xml a network for simulators" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -62,6 +62,12 @@ write_lines() {
     -c "SELECT line FROM $2" >"$1" || fail "$(basename "$1") cannot be written"
 }
 
+# write_parts FILE CALL: the same of a file of bytes.
+write_parts() {
+  PGOPTIONS="-c client_min_messages=${told:-warning}" psql -qXAt -v ON_ERROR_STOP=1 -v SHOW_CONTEXT=never -v FETCH_COUNT=4 -d "$database" \
+    -c "SELECT upper(encode(part, 'hex')) FROM $2" | basenc --base16 -d >"$1" || fail "$(basename "$1") cannot be written"
+}
+
 # write_file FILE MODEL LAYER SRID
 write_file() {
   local file=$1 model=$2 layer=$3 srid=$4 of_model update=()
@@ -75,6 +81,8 @@ write_file() {
     *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
     *.obj) run_sql -At -v model="$model" -f "$root/data/wavefront.sql" >"$file" || fail "the mesh cannot be written to $(basename "$file")" ;;
     *.net.xml) write_sumo "$file" "$model" ;;
+    *.city.json) write_lines "$file" "streetgen.export_cityjson($(quoted "$model"), $(quoted "$export_options"))" ;;
+    *.glb) write_parts "$file" "streetgen.export_gltf($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.geojson) write_layer "$file" "$model" "$layer" true -f GeoJSON -a_srs EPSG:4326 -lco RFC7946=YES -lco COORDINATE_PRECISION=11 ;;
   esac

@@ -47,7 +47,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
-local controls = { traffic_signals = true, stop = true, give_way = true, crossing = true }
+local controls = { traffic_signals = true, stop = true, give_way = true, mini_roundabout = true, crossing = true }
 
 function osm2pgsql.process_node(object)
     if controls[object.tags.highway] then

@@ -15,9 +15,12 @@ DECLARE
 BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
+        -- Its views: those of subjects, and those that are edited, whose triggers are the extension's or the model's own.
         EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
-            FROM unnest(ARRAY['setting_used', 'axis_used', 'intersection_group', 'conflict', 'roadway', 'override_place', 'lane_group', 'lane_driving', 'corner_on_kerb', 'block_editing', 'axis_editing', 'node_editing', 'edge_editing', 'section_limit_editing',
-                              'corner_editing', 'kerb_point_editing', 'lane_editing', 'interconnection_editing']) v);
+            FROM (SELECT unnest(ARRAY['setting_used', 'axis_used', 'intersection_group', 'conflict', 'roadway', 'override_place', 'lane_group', 'lane_driving', 'lane_interval', 'lane_adjacency', 'lane_extent',
+                'corner_on_kerb', 'road_arc', 'movement', 'right_of_way', 'rim_marking', 'junction_link', 'roundabout_block', 'axis_editing']) AS v
+            UNION SELECT c.relname FROM pg_class c JOIN pg_trigger t ON t.tgrelid = c.oid JOIN pg_proc f ON f.oid = t.tgfoid
+                WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w);
         -- Of the model's own functions, those that go with the extension, and the triggers that call them or it.
         FOR part IN
             WITH called AS (SELECT d.objid AS oid, d.deptype FROM pg_depend d JOIN pg_extension e ON e.oid = d.refobjid

@@ -9,11 +9,11 @@ write_sumo() {
   while read -r part ending; do
     told=$told write_lines "$name.$ending.xml" "streetgen.export_sumo($(quoted "$model"), '$part', $(quoted "$export_options"))"
     told=error
-  done <<<$'nodes nod\nedges edg\nconnections con\ntypes typ'
+  done <<<$'nodes nod\nedges edg\nconnections con\ntypes typ\ntlLogics tll'
   [ "$(run_sql -At -c "SELECT value FROM streetgen.setting($(quoted "$model")) WHERE name = 'driving_side'")" != left ] || side=(--lefthand)
   # Nothing is to be made up: no turning back, no other origin, no bends made rounder.
   SUMO_HOME=${SUMO_HOME:-/usr/share/sumo} netconvert --node-files "$name.nod.xml" --edge-files "$name.edg.xml" --connection-files "$name.con.xml" \
-    --type-files "$name.typ.xml" --output-file "$name.made.xml" --no-turnarounds --offset.disable-normalization --geometry.min-radius 0 \
+    --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --offset.disable-normalization --geometry.min-radius 0 \
     ${side[@]+"${side[@]}"} >"$log" 2>&1 ||
     fail "netconvert made no network of $(basename "$1"): $(grep -m 1 '^Error' "$log" || tail -n 1 "$log"); $log says more"
   python3 -B "$root/data/sumo/give_surfaces.py" "$name.nod.xml" "$name.made.xml" >"$1"
@@ -22,5 +22,5 @@ write_sumo() {
     head -n 20 "$build/sumo_differences" >&2
     fail "$(basename "$1") is not the model, but for --tolerance $sumo_tolerance: $(wc -l <"$build/sumo_differences") differences, listed in $build/sumo_differences"
   }
-  [ -n "$keep_plain" ] || rm "$name".{nod,edg,con,typ}.xml
+  [ -n "$keep_plain" ] || rm "$name".{nod,edg,con,typ,tll}.xml
 }

@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, single, with_arrow)
+from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, shaded, single, with_arrow)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -82,7 +82,7 @@ def junction_movement():
 
 def control_point():
     return rules(('signals', "kind = 'signals'", point('circle', '#1a9641', 3)), ('stop', "kind = 'stop'", point('octagon', REPORT, 3)),
-                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
+                 ('yield', "kind = 'yield'", point('triangle', LIMIT, 3)), ('mini-roundabout', "kind = 'mini_roundabout'", point('circle', LIMIT, 3)), ('pedestrian crossing', "kind = 'pedestrian_crossing'", point('square', AXIS, 2.4)))
 
 
 def axis():
@@ -117,6 +117,7 @@ LAYERS = (
     Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'road_arc_editing', 'road_arc_id', 'geom', handle('pentagon', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
+    Layer('edit', 'controller_editing', 'controller_id', 'geom', handle('circle', 3, '#c92a2a'), ('program', 'cycle', 'start_offset', 'durations', 'by_hand'), scale=5000),
     Layer('edit', 'overpass_editing', 'overpass_id', 'geom', handle('triangle', 2.4, AXIS), ('axis_above', 'clearance', 'by_hand'), scale=5000),
     Layer('edit', 'height_editing', 'height_id', 'geom', lambda: single(point('triangle', HAND, 2.2)), ('axis_id', 'height'), scale=5000),
     Layer('edit', 'roundabout_editing', 'roundabout_id', 'geom', roundabout, ('confirmed',), scale=10000),
@@ -132,7 +133,7 @@ LAYERS = (
     Layer('input', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'axis_id', 'source', 'source_ref'), scale=5000),
     Layer('input', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'sidewalk_left', 'sidewalk_right', 'roundabout_tag', 'source', 'source_ref'), shown=True),
+           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True),
     by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
     by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
     by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
@@ -142,6 +143,7 @@ LAYERS = (
     by_hand('block_override', 'kind'),
     by_hand('sidewalk_override', 'axis_id', 'abscissa', 'side', 'width'),
     by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
+    by_hand('controller_override', 'axis_id', 'program', 'cycle', 'start_offset', 'durations'),
     by_hand('overpass_override', 'axis_above', 'axis_below', 'clearance'),
     by_hand('height_override', 'axis_id', 'abscissa', 'height'),
     by_hand('roundabout_override', 'confirmed'),
@@ -165,6 +167,7 @@ LAYERS = (
           lambda: rules(('kerb', "method <> 'level_change'", line(KERB, 0.3, 'MapUnit')), ('level change', "method = 'level_change'", line(LIMIT, 0.3, dash='1;1'))), scale=2500),
     Layer('streets', 'sidewalk', 'sidewalk_id', 'surface', lambda: single(fill(WALK)), scale=5000),
     Layer('streets', 'profile', 'edge_id', 'geom', lambda: rules(('lifted', "method = 'lifted'", line(LIMIT, 0.6)), ('sunk', "method = 'sunk'", line(LIMIT, 0.6, dash='2;1'))), scale=10000),
+    Layer('streets', 'signal_head', 'lane_id', 'geom', lambda: single(point('circle', '#c92a2a', 1.6)), scale=2500),
     Layer('streets', 'overpass', 'overpass_id', 'geom', lambda: single(point('triangle', AXIS, 2)), scale=10000),
     Layer('streets', 'roundabout', 'roundabout_id', 'geom', roundabout, scale=10000),
     Layer('streets', 'bridge', 'bridge_id', 'surface', bridge, query=BRIDGE_ROWS, kind='MultiPolygon', scale=10000),
@@ -203,7 +206,7 @@ DESIGN = (
     Layer('design', 'design_node_editing', 'design_node_id', 'geom', design_node, ('name', 'kind', 'importance', 'by_hand', 'rejected')),
     Layer('design', 'design_link_editing', 'design_link_id', 'geom', standing(lambda colour: line(colour, 0.6)), ('node_a', 'node_b', 'network', 'by_hand', 'rejected')),
     Layer('design', 'zone_editing', 'zone_id', 'geom', zone, ('class',)),
-    Layer('design', 'terrain_tile', 'terrain_tile_id', 'geom', lambda: single(fill('#00000000', AXIS, 0.2))),
+    Layer('design', 'terrain_tile', 'hill_shade_id', 'geom', lambda: single(shaded('grey')), query="SELECT * FROM streetgen.hill_shade((parse_ident('@'))[1])", kind='Polygon', shown=True),
 )
 
 

@@ -28,6 +28,13 @@ def fill(colour, outline=None, width=0.4, unit='MM', opacity=1.0):
     return symbol
 
 
+def shaded(grey):
+    """A fill of the grey (0 to 255) that an expression gives, a little warm."""
+    symbol = fill('#ffffff')
+    symbol.symbolLayer(0).setDataDefinedProperty(QgsSymbolLayer.PropertyFillColor, QgsProperty.fromExpression(f'color_rgb({grey}, {grey}, {grey} - 6)'))
+    return symbol
+
+
 def line(colour, width, unit='MM', dash=None, opacity=1.0):
     properties = {'line_color': colour, 'line_width': str(width), 'line_width_unit': unit, 'capstyle': 'flat', 'joinstyle': 'round'}
     if dash:

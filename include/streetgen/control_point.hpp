@@ -6,7 +6,8 @@
 
 namespace streetgen {
 
-enum class ControlKind { signals, stop, yield, pedestrian_crossing };
+// The strictest first. A mini-roundabout is a node whose island is painted: all that comes yields.
+enum class ControlKind { signals, stop, yield, mini_roundabout, pedestrian_crossing };
 const char* control_kind_name(ControlKind kind) noexcept;
 
 // A place of an axis.  One that lies on a node speaks to all traffic that comes to the node, unless

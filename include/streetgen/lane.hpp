@@ -1,7 +1,9 @@
 // Lanes of edges, the lines between them, what is painted.  StreetGen paper, 2.5 and 2.7.2.
 //
 // Lanes fill the roadway of an edge from kerb to kerb between its two section limits, as
-// offset curves of the axis.  Where the width changes their shares of it stay.
+// offset curves of the axis.  Where the width of an axis changes, their shares of it stay.  Where
+// the street goes on with another width past a side street, the lanes that begin or end there take
+// the change, and the others keep their width: on the side that turn marks say, else the outer one.
 // Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
 // in the direction of the axis, and have no surface.
 // The line of a lane may be drawn by hand: it is taken as it is, and the lane's surface is the
@@ -78,7 +80,7 @@ struct Lane {
   bool along_axis = true;
   bool both_ways = false;
   LaneKind kind = LaneKind::general;
-  double width = 0;        // metres, at the start limit of the edge
+  double width = 0;        // metres, at the start limit, without what begins or ends there
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
   // The lanes of an edge tile its section; where a ring would not be simple, or a line was drawn

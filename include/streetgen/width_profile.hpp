@@ -19,6 +19,13 @@ struct WidthProfile {
   };
   std::vector<Place> places;
 
+  // The end of an edge as which the street goes on beyond a change of width; edge -1: none.
+  struct Beyond {
+    int edge = -1;
+    bool at_start = true;
+  };
+  Beyond beyond_start, beyond_end;  // at the start and at the end of this edge
+
   bool empty() const { return places.empty(); }
 
   Place at(double abscissa) const {

@@ -84,7 +84,7 @@ CREATE TYPE streetgen.street_control AS (axis_id bigint, abscissa float8, kind t
 COMMENT ON TYPE streetgen.street_control IS 'A control point: what tells traffic to wait or to look out.';
 COMMENT ON COLUMN streetgen.street_control.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.street_control.abscissa IS 'its place, m along the axis';
-COMMENT ON COLUMN streetgen.street_control.kind IS 'signals, stop, yield or pedestrian_crossing';
+COMMENT ON COLUMN streetgen.street_control.kind IS 'signals, stop, yield, mini_roundabout or pedestrian_crossing';
 COMMENT ON COLUMN streetgen.street_control.direction IS
     'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: unknown';
 CREATE TYPE streetgen.street_overpass AS (axis_above bigint, axis_below bigint, x float8, y float8,

@@ -98,7 +98,7 @@ COMMENT ON COLUMN streetgen.junction_arm.lanes_in IS 'lanes that come to the jun
 COMMENT ON COLUMN streetgen.junction_arm.lanes_out IS 'lanes that leave it';
 COMMENT ON COLUMN streetgen.junction_arm.azimuth IS 'direction in which it leaves, degrees clockwise from the north';
 COMMENT ON COLUMN streetgen.junction_arm.control IS
-    'its control point: signals, stop, yield or pedestrian_crossing; NULL: none';
+    'its control point: signals, stop, yield, mini_roundabout or pedestrian_crossing; NULL: none';
 COMMENT ON COLUMN streetgen.junction_arm.on_ring IS 'is it part of a roundabout?';
 
 CREATE TYPE streetgen.junction_member AS (node_id bigint, edge_id bigint, junction_id bigint, chain bigint, role text,

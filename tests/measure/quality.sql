@@ -73,6 +73,7 @@ FROM guess;
 SELECT 'shapes | ' || :'model', (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = m)::text, ' | ' ORDER BY i)
         FROM unnest(ARRAY['surface under 0.01 m2', 'slit', 'step of a kerb', 'kink of the outline']) WITH ORDINALITY AS w(m, i)),
     (SELECT round((1000 * (SELECT count(*) FROM finding WHERE measure = 'kink of the outline') / sum(ST_Length(geom)))::numeric, 3) FROM outline),
+    (SELECT count(DISTINCT id) FROM finding WHERE measure = 'median paved') || ' of ' || (SELECT count(DISTINCT edge_id) FROM median), (SELECT count(*) FROM finding WHERE measure = 'island gone') || ' of ' || (SELECT count(*) FROM traffic_island),
     (SELECT count(*) FROM finding WHERE measure = 'corner of a path over 30 degrees'),
     round(100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*), 0), 2), round(100.0 * count(*) FILTER (WHERE radius < 4) / nullif(count(*), 0), 2),
     (SELECT round(100.0 * count(*) / nullif((SELECT count(*) FROM path) + count(*) FILTER (WHERE NOT plausible), 0), 2) FROM :"model".interconnection WHERE reason = 'not_drivable') || ' |'

@@ -47,3 +47,35 @@ FROM (SELECT interconnection_id, (d).geom AS place, lag((d).geom) OVER along AS 
 WHERE pg_temp.turn(before, place, after) > 30 GROUP BY interconnection_id;
 INSERT INTO finding SELECT 'path under 3 m of radius', 'interconnection', interconnection_id, -radius, geom FROM path WHERE radius < 3;
 INSERT INTO finding SELECT 'path that no car drives', 'interconnection', interconnection_id, ST_Length(geom), geom FROM :"model".interconnection WHERE reason = 'not_drivable';
+
+-- Medians of 2 m and more: every 5 m from 10 m beyond the limits of one carriageway to the other one of its street, which runs the other way; no other edge there.
+CREATE TEMPORARY TABLE carriageway AS
+SELECT e.edge_id, e.level, coalesce(name, '') AS name, e.importance, CASE WHEN e.lanes_forward = 0 THEN -1 ELSE 1 END AS way, e.width / 2 AS half, ST_Force2D(e.geom) AS geom, ST_Length(e.geom) AS size, a.abscissa + 10 AS first, b.abscissa - 10 AS last
+FROM :"model".edge e JOIN :"model".axis USING (axis_id) JOIN :"model".section_limit a ON a.edge_id = e.edge_id AND a.which = 'start' JOIN :"model".section_limit b ON b.edge_id = e.edge_id AND b.which = 'end'
+WHERE e.lanes_both = 0 AND (e.lanes_forward = 0) <> (e.lanes_backward = 0) AND b.abscissa - a.abscissa > 20 AND e.width = e.width_end;
+CREATE INDEX ON carriageway USING gist (geom);
+ANALYZE carriageway;
+CREATE TEMPORARY TABLE median AS
+SELECT a.edge_id, a.level, b.edge_id AS other, ST_LineInterpolatePoint(across, least(a.half / d, 1)) AS kerb, ST_LineInterpolatePoint(across, greatest(1 - b.half / d, 0)) AS other_kerb
+FROM carriageway a CROSS JOIN LATERAL generate_series(a.first::numeric, a.last::numeric, 5) s CROSS JOIN LATERAL (SELECT ST_LineInterpolatePoint(a.geom, s / a.size) AS place, ST_LineInterpolatePoint(a.geom, least((s + 0.1) / a.size, 1)) AS onwards) p
+JOIN carriageway b ON b.edge_id > a.edge_id AND (b.level, b.name, b.importance) = (a.level, a.name, a.importance) AND ST_DWithin(b.geom, place, 60)
+CROSS JOIN LATERAL (SELECT ST_LineLocatePoint(b.geom, place) AS t) l CROSS JOIN LATERAL (SELECT ST_LineInterpolatePoint(b.geom, t) AS there, ST_LineInterpolatePoint(b.geom, least(t + 0.1 / b.size, 1)) AS there_onwards) q
+CROSS JOIN LATERAL (SELECT ST_MakeLine(place, there) AS across, ST_Distance(place, there) AS d) c
+WHERE t * b.size BETWEEN b.first AND b.last AND d - a.half - b.half >= 2 AND a.way * b.way * cos(ST_Azimuth(place, onwards) - ST_Azimuth(there, there_onwards)) < -cos(radians(10));
+INSERT INTO finding
+SELECT 'median paved', 'edge', edge_id, paved, ground
+FROM (SELECT *, ST_MakeLine(kerb, other_kerb) AS ground FROM median) m
+CROSS JOIN LATERAL (SELECT ST_Length(ground) - ST_Length(pg_temp.remainder(ground, ARRAY(SELECT s.surface FROM surface s WHERE s.level = m.level AND s.surface && ground))) AS paved) p
+WHERE paved > 0.5 AND NOT EXISTS (SELECT FROM :"model".edge e WHERE e.edge_id NOT IN (m.edge_id, m.other) AND e.level = m.level AND ST_DWithin(e.geom, ground, greatest(e.width, e.width_end) / 2));
+
+-- Traffic islands: ground without flat buffers in faces of a level under island_area, with room for a disc of 1 m. Gone: no disc of 0.75 m is left, the radius of its noses.
+CREATE TEMPORARY TABLE traffic_island AS
+SELECT row_number() OVER () AS island_id, level, ground
+FROM (SELECT level, (ST_Dump(ST_Polygonize(ST_Force2D(geom)))).geom AS face FROM :"model".edge GROUP BY level) f
+CROSS JOIN LATERAL (SELECT (ST_Dump(pg_temp.remainder(face, ARRAY(SELECT ST_Buffer(ST_Force2D(e.geom), width / 2, 'endcap=flat') FROM :"model".edge e
+    WHERE e.level = f.level AND ST_DWithin(e.geom, face, width / 2))))).geom AS ground) g
+WHERE ST_Area(face) < (SELECT (settings ->> 'island_area')::float8 FROM :"model".setting_used) AND ST_Dimension(ground) = 2 AND (ST_MaximumInscribedCircle(ground)).radius >= 1;
+INSERT INTO finding
+SELECT 'island gone', 'level', level, ST_Area(ground), ground FROM traffic_island i
+CROSS JOIN LATERAL (SELECT pg_temp.remainder(ground, ARRAY(SELECT s.surface FROM surface s WHERE s.level = i.level AND s.surface && ground)) AS rest) r
+WHERE ST_IsEmpty(rest) OR coalesce((ST_MaximumInscribedCircle(rest)).radius, 0) < 0.75;

@@ -31,6 +31,13 @@ SELECT * FROM pg_temp.chain(1);
 SELECT * FROM pg_temp.chain(10);
 SELECT * FROM pg_temp.chain(47);
 
+-- Beside r.walk and r.path of GRASS, under our cost; heights of both are chosen alike.
+CREATE TABLE own AS SELECT pg_temp.cpu() AS began, NULL::float8 AS cpu, NULL::geometry AS geom;
+SELECT pg_temp.road('pb', 'rural', porto, braga) FROM town \g /dev/null
+UPDATE own SET cpu = pg_temp.cpu() - began, geom = (SELECT ST_Force2D(l.geom) FROM pb.design_link l);
+SELECT 'rural road Porto - Braga beside r.walk and r.path: cost, CPU', concat_ws(', ', round(((SELECT sum(cost) FROM streetgen.path_cost('pb', own.geom, 'rural'))
+    / (SELECT sum(cost) FROM streetgen.path_cost('pb', (SELECT ST_LineMerge(ST_Collect(geom)) FROM walk), 'rural')))::numeric, 2), round((cpu / :walk_cpu)::numeric, 1)) FROM own;
+
 -- Spectrum against OSM Porto: half the sum of differences of shares.
 CREATE FUNCTION pg_temp.spectrum(network text, radius text, shares float8[]) RETURNS numeric LANGUAGE plpgsql AS $$
 BEGIN

@@ -25,6 +25,8 @@ UPDATE held.control_point SET geom = 'SRID=2154;POINT(650020 6860000)';
 SELECT 'signals of one arm make a stop line on each', lines() = '1:stop 2:stop 3:stop 4:stop';
 UPDATE held.control_point SET geom = 'SRID=2154;POINT(650000 6860000)';
 SELECT 'signals on the node too', lines() = '1:stop 2:stop 3:stop 4:stop';
+UPDATE held.control_point SET kind = 'mini_roundabout';
+SELECT 'all that comes to a mini-roundabout yields', lines() = '1:yield 2:yield 3:yield 4:yield';
 UPDATE held.control_point SET kind = 'pedestrian_crossing';
 SELECT 'a crossing leaves it to the class', lines() = '1:yield 2:yield';
 INSERT INTO held.control_point (geom, kind, direction) VALUES ('SRID=2154;POINT(649980 6860000)', 'yield', 'direct'), ('SRID=2154;POINT(649981 6860000)', 'stop', 'direct');

@@ -36,7 +36,7 @@ SELECT 'a level by itself', (SELECT array_agg(DISTINCT abs(id::text::float8)) FR
 SELECT 'digits as asked for', (SELECT bool_and(x::text ~ '^[0-9]+[.][0-9]{4}$') FROM unnest(xpath('//node/@x', pg_temp.file('town', 'nodes', '{"precision": 4}'))) x);
 SELECT 'a model without streets is refused, and an extent without them', test.state($$SELECT FROM streetgen.export_sumo('empty', 'edges')$$) = '22023' AND test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"extent": [0, 0, 1, 1]}')$$) = '22023';
 SELECT 'the same bytes again: ' || part, (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part)) = (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part))
-  FROM unnest('{nodes,edges,connections,types}'::text[]) part;
+  FROM unnest('{nodes,edges,connections,types,tlLogics}'::text[]) part;
 -- Options and arguments.
 SELECT 'an unknown option is refused', test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"colour": 1}')$$) = '22023';
 SELECT 'so is ' || bad, test.state(format($$SELECT FROM streetgen.export_sumo('town', 'edges', %L)$$, bad)) = '22023'

@@ -146,6 +146,31 @@ SELECT 'they run between the wanted limits, in the direction of the axis', (SELE
 SELECT 'they bear no paint', NOT EXISTS (SELECT FROM crossed.marking JOIN crossed.edge USING (edge_id) WHERE axis_id = 2) AND (SELECT bool_and(ST_IsEmpty(p.surface)) FROM crossed.lane_separator p JOIN crossed.edge USING (edge_id) WHERE axis_id = 2);
 DO $$ BEGIN PERFORM streetgen.drop_model('crossed'); END $$;
 
+-- Past a side street: three lanes go on as two.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('tapered', 2154, driving_side => 'right');
+  INSERT INTO tapered.axis (axis_id, geom, width, lane_count, direction, speed) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 10.5, 3, 'direct', 90), (2, 'SRID=2154;LINESTRING(650200 6860000,650400 6860000)', 7, 2, 'direct', 90),
+    (3, 'SRID=2154;LINESTRING(650200 6860000,650200 6860100)', 6, 2, 'both', 50);
+  PERFORM streetgen.generate('tapered');
+END $$;
+CREATE FUNCTION pg_temp.widths_at(axis bigint, at_start boolean) RETURNS numeric[] LANGUAGE sql AS $$
+  WITH line AS (SELECT lane_position AS p, CASE WHEN at_start THEN ST_StartPoint(l.geom) ELSE ST_EndPoint(l.geom) END AS place FROM tapered.lane l JOIN tapered.edge USING (edge_id) WHERE axis_id = axis),
+  kerb AS (SELECT ST_PointN(border_line, 1) AS place FROM tapered.section_limit JOIN tapered.edge USING (edge_id) WHERE axis_id = axis AND which = CASE WHEN at_start THEN 'start' ELSE 'end' END)
+  -- A middle is half a width beyond the lanes before it, so widths add up by turns.
+  SELECT array_agg(round(width::numeric, 3) ORDER BY p) FROM (
+    SELECT n AS p, edge - coalesce(lag(edge) OVER (ORDER BY n), 0) AS width FROM (
+      SELECT a.p AS n, 2 * sum(CASE WHEN (a.p - b.p) % 2 = 0 THEN 1 ELSE -1 END * ST_Distance(b.place, kerb.place)) AS edge FROM line a JOIN line b ON b.p <= a.p CROSS JOIN kerb GROUP BY a.p) e) w $$;
+SELECT 'lanes are as wide as their street', pg_temp.widths_at(1, true) = '{3.5,3.5,3.5}' AND pg_temp.widths_at(2, false) = '{3.5,3.5}' AND (SELECT bool_and(abs(l.width - 3.5) < 1e-9) FROM tapered.lane l JOIN tapered.edge USING (edge_id) WHERE axis_id < 3);
+SELECT 'the outer lane ends along the taper, the others keep their width', w[1:2] = '{3.5,3.5}' AND w[3] BETWEEN 2 AND 3.4 FROM pg_temp.widths_at(1, false) w;
+SELECT 'beside it the lane that goes on is wider', w[1] = 3.5 AND w[2] BETWEEN 3.6 AND 5 FROM pg_temp.widths_at(2, true) w;
+SELECT 'lanes tile their section', bool_and(abs(area - ST_Area(surface)) < 1e-6) FROM (SELECT edge_id, sum(ST_Area(surface)) AS area FROM tapered.lane GROUP BY edge_id) l JOIN tapered.section USING (edge_id);
+DO $$ BEGIN UPDATE tapered.axis SET turn_forward = 'left|through|through' WHERE axis_id = 1; END $$;
+SELECT 'a lane that turns off ends on its side', w[1] BETWEEN 2 AND 3.4 AND w[2:3] = '{3.5,3.5}' FROM pg_temp.widths_at(1, false) w;
+DO $$ BEGIN UPDATE tapered.axis SET turn_forward = NULL WHERE axis_id = 1; UPDATE tapered.axis SET lane_count = 3 WHERE axis_id = 2; END $$;
+SELECT 'lanes that all go on share the change, here and beyond', a[1] = a[3] AND a[1] < 3.5 AND b[1] = b[3] AND b[1] > 2.334 FROM pg_temp.widths_at(1, false) a, pg_temp.widths_at(2, true) b;
+DO $$ BEGIN PERFORM streetgen.drop_model('tapered'); END $$;
+
 -- Alone.
 SELECT 'with one for both directions', (SELECT array_agg((along_axis, both_ways, round(lane_width::numeric, 2))::text ORDER BY lane_position) = '{"(f,f,3.00)","(t,t,3.00)","(t,f,3.00)"}' FROM streetgen.lanes('LINESTRING(0 0,50 0)', 9, lanes_both => 1))
     AND (SELECT count(*) = 1 AND bool_and(both_ways) FROM streetgen.lanes('LINESTRING(0 0,50 0)', 3.5, 0, 0, lanes_both => 1));

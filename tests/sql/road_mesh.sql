@@ -57,6 +57,22 @@ SELECT 'a crest is cut across, at both borders', count(DISTINCT ST_Y(p)) = 3 AND
 SELECT 'a change of slope below the tolerance is not', count(*) = 0 FROM streetgen.road_mesh('hill', tolerance => 10) m, ST_DumpPoints(geom) p WHERE m.level = 0 AND ST_DWithin(ST_Force2D(p.geom), 'SRID=2154;POINT(650140 6860000)', 1);
 SELECT 'a level keeps its own heights', min(ST_ZMin(geom)) = 118 AND max(ST_ZMax(geom)) = 120 FROM mesh WHERE name = 'hill' AND level = 1;
 
+-- Of each corner: where it is, its normal, its texture coordinates.
+CREATE TEMPORARY TABLE corner AS
+SELECT t.name, t.edge_id, t.node_id, t.level, t.corner[k] AS place, n[1] AS x, n[2] AS y, n[3] AS z, u[1] AS along, u[2] AS aside
+FROM (SELECT *, row_number() OVER (PARTITION BY name, edge_id, node_id ORDER BY id) AS i FROM triangle) t
+JOIN mesh m ON m.name = t.name AND (m.edge_id, m.node_id) IS NOT DISTINCT FROM (t.edge_id, t.node_id), generate_series(1, 3) k,
+    LATERAL (SELECT normals[9 * i + 3 * k - 11:9 * i + 3 * k - 9] AS n, texture[6 * i + 2 * k - 7:6 * i + 2 * k - 6] AS u) v;
+SELECT 'three normals and three texture coordinates a triangle', bool_and(cardinality(normals) = 9 * ST_NumGeometries(geom) AND cardinality(texture) = 6 * ST_NumGeometries(geom)) FROM mesh;
+SELECT 'normals are unit vectors that point up', bool_and(abs(x * x + y * y + z * z - 1) < 1e-6 AND z > 0) FROM corner;
+SELECT 'without heights they point straight up', bool_and(z = 1) FROM corner WHERE name = 'flat';
+SELECT 'on a straight climb they lean back by its slope', count(*) > 3 AND bool_and(abs(x / z + 0.06) < 1e-6 AND y = 0) FROM corner JOIN hill.edge USING (edge_id) WHERE name = 'hill' AND axis_id = 1 AND ST_Y(place) < 6860003;
+SELECT 'a place has one normal within a level', max(n) = 1 FROM (SELECT count(DISTINCT (x, y, z)) AS n FROM corner GROUP BY name, corner.level, ST_X(place), ST_Y(place)) s;
+SELECT 'texture of a section: metres along the edge and to its left', count(*) > 3 AND bool_and(abs(aside - (ST_Y(place) - 6860000)) < 1e-3 AND abs(along - (ST_X(place) - 650000)) < 1e-3)
+    FROM corner JOIN flat.edge USING (edge_id) WHERE name = 'flat' AND axis_id = 1 AND start_abscissa = 0;
+SELECT 'texture of an intersection: metres east and north of its node', count(*) > 10 AND bool_and(abs(along - (ST_X(place) - ST_X(n.geom))) < 1e-4 AND abs(aside - (ST_Y(place) - ST_Y(n.geom))) < 1e-4)
+    FROM corner JOIN flat.node n USING (node_id) WHERE name = 'flat';
+
 CREATE TEMPORARY TABLE part AS SELECT 'hill' AS name, p.* FROM streetgen.road_mesh('hill', ST_MakeEnvelope(650070, 6859990, 650105, 6860003, 2154)) p;
 SELECT 'an extent has the surfaces that it meets', count(*) BETWEEN 2 AND 4 AND count(*) = (SELECT count(*) FROM ground WHERE name = 'hill' AND ST_Intersects(surface, ST_MakeEnvelope(650070, 6859990, 650105, 6860003, 2154))) FROM part;
 SELECT 'their meshes are those of the whole', bool_and(ST_AsBinary(p.geom) = ST_AsBinary(m.geom)) FROM mesh m JOIN part p USING (name) WHERE (m.edge_id, m.node_id) IS NOT DISTINCT FROM (p.edge_id, p.node_id);

@@ -37,6 +37,17 @@ SELECT 'a ring that is none has traffic both ways', (SELECT count(DISTINCT along
 DELETE FROM town.roundabout_override;
 SELECT 'without the decision all is as before', NOT EXISTS ((SELECT test.content('town') EXCEPT TABLE before) UNION ALL (TABLE before EXCEPT SELECT test.content('town')));
 
+-- A ring with a waist.
+DO $$ BEGIN PERFORM streetgen.create_model('waist', 2154, subjects => '{interconnection,roundabout,block}', driving_side => 'right'); END $$;
+INSERT INTO waist.axis (geom, width, lane_count) SELECT ST_ExteriorRing(ST_Union(ring(0, 0, 14), ring(22, 0, 14))), 6, 1;
+INSERT INTO waist.axis (geom, width, lane_count) SELECT arm(x, 0, 14, a), 6, 2 FROM (VALUES (0, 180), (22, 0)) v(x, a);
+SELECT 'a ring with a waist is offered as a peanut', (SELECT array_agg(kind || ' ' || accepted) = '{peanut false}' FROM waist.roundabout);
+UPDATE waist.roundabout_editing SET confirmed = true;
+SELECT 'confirmed, traffic goes round it', (SELECT count(DISTINCT l.along_axis) = 1 FROM waist.lane l JOIN waist.roundabout_edge r USING (edge_id));
+SELECT 'the block of a ring is the ground within', (SELECT abs(ST_Area(ST_Intersection(b.surface, r.island)) / ST_Area(b.surface) - 1) < 0.05 FROM waist.roundabout r JOIN waist.roundabout_block USING (roundabout_id) JOIN waist.block b USING (block_id));
+SELECT FROM streetgen.switch_subject('waist', 'block', false);
+SELECT 'without blocks there is no such view', to_regclass('waist.roundabout_block') IS NULL AND to_regclass('waist.roundabout') IS NOT NULL;
+
 -- The list to work through.
 SELECT 'the least certain ring comes first', array_agg(nearness) = array_agg(nearness ORDER BY nearness) FROM town.roundabout_editing;
 UPDATE town.roundabout_editing SET confirmed = false WHERE accepted;

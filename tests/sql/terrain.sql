@@ -30,6 +30,10 @@ SELECT 'terrain_height: that of the formula', bool_and(abs(streetgen.terrain_hei
 SELECT 'terrain_height: none where there is no tile', streetgen.terrain_height('hills', 'SRID=2154;POINT(0 0)') IS NULL;
 SELECT 'terrain_height: of another SRID', streetgen.terrain_height('hills', ST_Transform('SRID=2154;POINT(902000 6452000)'::geometry, 4326)) - streetgen.terrain_height('hills', 'SRID=2154;POINT(902000 6452000)') < 0.01;
 SELECT 'terrain_profile: every step and the end', count(*) = 12 AND max(abscissa) = 1050 AND bool_and(height IS NOT NULL) FROM streetgen.terrain_profile('hills', 'SRID=2154;LINESTRING(902000 6452000,903050 6452000)', 100);
+SELECT 'hill_shade: rectangles cover the tiles once', abs(sum(ST_Area(s.geom)) / (SELECT ST_Area(ST_Union(t.geom)) FROM hills.terrain_tile t) - 1) < 0.05 AND bool_and(ST_IsValid(s.geom)) AND abs(ST_Area(ST_Union(s.geom)) / sum(ST_Area(s.geom)) - 1) < 1e-9 FROM streetgen.hill_shade('hills', NULL, 80) s;
+WITH s AS MATERIALIZED (SELECT grey, streetgen.terrain_height('hills', ST_Translate(ST_Centroid(geom), 20, -20)) / 56.6 - streetgen.terrain_height('hills', ST_Translate(ST_Centroid(geom), -20, 20)) / 56.6 AS slope FROM streetgen.hill_shade('hills', ST_MakeEnvelope(901000, 6451000, 905000, 6455000, 2154), 60))
+SELECT 'hill_shade: what faces the north west is lighter than what faces the south east', avg(grey) FILTER (WHERE slope > 0.04) > 5 + avg(grey) FILTER (WHERE slope < -0.04) FROM s;
+SELECT 'hill_shade: no columns are refused', test.state($$SELECT * FROM streetgen.hill_shade('hills', NULL, 0)$$) = '22023';
 SELECT 'terrain_profile: a step of 0 is refused', test.state($$SELECT streetgen.terrain_profile('hills', 'SRID=2154;LINESTRING(902000 6452000,903050 6452000)', 0)$$) = '22023';
 
 CREATE TABLE lake (geom geometry(Polygon, 2154), what text);
@@ -89,6 +93,10 @@ SELECT 'path_cost: pavement by length and width', abs(cost - 60 * 13 * 2000) < 1
 SELECT 'path_cost: a line with heights is built at them', (SELECT sum(cost) FROM streetgen.path_cost('hills', 'SRID=2154;LINESTRING Z(901000 6451500 480,903000 6451500 480)', 'rural') WHERE term = 'bridge') > 1e6;
 SELECT 'path_cost: another network is refused', test.state($$SELECT streetgen.path_cost('hills', 'SRID=2154;LINESTRING(901000 6451500,903000 6451500)', 'lane')$$) = '22023';
 
+CREATE TABLE cheap AS SELECT design_link_id, ST_Length(geom) AS before FROM hills.design_link WHERE network = 'highway' AND NOT rejected;
+SELECT streetgen.set('hills', 'utilisation_cost', '1000') \g /dev/null
+SELECT 'utilisation_cost: paths are searched anew', sum(computed) > 0 FROM streetgen.design('hills') WHERE stage = 'paths';
+SELECT 'utilisation_cost: a road that many use is shorter', bool_and(utilisation > 10 AND ST_Length(geom) < before + 1) AND sum(ST_Length(geom)) < sum(before) FROM hills.design_link JOIN cheap USING (design_link_id);
 SELECT 'design: ' || name, test.state(statement) = '22023' FROM (VALUES
     ('an unknown stage is refused', $$SELECT streetgen.design('hills', '{kerbs}')$$),
     ('an unknown link is refused', $$SELECT streetgen.design('hills', links => '{99999}')$$),

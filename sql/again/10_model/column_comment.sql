@@ -33,6 +33,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('axis', 'lanes_backward', 'general and bus lanes against geom; NULL or 0: from lane_count'),
     ('axis', 'lanes_both', 'general lanes in the middle that both directions use, of a two-way street; NULL or 0: '
         'from lane_count and width'),
+    ('axis', 'flow', 'vehicles an hour, of both directions; NULL: unknown'),
     ('axis', 'sidewalk_left', 'width of the sidewalk on the left of geom, metres; 0: none; NULL: estimated, by setting '
         'sidewalk_by_importance'),
     ('axis', 'sidewalk_right', 'the same on the right of geom'),
@@ -64,7 +65,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'edited by hand'),
     ('control_point', 'control_point_id', 'key'),
     ('control_point', 'geom', 'where it stands, on or beside an axis'),
-    ('control_point', 'kind', 'signals, stop, yield or pedestrian_crossing'),
+    ('control_point', 'kind', 'signals, stop, yield, mini_roundabout or pedestrian_crossing'),
     ('control_point', 'direction', 'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: '
         'that of a one-way street, else that towards the nearer junction, and all that comes to a node it lies on'),
     ('control_point', 'axis_id', 'the axis; filled with the nearest where left out; NULL: it stands off all axes'),
@@ -300,7 +301,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('lane', 'along_axis', 'does its traffic run in the direction of the axis; true of a lane for both directions'),
     ('lane', 'both_ways', 'do both directions use it'),
     ('lane', 'kind', 'general, bus, cycle or parking'),
-    ('lane', 'width', 'width at the start limit of the edge, metres'),
+    ('lane', 'width', 'width at the start limit of the edge, metres, without what begins or ends there'),
     ('lane', 'axis_offset', 'offset of the centre line at the start limit, metres to the left of the axis'),
     ('lane', 'turn', 'movements that the source says it allows, as OSM''s turn:lanes; NULL: nothing is said'),
     ('lane', 'geom', 'centre line between the limits, in the direction of the axis: where along_axis is false its '
@@ -476,6 +477,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours')
     UNION ALL SELECT relation, attribute, description FROM streetgen._design_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._roundabout_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._signal_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';

@@ -32,6 +32,10 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
     (42, 'junction_edge', 'junction', 'edge_id', NULL, 'junction_edge', 1),
     (43, 'junction_movement', 'junction', 'junction_movement_id', 'lane_in, lane_out, along_in, along_out',
         'junction_movement', 1),
+    (60, 'controller', 'signal', 'controller_id', NULL, 'controller', 1),
+    (61, 'signal_state', 'signal', NULL, NULL, NULL, NULL),
+    (62, 'signal_movement', 'signal', NULL, NULL, NULL, NULL),
+    (63, 'signal_head', 'signal', NULL, NULL, NULL, NULL),
     (55, 'overpass', 'overpass', 'overpass_id', 'edge_above, edge_below, ordinality', 'overpass',
         1),
     (56, 'profile', 'height', 'edge_id', NULL, 'edge', 1),
@@ -72,11 +76,13 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'sidewalks: strips behind the kerbs'),
     (12, 'junction', '{interconnection}'::text[], false, false, 'not measured yet',
         'nodes that are one junction, the kind of each, and the paths across them'),
+    (16, 'signal', '{junction}', false, false, 'little beside junction',
+        'signals: the program of each junction of kind signals, its states, and where lanes wait'),
     (14, 'overpass', '{network}'::text[], false, false, 'little',
         'overpasses: where two edges cross without a node, and which of them is above'),
     (15, 'height', '{overpass}'::text[], false, false, 'little',
         'heights along edges, with clearances and grades where roads pass over and under each other'),
-    (16, 'bridge', '{overpass}'::text[], false, false, 'little',
+    (17, 'bridge', '{overpass}'::text[], false, false, 'little',
         'bridges and tunnels: stretches of edges over others, or off the ground by their level') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '

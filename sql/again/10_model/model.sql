@@ -181,12 +181,17 @@ BEGIN
         AND attname = 'roundabout_tag') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD roundabout_tag text', model);
     END IF;
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'flow') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
+    END IF;
     IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.edge', model)::regclass
         AND attname = 'curve') THEN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
     PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
         streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
+        streetgen._make_controller_override_table(model, srid),
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
         streetgen._add_both_ways(model), streetgen._add_sidewalks(model),
@@ -390,7 +395,8 @@ BEGIN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
             '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
             '%1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
-            '%1$I.junction_override, %1$I.overpass_override, %1$I.road_override, %1$I.height_override, '
+            '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
+            '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);
     END IF;
     PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);

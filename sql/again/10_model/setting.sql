@@ -125,6 +125,10 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'the kind of a junction from its arms: streetgen.junction_kind, paper (a ramp where a highway takes part, else '
         'signals), or a function (arms streetgen.junction_arm[]) returning text, with its schema', NULL, NULL,
         ARRAY['streetgen.junction_kind', 'paper']),
+    ('signal_program', 'phases', NULL,
+        'the states of signals: phases (few, with turns that give way), paper (a state for each pair of roads), or a '
+        'function (movements streetgen.signal_request[]) returning SETOF streetgen.signal_answer, with its schema',
+        NULL, NULL, ARRAY['phases', 'paper']),
     ('u_turn', 'false', NULL, 'pairs also lanes of one edge at its nodes: true or false', NULL, NULL,
         ARRAY['true', 'false']),
     ('interconnections_maximal', '10000', NULL, 'at a node of more pairs of lanes none are made', 0, 1000000, NULL),
@@ -164,6 +168,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('bridge_cost', '1000', 'per m2', 'cost of a bridge, over the formation', 0, 1000000, NULL),
     ('tunnel_cost', '2000', 'per m2', 'cost of a tunnel, over the formation', 0, 1000000, NULL),
     ('use_cost', '100', 'per m', 'cost of the use of a road, by its length', 0.01, 1000000000, NULL),
+    ('utilisation_cost', '0', 'per m', 'cost of the use of a road by its length, for each unit of the utilisation of '
+        'its link', 0, 1000000000, NULL),
     ('climb_cost', '300', 'per m', 'cost of the use of a road, by what it climbs and descends', 0, 1000000000, NULL),
     ('side_slope', '1.5', NULL, 'run of the slope of a cut or fill for a rise of 1', 0.1, 20, NULL),
     ('fill_greatest', '20', 'm', 'a designed road that lies higher over the ground is a bridge', 0, 1000, NULL),
@@ -227,11 +233,14 @@ BEGIN
             END;
         ELSIF NOT holds AND setting = 'classifier' THEN
             holds := streetgen._classifier_function(value) IS NOT NULL;
+        ELSIF NOT holds AND setting = 'signal_program' THEN
+            holds := streetgen._program_function(value) IS NOT NULL;
         END IF;
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory'
             THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
             'geometry' WHEN 'classifier' THEN ', or a function (arms streetgen.junction_arm[]) returning text'
-            ELSE '' END || '.';
+            WHEN 'signal_program' THEN ', or a function (movements streetgen.signal_request[]) returning SETOF '
+            'streetgen.signal_answer' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;

@@ -5,7 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, su
     AS $$ VALUES ('conflict'::name, 'junction'), ('right_of_way', 'junction'), ('movement', 'junction'),
         ('rim_marking', 'junction'), ('junction_link', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
         ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
-        ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment') $$;
+        ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment'),
+        ('roundabout_block', 'block'), ('roundabout_block', 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._subject_view() IS
     'The views of a model that read tables of a subject, and go with it; one that reads another comes before it. One '
     'that can do without the subject is made again.';
@@ -75,6 +76,9 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 7, junction_override_id, hash_record_extended(ROW(junction.geom::bytea, inside,
                    junction.kind), 0)
                    FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
+               UNION ALL SELECT 9, controller_override_id, hash_record_extended(ROW(controller.geom::bytea,
+                   controller.program, cycle, start_offset, durations), 0)
+                   FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
                UNION ALL SELECT 8, road_override_id, hash_record_extended(ROW(abscissa, radius), 0)
                    FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id
                UNION ALL SELECT 9, height_override_id, hash_record_extended(ROW(abscissa, height), 0)
@@ -82,9 +86,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
-           -- Sidewalks are the seed, so that it stays the same where nothing is said of them.
+           -- Sidewalks and flows are the seed, so that it stays the same where nothing is said of them.
            CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
-               ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END) AS input_hash,
+               ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
+           # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END) AS input_hash,
        setting_hash, coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
        coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
@@ -119,6 +124,7 @@ LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
     EXISTS (SELECT FROM %1$I.control_point) AS any_control,
     EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
     EXISTS (SELECT FROM %1$I.overpass_override) AS any_overpass,
+    EXISTS (SELECT FROM %1$I.controller_override) AS any_controller,
     EXISTS (SELECT FROM %1$I.junction_override) AS any_junction HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
 -- asked for does.
@@ -213,6 +219,9 @@ $sql$, model);
     END IF;
     IF 'alignment' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_road_arc_view(model);
+    END IF;
+    IF with_rings AND 'block' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_roundabout_block_view(model);
     END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS

@@ -36,6 +36,7 @@ BEGIN
             lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30),
             sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50), sidewalk_right float8
                 CHECK (sidewalk_right BETWEEN 0 AND 50),
+            flow float8 CHECK (flow BETWEEN 0 AND 1000000),
             kind_forward text CHECK (kind_forward ~ %4$L), kind_backward text CHECK (kind_backward ~ %4$L),
             lane_width_forward text CHECK (lane_width_forward ~ %5$L), lane_width_backward text
                 CHECK (lane_width_backward ~ %5$L),

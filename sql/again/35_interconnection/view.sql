@@ -1,4 +1,14 @@
 -- Which paths of a junction traffic cannot take at the same time.
+CREATE OR REPLACE FUNCTION streetgen._paths_meet(a text, b text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format($sql$(%1$s.lane_in, %1$s.along_in) <> (%2$s.lane_in, %2$s.along_in)
+    -- A lane for both directions is entered and left at one end: the other way there.
+    AND ((%1$s.lane_out, %1$s.along_out) IN ((%2$s.lane_out, %2$s.along_out), (%2$s.lane_in, NOT %2$s.along_in))
+        OR (%1$s.lane_in, NOT %1$s.along_in) = (%2$s.lane_out, %2$s.along_out)
+        OR ST_Intersects(%1$s.geom, %2$s.geom))$sql$, a, b) $$;
+COMMENT ON FUNCTION streetgen._paths_meet(text, text) IS
+    'Whether two paths with their lanes cross, merge or oppose each other, as SQL.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_conflict_view(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -19,8 +29,7 @@ CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_i
 CROSS JOIN LATERAL (
     SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing'
         END AS kind) k
-WHERE (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
-    AND (kind <> 'crossing' OR ST_Intersects(a.geom, b.geom))
+WHERE %3$s
 $sql$, model, format(CASE WHEN 'junction' = ANY (streetgen._subjects(model)) THEN $path$
     SELECT node_id, junction_id, CASE WHEN junction_movement_id IS NULL THEN interconnections[1]
         END AS interconnection_id, junction_movement_id,
@@ -29,7 +38,7 @@ $sql$, model, format(CASE WHEN 'junction' = ANY (streetgen._subjects(model)) THE
     FROM %1$I.movement WHERE connecting$path$ ELSE $path$
     SELECT node_id, NULL::bigint AS junction_id, interconnection_id, NULL::bigint AS junction_movement_id,
         interconnection_id AS number, node_id AS place, lane_in, lane_out, along_in, along_out, geom
-    FROM %1$I.interconnection WHERE connecting$path$ END, model));
+    FROM %1$I.interconnection WHERE connecting$path$ END, model), streetgen._paths_meet('a', 'b'));
     EXECUTE format($sql$COMMENT ON VIEW %I.conflict
         IS 'Pairs of connecting paths from two lanes that cross, merge in one lane, or oppose each other in one that '
         'both directions use; geom is where. At a node: two interconnections; across a junction of several nodes, '

@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT CASE
-        WHEN bool_or(a.on_ring) THEN 'roundabout'
+        WHEN bool_or(a.on_ring) OR bool_or(a.control = 'mini_roundabout') THEN 'roundabout'
         WHEN count(*) <= 1 THEN 'end'
         WHEN bool_or(a.control = 'signals') THEN 'signals'
         WHEN count(*) = 2 THEN 'continuation'
@@ -18,8 +18,9 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         ELSE 'right_before_left' END
     FROM unnest(arms) a $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
-    'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring), end (one arm), '
-    'signals, continuation (two arms), ramp (a link at a motorway or trunk road, or motorways and links alone; where '
+    'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
+    'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (a link at a motorway '
+    'or trunk road, or motorways and links alone; where '
     'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
     'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
     'unknown, and gives end; an arm may leave out all that is unknown.';

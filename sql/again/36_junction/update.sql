@@ -3,7 +3,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._later_subjects() RETURNS text[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT '{block,junction,bridge}'::text[] $$;
+    AS $$ SELECT '{block,junction,signal,bridge}'::text[] $$;
 COMMENT ON FUNCTION streetgen._later_subjects() IS
     'The subjects that no part of the one statement writes: statements of their own follow it.';
 
@@ -194,7 +194,9 @@ BEGIN
         ('junction_edge', edges.inserted, edges.updated, edges.deleted, edges.unchanged, 0::bigint),
         ('junction_movement', movements.inserted, movements.updated, movements.deleted, movements.unchanged,
             0::bigint);
-END $body$ $sql$, model);
+    %2$s
+END $body$ $sql$, model, CASE WHEN 'signal' = ANY (streetgen._subjects(model)) THEN format('RETURN QUERY SELECT * '
+        'FROM %I._update_signals(ARRAY(SELECT m.junction_id FROM unnest(made) m), former);', model) END);
     PERFORM streetgen._own_function(model, '_update_junctions(bigint[])',
         'Brings the junctions about nodes (NULL: all) up to date with the rows of the model; a row per table');
 END $$;

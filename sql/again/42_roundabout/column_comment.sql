@@ -9,7 +9,8 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_column()
     ('roundabout', 'along_axis', 'does traffic that goes round drive along that edge?'),
     ('roundabout', 'level', 'level of the ring'),
     ('roundabout', 'kind',
-        'ring; mini: without an island, since the roadway covers it; double: it shares an edge with another one'),
+        'ring; mini: without an island, since the roadway covers it; double: it shares an edge with another '
+        'one; peanut: its ring has a waist'),
     ('roundabout', 'centre', 'centre of the circle of least squares'),
     ('roundabout', 'radius', 'radius of that circle, metres'),
     ('roundabout', 'geom', 'the ring along the axes, counter-clockwise, closed'),
@@ -31,6 +32,8 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_column()
     ('roundabout_arm', 'edge_id', 'the edge that leaves it outwards'),
     ('roundabout_arm', 'along_axis', 'does traffic that comes to the ring drive along the edge?'),
     ('roundabout_arm', 'node_id', 'the node of the ring'),
+    ('roundabout_block', 'roundabout_id', 'the ring'),
+    ('roundabout_block', 'block_id', 'the block within; NULL: the ring lies on another level'),
     ('roundabout_override', 'roundabout_override_id', 'key'),
     ('roundabout_override', 'geom', 'a place within the ring'),
     ('roundabout_override', 'confirmed', 'is the ring a roundabout?'),

@@ -119,8 +119,10 @@ ring_island AS MATERIALIZED (
         columns => 'edge_id, along_axis, level, kind, centre, radius, geom, island, score, term_shape, term_name, '
             'term_network, accepted, confirmed, method', rows => $part$
         SELECT ring AS number, e.edge_id, e.along_axis, level, CASE WHEN ST_IsEmpty(island) THEN 'mini'
-            WHEN ring IN (SELECT ring FROM double_ring) THEN 'double' ELSE 'ring' END AS kind, centre, radius, geom,
-            island, score, term_shape, term_name, term_network, n.accepted, confirmed, method
+            WHEN ring IN (SELECT ring FROM double_ring) THEN 'double'
+            WHEN ST_Area(ST_MakePolygon(geom)) < 0.95 * ST_Area(ST_ConvexHull(geom)) THEN 'peanut'
+            ELSE 'ring' END AS kind, centre, radius, geom, island, score, term_shape, term_name, term_network,
+            n.accepted, confirmed, method
         FROM new_ring n JOIN ring_island USING (ring) JOIN named_ring_edge e USING (ring) WHERE ordinality = 1$part$,
         there => 'SELECT roundabout_id FROM old_ring'),
     streetgen._upsert_rows(places, 'roundabout_edge', columns => 'edge_id, along_axis, roundabout_id, ordinality',

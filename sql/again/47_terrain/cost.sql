@@ -17,7 +17,7 @@ BEGIN
         RAISE EXCEPTION 'the line is a %, expected a LINESTRING', GeometryType(along) USING ERRCODE = '22023',
             HINT = 'ST_LineMerge makes one line of parts that meet.';
     END IF;
-    site := streetgen._road_site(model, ST_Expand(along, 500), network);
+    site := streetgen._road_site(model, ST_Expand(along, 500), streetgen._road_rules(model, network));
     elements := ARRAY(SELECT v FROM streetgen._horizontal_alignment(ST_Force2D(along)::bytea,
         array_fill(0::float8, ARRAY[ST_NPoints(along)]), array_fill(0::float8, ARRAY[ST_NPoints(along)]),
         array_fill(0::float8, ARRAY[ST_NPoints(along)])) e,

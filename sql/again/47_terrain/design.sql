@@ -11,23 +11,23 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
         UNION ALL SELECT ROW(node_a, node_b, network, rejected) FROM %1$I.design_link WHERE by_hand
         UNION ALL SELECT ROW(streetgen._design_text(%2$L, 'link_factor'), streetgen._design_text(%2$L, 'benefit'))$i$),
     (5, 'paths', true, $i$
-        SELECT ROW(streetgen._road_rules(%2$L, network) - 'curve_radius') FROM %1$I.design_link
-            WHERE design_link_id = %3$s
+        SELECT ROW(streetgen._link_rules(%2$L, %3$s) - 'curve_radius')
         UNION ALL SELECT ROW(ordinality, geom, straight) FROM streetgen._link_places(%2$L, %3$s, true)
         UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
             AND NOT rejected
         UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
             WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected$i$),
     (6, 'horizontal', true, $i$
-        SELECT ROW(streetgen._road_rules(%2$L, network)) FROM %1$I.design_link WHERE design_link_id = %3$s
+        SELECT ROW(streetgen._link_rules(%2$L, %3$s))
         UNION ALL SELECT ROW(ordinality, geom, curve) FROM streetgen._link_places(%2$L, %3$s, false)
         UNION ALL SELECT ROW(e.*) FROM %1$I.alignment_element e WHERE design_link_id = %3$s AND by_hand$i$),
     (7, 'vertical', true, $i$
-        SELECT ROW(streetgen._road_rules(%2$L, network), streetgen._design_text(%2$L, 'clearance'))
-            FROM %1$I.design_link WHERE design_link_id = %3$s
+        SELECT ROW(streetgen._link_rules(%2$L, %3$s), streetgen._design_text(%2$L, 'clearance'))
         UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
         UNION ALL SELECT ROW(g.*) FROM %1$I.grade_point g WHERE design_link_id = %3$s AND (by_hand OR rejected)
-        UNION ALL SELECT ROW(c.*) FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND (by_hand OR rejected)
+        -- Where a crossing lies follows of both alignments.
+        UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected) FROM %1$I.design_crossing
+            WHERE design_link_id = %3$s AND (by_hand OR rejected)
         UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
             AND NOT rejected
         UNION ALL SELECT ROW(o.design_link_id, o.geom) FROM %1$I.design_link l JOIN %1$I.design_link o
@@ -35,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
                 (streetgen._network_rank(l.network), l.design_link_id) AND NOT o.rejected
             AND o.geom && ST_Envelope(streetgen._plan_line(%2$L, %3$s)) WHERE l.design_link_id = %3$s$i$),
     (8, 'structures', true, $i$
-        SELECT ROW(streetgen._road_rules(%2$L, network)) FROM %1$I.design_link WHERE design_link_id = %3$s
+        SELECT ROW(streetgen._link_rules(%2$L, %3$s))
         UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s))
         UNION ALL SELECT ROW(abscissa, kind, rejected) FROM %1$I.design_crossing WHERE design_link_id = %3$s
         UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)

@@ -40,7 +40,7 @@ BEGIN
         coalesce((options ->> 'towns')::float8, ceil(count * 0.3)), coalesce((options ->> 'largest')::float8, 500000),
         coalesce((options ->> 'exponent')::float8, 1), coalesce((options ->> 'spacing')::float8, 0.6),
         coalesce((options ->> 'steepest')::float8, 0.15)];
-    site := streetgen._road_site(model, ground, 'rural');
+    site := streetgen._road_site(model, ground, streetgen._road_rules(model, 'rural'));
     EXECUTE format('DELETE FROM %I.design_node WHERE NOT by_hand AND NOT rejected AND kind <> ''interchange'' AND '
         'ST_Covers($1, geom)', model) USING ground;
     EXECUTE format($sql$

@@ -44,20 +44,19 @@ CREATE OR REPLACE FUNCTION streetgen._design_path(model name, link bigint) RETUR
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    network text;
     places geometry;
     sides float8[];
     known float8[];
     barred text;
     written bigint;
 BEGIN
-    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO network USING link;
     SELECT ST_MakeLine(p.geom ORDER BY p.ordinality), array_agg(p.straight::integer::float8 ORDER BY p.ordinality),
         array_agg(p.ordinality ORDER BY p.ordinality)
         INTO places, sides, known FROM streetgen._link_places(model, link, true) p;
     CREATE TEMPORARY TABLE _found ON COMMIT DROP AS SELECT f.*, ordinality AS nth, count(*) FILTER (WHERE f.by_hand)
         OVER (ORDER BY ordinality) AS leg FROM streetgen._road_path(
-            streetgen._road_site(model, streetgen._link_area(model, link), network), places::bytea, sides)
+            streetgen._road_site(model, streetgen._link_area(model, link), streetgen._link_rules(model, link)),
+            places::bytea, sides)
         WITH ORDINALITY f;
     SELECT f.barrier INTO barred FROM pg_temp._found f WHERE f.barrier IS NOT NULL;
     EXECUTE format('UPDATE %I.design_link SET method = $2 WHERE design_link_id = $1 AND method IS DISTINCT FROM $2',
@@ -81,18 +80,16 @@ CREATE OR REPLACE FUNCTION streetgen._design_horizontal(model name, link bigint)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    class text;
     path geometry;
     given float8[];
     site streetgen.road_site;
     written bigint;
 BEGIN
-    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO class USING link;
     SELECT ST_MakeLine(p.geom ORDER BY p.ordinality) INTO path FROM streetgen._link_places(model, link, false) p;
     given := ARRAY(SELECT v FROM streetgen._link_places(model, link, false) p,
         unnest(p.curve) WITH ORDINALITY u(v, k) ORDER BY p.ordinality, k);
     SELECT array_agg(key ORDER BY key), array_agg(value::float8 ORDER BY key) INTO site.rule_names, site.rule_values
-        FROM jsonb_each_text(streetgen._road_rules(model, class));
+        FROM jsonb_each_text(streetgen._link_rules(model, link));
     EXECUTE format('DELETE FROM %I.alignment_element WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
     EXECUTE format($sql$
 INSERT INTO %1$I.alignment_element (design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start,

@@ -89,7 +89,6 @@ CREATE OR REPLACE FUNCTION streetgen._design_vertical(model name, link bigint) R
     AS $$
 DECLARE
     elements constant float8[] := streetgen._link_elements(model, link);
-    class text;
     site streetgen.road_site;
     ends float8[];
     fixed float8[];
@@ -98,17 +97,16 @@ DECLARE
     written bigint;
 BEGIN
     PERFORM streetgen._find_crossings(model, link);
-    EXECUTE format($sql$SELECT network,
-            ARRAY[streetgen.terrain_height($2, a.geom), streetgen.terrain_height($2, b.geom)]
+    EXECUTE format($sql$SELECT ARRAY[streetgen.terrain_height($2, a.geom), streetgen.terrain_height($2, b.geom)]
         FROM %1$I.design_link JOIN %1$I.design_node a ON a.design_node_id = node_a
         JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE design_link_id = $1 $sql$, model)
-        INTO class, ends USING link, model;
+        INTO ends USING link, model;
     EXECUTE format($sql$SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM %I.grade_point,
         unnest(ARRAY[abscissa, height, coalesce(radius, 0)]) WITH ORDINALITY u(v, k)
         WHERE design_link_id = $1 AND by_hand AND NOT rejected $sql$, model) INTO fixed USING link;
     EXECUTE format('SELECT coalesce(array_agg(abscissa ORDER BY abscissa), ''{}'') FROM %I.grade_point
         WHERE design_link_id = $1 AND rejected', model) INTO gone USING link;
-    site := streetgen._road_site(model, streetgen._link_area(model, link), class);
+    site := streetgen._road_site(model, streetgen._link_area(model, link), streetgen._link_rules(model, link));
     EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_crossing WHERE design_link_id = $1 AND NOT by_hand
         AND kind <> ''level'')', model) INTO undecided USING link;
     IF undecided THEN
@@ -143,12 +141,10 @@ CREATE OR REPLACE FUNCTION streetgen._broken_rules(model name, link bigint) RETU
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    class text;
     rules jsonb;
     broken text;
 BEGIN
-    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO class USING link;
-    rules := streetgen._road_rules(model, class);
+    rules := streetgen._link_rules(model, link);
     EXECUTE format($sql$
 SELECT string_agg(word, ', ' ORDER BY place) FROM (
     SELECT 1 AS place, 'radius' AS word WHERE EXISTS (SELECT FROM %1$I.alignment_element WHERE design_link_id = $1
@@ -173,17 +169,16 @@ DECLARE
     elements constant float8[] := streetgen._link_elements(model, link);
     grades constant float8[] := streetgen._link_grades(model, link);
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    class text;
     written bigint;
 BEGIN
-    EXECUTE format('SELECT network FROM %I.design_link WHERE design_link_id = $1', model) INTO class USING link;
     EXECUTE format('DELETE FROM %I.structure WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
     -- A road passes over or under another one on a structure as long as both are wide.
     EXECUTE format($sql$
 INSERT INTO %1$I.structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
 WITH found AS (
     SELECT substr(what, 4) AS kind, start_abscissa, end_abscissa FROM streetgen._road_estimate(
-        streetgen._road_site($2, streetgen._link_area($2, $1), $6), $3, $4) WHERE what LIKE 'is %%'
+        streetgen._road_site($2, streetgen._link_area($2, $1), streetgen._link_rules($2, $1)), $3, $4)
+        WHERE what LIKE 'is %%'
     UNION ALL SELECT CASE c.kind WHEN 'over' THEN 'bridge' ELSE 'tunnel' END, c.abscissa - k.width / 2 - 10,
         c.abscissa + k.width / 2 + 10 FROM %1$I.design_crossing c
         JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id JOIN %1$I.design_class k ON k.network = o.network
@@ -194,7 +189,7 @@ free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FR
     SELECT FROM %1$I.structure o WHERE o.design_link_id = $1 AND numrange(o.start_abscissa::numeric,
         o.end_abscissa::numeric) && part))
 SELECT $1, kind, low, high, streetgen._alignment_line($3, $4, $5, low, high, 0.01)::geometry FROM free
-WHERE high > low $sql$, model) USING link, model, elements, grades, srid, class;
+WHERE high > low $sql$, model) USING link, model, elements, grades, srid;
     GET DIAGNOSTICS written = ROW_COUNT;
     EXECUTE format('UPDATE %I.design_link SET method = streetgen._broken_rules($2, $1) WHERE design_link_id = $1
         AND method IS DISTINCT FROM streetgen._broken_rules($2, $1)', model) USING link, model;

@@ -2,7 +2,8 @@
 
 CREATE OR REPLACE FUNCTION streetgen._design_settings() RETURNS text[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT ARRAY['link_factor', 'benefit', 'curve_radius', 'design_axis_length', 'design_live']
+    AS $$ SELECT ARRAY['link_factor', 'benefit', 'curve_radius', 'design_axis_length', 'design_live',
+        'utilisation_cost']
         || streetgen._road_prices() $$;
 COMMENT ON FUNCTION streetgen._design_settings() IS 'Settings that the design depends on, and streets do not.';
 
@@ -60,7 +61,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._road_rules(name, text) IS
     'The rules of the roads of a network: name to number. No class, or no standard for its speed: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._road_site(model name, area geometry, network text)
+CREATE OR REPLACE FUNCTION streetgen._link_rules(model name, link bigint) RETURNS jsonb
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    rules jsonb;
+BEGIN
+    EXECUTE format($sql$SELECT r || jsonb_build_object('use_cost', (r ->> 'use_cost')::float8
+            + streetgen._design_number($2, 'utilisation_cost') * coalesce(utilisation, 0))
+        FROM %I.design_link, streetgen._road_rules($2, network) r WHERE design_link_id = $1 $sql$, model)
+        INTO rules USING link, model;
+    RETURN rules;
+END $$;
+COMMENT ON FUNCTION streetgen._link_rules(name, bigint) IS
+    'The rules of a link: those of its network, its use costing more by its utilisation.';
+
+CREATE OR REPLACE FUNCTION streetgen._road_site(model name, area geometry, rules jsonb)
     RETURNS streetgen.road_site
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -79,8 +95,8 @@ SELECT ARRAY(SELECT geom::bytea FROM %1$I.zone JOIN class USING (class) WHERE ge
     ARRAY(SELECT (array_position(ARRAY['free', 'bridge', 'forbidden'], passage) - 1)::float8 FROM class ORDER BY nth)
 $sql$, model) INTO site.zone_surfaces, site.zone_classes, site.class_costs, site.class_passages USING area;
     SELECT array_agg(key ORDER BY key), array_agg(value::float8 ORDER BY key) INTO site.rule_names, site.rule_values
-        FROM jsonb_each_text(streetgen._road_rules(model, network));
+        FROM jsonb_each_text(rules);
     RETURN site;
 END $$;
-COMMENT ON FUNCTION streetgen._road_site(name, geometry, text) IS
-    'Terrain and zones about an area, and the rules of a network, as the core takes them.';
+COMMENT ON FUNCTION streetgen._road_site(name, geometry, jsonb) IS
+    'Terrain and zones about an area, and the rules of a road, as the core takes them.';

@@ -1,30 +1,12 @@
 -- Pictures of a design: hill shade, zones and what each stage made; and profiles of links.
 
 CREATE OR REPLACE FUNCTION streetgen._svg_hill_shade(model name, extent geometry, pixel float8) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    -- A cell is four pixels: finer shade costs more than it shows.
-    cell constant float8 := 4 * pixel;
-    columns constant integer := ceil((ST_XMax(extent) - ST_XMin(extent)) / cell)::integer + 1;
-    rows constant integer := ceil((ST_YMax(extent) - ST_YMin(extent)) / cell)::integer + 1;
-    heights float8[];
-BEGIN
-    heights := streetgen._ground_heights(streetgen._tiles_of(model, extent),
-        ARRAY(SELECT ST_XMin(extent) + i * cell FROM generate_series(0, rows - 1) j, generate_series(0, columns - 1) i
-            ORDER BY j, i),
-        ARRAY(SELECT ST_YMax(extent) - j * cell FROM generate_series(0, rows - 1) j, generate_series(0, columns - 1) i
-            ORDER BY j, i));
-    -- Light from the north west; the steps of grey are few, so that cells of one grey are one path.
-    RETURN (SELECT string_agg(format('<path fill="rgb(%1$s,%1$s,%2$s)" d="%3$s"/>', grey, grey - 6, cells), E'\n')
-        FROM (SELECT grey, string_agg(format('M%s %sh4v4h-4z', 4 * i, 4 * j), '' ORDER BY j, i) AS cells
-            FROM (SELECT i, j, 170 + 5 * round(greatest(-12, least(15, 8 + 14 * ((h2 - h1) + (h3 - h1)) / cell)))
-                    AS grey
-                FROM generate_series(0, rows - 2) j, generate_series(0, columns - 2) i,
-                    LATERAL (SELECT heights[j * columns + i + 1] AS h1, heights[j * columns + i + 2] AS h2,
-                        heights[(j + 1) * columns + i + 1] AS h3) h
-                WHERE h1 + h2 + h3 <> 'NaN') c GROUP BY grey) g);
-END $$;
+    -- A cell is four pixels: finer shade costs more than it shows. Cells of one grey are one path.
+    SELECT string_agg(format('<path fill="rgb(%1$s,%1$s,%2$s)" d="%3$s"/>', grey, grey - 6, cells), E'\n')
+    FROM (SELECT grey, string_agg(format('M%s %sh4v4h-4z', 4 * i, 4 * j), '' ORDER BY j, i) AS cells
+        FROM streetgen._shaded_cells(model, extent, 4 * pixel) GROUP BY grey) g $$;
 COMMENT ON FUNCTION streetgen._svg_hill_shade(name, geometry, float8) IS
     'The hill shade of the terrain in an extent, as SVG in pixels of so many metres.';
 

@@ -78,6 +78,14 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
         FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk'),
+    ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
+        'was decided by hand',
+        ARRAY['key', 'phases, paper, or a function', 'seconds', 'seconds after which a cycle begins',
+            'seconds of each state', 'decided by hand; false takes it back', 'the junction'],
+        $sql$SELECT c.controller_id, c.program, c.cycle, c.start_offset,
+            ARRAY(SELECT s.duration FROM %1$I.signal_state s WHERE s.controller_id = c.controller_id
+                ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
+        FROM %1$I.controller c$sql$, 'signal'),
     ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
         'decided by hand',
         ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below', 'from roadway to roadway, metres',
@@ -92,7 +100,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height'),
     ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
         'come first; DELETE takes back what was decided by hand',
-        ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini or double', 'radius, metres',
+        ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',
             'score, 0 to 1', 'how far its score is from setting roundabout_accept', 'does traffic go round',
             'the ring'],
         $sql$SELECT r.roundabout_id, r.confirmed, r.kind, r.radius, r.score,

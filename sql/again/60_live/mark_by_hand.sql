@@ -34,6 +34,9 @@ BEGIN
     ELSIF TG_TABLE_NAME = 'block' THEN
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (
             SELECT edge_id FROM %1$I.block_edge WHERE block_id = OLD.block_id);
+    ELSIF TG_TABLE_NAME IN ('controller', 'signal_state', 'signal_movement', 'signal_head') THEN
+        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.controller_id
+            OR to_node = OLD.controller_id;
     ELSIF TG_TABLE_NAME IN ('junction', 'junction_movement') THEN
         UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.junction_id
             OR to_node = OLD.junction_id;

@@ -58,31 +58,6 @@ CREATE OR REPLACE FUNCTION streetgen._remap_point_beside(line geometry, place ge
 COMMENT ON FUNCTION streetgen._remap_point_beside(geometry, geometry) IS
     'The place on a line 5 m along it from another, towards its farther end.';
 
-CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(relation text, line geometry) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
-        ELSE line END $$;
-COMMENT ON FUNCTION streetgen._remap_part_of_axis(text, geometry) IS
-    'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_lies_beside(line geometry, place geometry) RETURNS boolean
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
-COMMENT ON FUNCTION streetgen._remap_lies_beside(geometry, geometry) IS
-    'Whether a place lies beside a line and not beyond its ends.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geometry, after geometry, place geometry,
-    reach float8) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
-        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'road_override', 'height_override')
-            AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
-    $$;
-COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
-    'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
-
 -- Every statement begins so; $1: the changed axes, $2, $3: their lines before and after, NULL where there was or is
 -- none.
 CREATE OR REPLACE FUNCTION streetgen._remap_places(model name) RETURNS text
@@ -246,6 +221,10 @@ WHERE o.control_point_id = n.id AND (o.axis_id, o.abscissa, o.direction) IS DIST
 new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'junction_override')
 UPDATE %1$I.junction_override o SET axis_id = n.axis_id FROM new n
 WHERE o.junction_override_id = n.id AND o.axis_id <> n.axis_id$sql$
+        WHEN 'controller_override' THEN $sql$,
+new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'controller_override')
+UPDATE %1$I.controller_override o SET axis_id = n.axis_id FROM new n
+WHERE o.controller_override_id = n.id AND o.axis_id <> n.axis_id$sql$
         WHEN 'interconnection_override' THEN $sql$,
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom,
@@ -365,7 +344,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'road_override,height_override}';
+        'controller_override,road_override,height_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -389,6 +368,8 @@ UNION ALL SELECT 'control_point', control_point_id, 'axis_id', axis_id, geom,
     FROM %1$I.control_point
 UNION ALL SELECT 'junction_override', junction_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.junction_override
+UNION ALL SELECT 'controller_override', controller_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.controller_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
 UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8

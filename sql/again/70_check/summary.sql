@@ -80,6 +80,8 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
     (SELECT 'edges in junctions, ' || role, count(*), NULL FROM %1$I.junction_edge GROUP BY role ORDER BY role)$part$),
     (43, 'junction', $part$
     SELECT 'paths across junctions, plausible', count(*), NULL FROM %1$I.junction_movement WHERE plausible$part$),
+    (44, 'signal', $part$
+    (SELECT 'controllers, ' || method, count(*), NULL FROM %1$I.controller GROUP BY method ORDER BY method)$part$),
     (99, 'network', $part$
     (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)$part$) $$;
 COMMENT ON FUNCTION streetgen._summary_part() IS

@@ -50,17 +50,18 @@ DECLARE
     bad record;
 BEGIN
     SELECT label, CASE WHEN kind IS NULL THEN 'no kind'
-            WHEN kind NOT IN ('signals', 'stop', 'yield', 'pedestrian_crossing') THEN format('kind "%s"', kind)
+            WHEN kind NOT IN ('signals', 'stop', 'yield', 'mini_roundabout', 'pedestrian_crossing')
+                THEN format('kind "%s"', kind)
             WHEN direction NOT IN ('direct', 'reverse', 'both') THEN format('direction "%s"', direction)
             WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %s as geom', GeometryType(geom))
             WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
             WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
                 THEN 'a coordinate that is not finite' END AS has,
-        'The kinds are signals, stop, yield and pedestrian_crossing; a direction is direct, reverse, both or NULL; '
-        'geom is a point with a known SRID.' AS hint
+        'The kinds are signals, stop, yield, mini_roundabout and pedestrian_crossing; a direction is direct, reverse, '
+        'both or NULL; geom is a point with a known SRID.' AS hint
         INTO bad FROM pg_temp._import_control_point
         WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom) AND NOT coalesce(
-            kind IN ('signals', 'stop', 'yield', 'pedestrian_crossing')
+            kind IN ('signals', 'stop', 'yield', 'mini_roundabout', 'pedestrian_crossing')
             AND (direction IN ('direct', 'reverse', 'both')) IS NOT FALSE AND GeometryType(geom) IN ('POINT', 'POINTM')
             AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
             AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1;
@@ -129,8 +130,9 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.import_control_points(name, regclass, jsonb) IS
     'Imports a table of points as control points. mapping: geom, kind, direction, source_ref -> source column (string) '
-    'or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield or pedestrian_crossing; direction: '
-    'direct (along the axis), reverse or both, NULL where unknown. With a source_ref, importing again follows the '
+    'or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield, mini_roundabout or '
+    'pedestrian_crossing; direction: direct (along the axis), reverse or both, NULL where unknown. With a '
+    'source_ref, importing again follows the '
     'source. Reports counts by kind, and points off all axes, which are kept and change nothing. A missing column: '
     '42703; a bad row or mapping: 22023; then the model stays as it was. Needs the rights of the owner (42501).';
 
@@ -145,10 +147,11 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format($sql$
 SELECT geom, CASE class WHEN 'traffic_signals' THEN 'signals' WHEN 'stop' THEN 'stop' WHEN 'give_way' THEN 'yield'
-           ELSE 'pedestrian_crossing' END AS kind,
+           WHEN 'mini_roundabout' THEN 'mini_roundabout' ELSE 'pedestrian_crossing' END AS kind,
        CASE coalesce(traffic_signals_direction, direction) WHEN 'forward' THEN 'direct' WHEN 'backward' THEN 'reverse'
            WHEN 'both' THEN 'both' END AS direction, node_id::text AS source_ref
-FROM %s WHERE class IN ('traffic_signals', 'stop', 'give_way', 'crossing')$sql$, control), only_on_axes => true);
+FROM %s WHERE class IN ('traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing')$sql$, control),
+        only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes; importing again follows the '

@@ -1,13 +1,15 @@
 CREATE OR REPLACE FUNCTION streetgen._for_exchange(geom geometry, wgs84 boolean) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN NOT wgs84 THEN snapped WHEN ST_Dimension(geom) = 2
-        THEN ST_ReducePrecision(ST_Transform(snapped, 4326), 1e-11) ELSE ST_Transform(snapped, 4326) END
-    FROM (SELECT CASE ST_Dimension(geom) WHEN 2 THEN ST_ReducePrecision(geom, 1e-6) ELSE geom END AS snapped) s
+    SELECT CASE WHEN NOT wgs84 THEN snapped WHEN flat THEN ST_ReducePrecision(ST_Transform(snapped, 4326), 1e-11)
+        ELSE ST_Transform(snapped, 4326) END
+    FROM (SELECT ST_Dimension(geom) = 2 AND ST_NDims(geom) = 2 AS flat) k,
+        LATERAL (SELECT CASE WHEN flat THEN ST_ReducePrecision(geom, 1e-6) ELSE geom END AS snapped) s
     $$;
 COMMENT ON FUNCTION streetgen._for_exchange(geometry, boolean) IS
     'A geometry as files carry it, in its own reference or in WGS 84. Surfaces come on a grid of 1e-6 m or 1e-11 '
-    'degrees, a micrometre either way, so that what reads, rounds or projects them again finds them valid.';
+    'degrees, a micrometre either way, so that what reads, rounds or projects them again finds them valid. Triangles '
+    'share their vertices as they are.';
 
 CREATE OR REPLACE FUNCTION streetgen._export_layer()
     RETURNS TABLE(turn integer, layer text, geometry_type text, of_axes boolean, fields text, geometry text,
@@ -46,12 +48,20 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
     (12, 'blocks', 'MULTIPOLYGON', false, 'block_id AS id, kind, method', 'surface', 'block'),
     (11, 'roads_arcs', 'LINESTRING', false, 'road_id AS id, from_node, to_node, closed, length',
         'streetgen.arc_road_line(geom, 0.01)', 'road'),
+    (36, 'road_meshes', 'MULTIPOLYGONZ', false,
+        'coalesce(2 * edge_id, 2 * node_id + 1) AS id, edge_id, node_id, road_id, level', 'triangles',
+        'road_edge RIGHT JOIN streetgen.road_mesh(%1$L) USING (edge_id), LATERAL (SELECT ST_Collect(ST_MakePolygon('
+        'ST_ExteriorRing(t.geom)) ORDER BY path) AS triangles FROM ST_Dump(geom) t) t'),
     (35, 'sidewalks', 'MULTIPOLYGON', false, 'sidewalk_id AS id, edge_id, node_id, side, part, width, method',
         'surface', 'sidewalk'),
     (40, 'junctions', 'MULTIPOLYGON', false, 'junction_id AS id, kind, method', 'surface', 'junction'),
     (41, 'movements', 'LINESTRING', false, 'row_number() OVER (ORDER BY lane_in, lane_out, along_in, along_out) AS id, '
         'junction_id AS junction, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, '
         'connecting', 'geom', 'movement'),
+    (60, 'signal_heads', 'POINT', false, 'row_number() OVER (ORDER BY lane_id, along_axis) AS id, controller_id AS '
+        'controller, lane_id AS lane, along_axis AS along, angle', 'geom', 'signal_head'),
+    (61, 'controllers', 'POINT', false, 'controller_id AS id, program, cycle, start_offset AS offset_s, method',
+        'geom', 'controller'),
     (55, 'overpasses', 'POINT', false, 'overpass_id AS id, edge_above, abscissa_above AS at_above, edge_below, '
         'abscissa_below AS at_below, clearance, method', 'geom', 'overpass'),
     (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile'),

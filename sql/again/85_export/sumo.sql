@@ -97,19 +97,25 @@ line AS (
 COMMENT ON FUNCTION streetgen._sumo_edges() IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_connections() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_going_on() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge('NULL', 'true') || $part$,
 placed AS MATERIALIZED (
-    SELECT lane_id, along_axis, name, since, until, i - 1 AS index
+    SELECT lane_id, along_axis, name, goes_to, since, until, i - 1 AS index
     FROM sumo_edge, unnest(lanes) WITH ORDINALITY m(lane_id, i)),
 going_on AS MATERIALIZED (
     SELECT way_id AS id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out,
-        k.geom
+        k.geom, a.goes_to, k.lane_in, k.lane_out, k.along_in, k.along_out
     FROM way k JOIN placed a ON (a.lane_id, a.along_axis, a.until) = (k.lane_in, k.along_in, 1)
     JOIN placed b ON (b.lane_id, b.along_axis, b.since) = (k.lane_out, k.along_out, 0)
-    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL
-    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE a.until = b.since),
+    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL, a.goes_to, NULL, NULL, NULL, NULL
+    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE a.until = b.since)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_going_on() IS
+    'Query going_on of the files of SUMO over a model: which lane of an edge goes on to which lane of another.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_connections() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._sumo_going_on() || $part$,
 line AS (
     SELECT 1 AS turn, id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
         index_in AS "fromLane", index_out AS "toLane",
@@ -135,11 +141,12 @@ COMMENT ON FUNCTION streetgen._sumo_types() IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the kinds of streets.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_part() RETURNS TABLE(part text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES ('nodes', streetgen._sumo_nodes()), ('edges', streetgen._sumo_edges()),
-        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()) $$;
+        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()), ('tlLogics', NULL) $$;
 COMMENT ON FUNCTION streetgen._sumo_part() IS
-    'The plain files of SUMO: the part, which is the name of its root element, and the queries of its lines.';
+    'The plain files of SUMO: the part, which is the name of its root element, and the queries of its lines; '
+    'NULL: streetgen._sumo_signals gives them.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_sumo(model name, part text, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
@@ -156,18 +163,20 @@ BEGIN
         RAISE EXCEPTION 'format sumo has no part "%"', part USING ERRCODE = '22023',
             HINT = 'Its parts are ' || (SELECT string_agg(p.part, ', ') FROM streetgen._sumo_part() p) || '.';
     END IF;
-    RETURN QUERY EXECUTE streetgen._export_lines(model, known, file.query,
+    RETURN QUERY EXECUTE streetgen._export_lines(model, known, coalesce(file.query, streetgen._sumo_signals(
+            'signal' = ANY (streetgen._subjects(model)))),
         format('<%s xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation='
-            '"http://sumo.dlr.de/xsd/%s_file.xsd">', file.part, file.part), format('</%s>', file.part)) USING known;
+            '"http://sumo.dlr.de/xsd/%s_file.xsd">', file.part,
+            CASE file.part WHEN 'tlLogics' THEN 'tllogic' ELSE file.part END), format('</%s>', file.part)) USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
-    'A plain file of SUMO, line by line, of which netconvert makes a network: part nodes, edges, connections or types. '
-    'An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one ends in .end. '
+    'A plain file of SUMO, line by line, of which netconvert makes a network: part nodes, edges, connections, types or '
+    'tlLogics. An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
     'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
     'since netconvert invents what is not said. A node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
-    'traffic lights with the programs of netconvert, and the nodes of a junction can be one. Coordinates are counted '
-    'from whole metres, which location says. options as streetgen.export_option() lists them: an unknown one, another '
+    'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
+    'one. Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists them: an unknown one, another '
     'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
     'interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a warning.';

@@ -19,7 +19,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
         (7, 'axis', 'line', 'axis'), (8, 'limit', 'line', 'limit of a section'),
             (9, 'arc', 'line', 'corner of the wanted radius'),
         (10, 'arc fallback', 'line', 'corner of another radius'), (11, 'path', 'line', 'path from lane to lane'),
-            (14, 'junction', 'ground', 'junction of several nodes'),
+            (14, 'junction', 'ground', 'junction of several nodes'), (36, 'signal head', 'ground', 'signal'),
             (12, 'path implausible', 'line', 'path that is not plausible'),
             (13, 'report', 'ground', 'report'), (15, 'road', 'line', 'road'),
             (16, 'road radius', 'line', 'radius of a bend'),
@@ -115,6 +115,9 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     (42, 'junction', $part$
     SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path' ELSE 'path implausible' END,
         true, geom, interconnections[1] FROM %1$I.movement, size WHERE pixel < 0.5$part$),
+    (60, 'signal', $part$
+    SELECT 905, 'signal head', false, ST_Buffer(geom, 0.6, 4), lane_id FROM %1$I.signal_head, size
+        WHERE pixel < 0.5$part$),
     (44, 'junction', $part$
     SELECT 901, 'limit', true, l.border_line, l.section_limit_id FROM %1$I.section_limit l, size
         WHERE l.method = 'hypothesis' AND pixel < 3 AND NOT EXISTS (SELECT FROM %1$I.junction_edge j
@@ -232,7 +235,7 @@ SELECT pixel, round(w::numeric, 3) AS w, round(h::numeric, 3) AS h,
     || '}.junction{fill:#9fb0c3}.implausible{stroke:#6b7280;stroke-opacity:.5;stroke-width:' ||
         round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}.road{stroke:#a21caf;stroke-width:'
     || round((pixel * 1.2)::numeric, 4) || '}.radius{stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}'
-    || '.block{fill:#dfe6d3}.island{fill:#bcd3a5}.strip{fill:#cfdcb4}.kerb{fill:#8b8f96}'
+    || '.signal.head{fill:#c92a2a}.block{fill:#dfe6d3}.island{fill:#bcd3a5}.strip{fill:#cfdcb4}.kerb{fill:#8b8f96}'
     || '.bridge{fill:#c9ccd1;stroke:#374151;stroke-width:' || round((pixel * 1.2)::numeric, 4)
     || '}.shadow{fill:#111827;fill-opacity:.3}.tunnel{stroke:#374151;stroke-dasharray:'
     || round((pixel * 5)::numeric, 4) || ';stroke-width:' || round((pixel * 1)::numeric, 4) || '}'

@@ -3,18 +3,23 @@
 CREATE OR REPLACE FUNCTION streetgen.export_option()
     RETURNS TABLE(name text, formats text[], kind text, value jsonb, unit text, description text, minimum float8,
         maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia}'::text[], 'box', 'null'::jsonb, 'm', 'xmin, ymin, xmax, ymax in the SRID of the model: '
-        'whole edges that touch it; null: all', -1e12::float8, 1e12::float8, NULL::text[]),
-    ('level', '{sumo,symuvia}', 'integer', 'null', '', 'edges of this level alone; null: all', -50, 50, NULL),
+    ('extent', '{sumo,symuvia,cityjson,gltf}'::text[], 'box', 'null'::jsonb, 'm',
+        'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all', -1e12::float8,
+        1e12::float8, NULL::text[]),
+    ('level', '{sumo,symuvia,cityjson,gltf}', 'integer', 'null', '', 'edges of this level alone; null: all', -50, 50,
+        NULL),
     ('junctions', '{sumo,symuvia}', 'word', '"node"', '', 'what a junction is: each node, or the nodes of a junction '
         'as one, without the edges inside', NULL, NULL, '{node,group}'),
     ('precision', '{sumo,symuvia}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
         'points', 0, 10, NULL),
     ('tolerance', '{symuvia}', 'number', '0.1', 'm', 'how far a simplified line may leave that of the model; 0: all '
-        'its points', 0, 10, NULL)
+        'its points', 0, 10, NULL),
+    ('precision', '{cityjson}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
+    ('tolerance', '{cityjson,gltf}', 'number', '0.05', 'm', 'how far triangles may leave the heights of the streets',
+        0.001, 10, NULL)
     $$;
 COMMENT ON FUNCTION streetgen.export_option() IS
     'The options of the writers of files: name, the formats that have it (the word behind export_), kind (box, '
@@ -139,17 +144,19 @@ way AS NOT MATERIALIZED (%5$s)$part$, model, (SELECT srid FROM streetgen.model m
             ELSE 'SELECT node_id, node_id AS place_id, junction_id, kind, i.surface FROM %1$I.node '
                 'LEFT JOIN %1$I.intersection i USING (node_id) LEFT JOIN %1$I.junction_node USING (node_id) '
                 'LEFT JOIN %1$I.junction j USING (junction_id)' END, model),
-        format(CASE WHEN grouped THEN 'SELECT coalesce(junction_movement_id, interconnections[1]) AS way_id, lane_in, '
+        format(CASE WHEN NOT joined THEN 'SELECT'
+            WHEN grouped THEN 'SELECT coalesce(junction_movement_id, interconnections[1]) AS way_id, lane_in, '
                 'lane_out, along_in, along_out, geom FROM %I.movement WHERE connecting'
             ELSE 'SELECT interconnection_id AS way_id, lane_in, lane_out, along_in, along_out, geom '
                 'FROM %I.interconnection WHERE connecting' END, model))
-    FROM (SELECT 'junction' = ANY (streetgen._subjects(model)) AS known, options ->> 'junctions' = 'group' AS grouped) o
+    FROM (SELECT 'junction' = ANY (subjects) AS known, 'interconnection' = ANY (subjects) AS joined,
+        options ->> 'junctions' = 'group' AS grouped FROM streetgen._subjects(model) subjects) o
     $$;
 COMMENT ON FUNCTION streetgen._export_edges(name, jsonb) IS
     'Queries that writers begin with, over their options $1: written_edge, the edges that are written; origin, whole '
     'metres from which coordinates are counted, with digits and tolerance; place, the junction that a node is or is '
     'part of, with its kind where the model knows that, and its surface; way, the pairs of lanes that connect, with '
-    'their path.';
+    'their path, of a model that computes them.';
 
 CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, query text, opening text,
     closing text) RETURNS text

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/polyline.hpp"
+#include "geometry/space.hpp"
 
 namespace streetgen {
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double first_reach = 8;   // metres: axes are mostly nearer to their border
 constexpr double last_reach = 1e6;  // metres: beyond it every axis is asked
+constexpr double as_near = 1e-6;    // metres
 
 }  // namespace
 
@@ -25,28 +27,51 @@ AxisHeight::AxisHeight(const std::vector<HeightAxis>& axes) {
   }
 }
 
-double AxisHeight::at(const Point& place, int level) const {
+AxisHeight::Sight AxisHeight::sight(const Segment& segment, const Point& place) {
+  const auto& [from, to] = segment;
+  const Point along = to - from, off = place - from;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(off, along) / square, 0.0, 1.0) : 0;
+  return {distance(place, from + along * share), from.z + (to.z - from.z) * share};
+}
+
+AxisHeight::Sight AxisHeight::nearest(const Point& place, int level) const {
   const auto known = levels_.find(level);
-  if (known == levels_.end()) return 0;
+  if (known == levels_.end()) return {};
   const std::vector<Segment>& segments = known->second.segments;
-  double least = std::numeric_limits<double>::infinity(), height = 0;
+  Sight best{std::numeric_limits<double>::infinity(), 0};
   const auto ask = [&](int index) {
-    const Point &from = segments[index].from, &to = segments[index].to;
-    const Point along = to - from, off = place - from;
-    const double square = dot(along, along);
-    const double share = square > 0 ? std::clamp(dot(off, along) / square, 0.0, 1.0) : 0;
-    const double apart = distance(place, from + along * share);
-    const double z = from.z + (to.z - from.z) * share;
-    if (apart > least || (apart == least && z >= height)) return;
-    least = apart;
-    height = z;
+    const Sight own = sight(segments[index], place);
+    if (own.distance > best.distance ||
+        (own.distance == best.distance && own.height >= best.height))
+      return;
+    best = own;
   };
   for (double reach = first_reach; reach < last_reach; reach *= 4) {
     known->second.index.each_near(box_of(place, place), reach, ask);
-    if (least <= reach) return height;
+    if (best.distance <= reach) return best;
   }
   for (std::size_t i = 0; i < segments.size(); ++i) ask(static_cast<int>(i));
-  return height;
+  return best;
+}
+
+Point AxisHeight::normal(const Point& place, int level) const {
+  const Point up{0, 0, 1};
+  const auto known = levels_.find(level);
+  if (known == levels_.end()) return up;
+  const double reach = nearest(place, level).distance + as_near;
+  Point sum{};
+  // In the order of the axes, so that the sum is the same whoever asks.
+  for (const int index : known->second.index.near(box_of(place, place), reach)) {
+    const Segment& segment = known->second.segments[index];
+    if (sight(segment, place).distance > reach) continue;
+    const Point along = segment.to - segment.from;
+    const double metres = norm(along);
+    if (metres == 0) continue;
+    const double slope = along.z / metres;
+    sum = sum + space::unit({-slope * along.x / metres, -slope * along.y / metres, 1});
+  }
+  return space::norm(sum) > 0 ? space::unit(sum) : up;
 }
 
 }  // namespace streetgen

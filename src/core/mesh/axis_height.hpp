@@ -16,7 +16,11 @@ class AxisHeight {
 
   // The height of the nearest place of the level's axes, of equal ones the lower; 0 without axes.
   // The same for the same place, whoever asks.
-  double at(const Point& place, int level) const;
+  double at(const Point& place, int level) const { return nearest(place, level).height; }
+
+  // Unit, upwards: normal to the nearest segment of the axes and level across it. The mean where
+  // several are as near, as at a bend of the axis. Straight up without axes.
+  Point normal(const Point& place, int level) const;
 
  private:
   struct Segment {
@@ -26,6 +30,13 @@ class AxisHeight {
     std::vector<Segment> segments;
     BoxIndex index;
   };
+  // Where a place is seen from an axis.
+  struct Sight {
+    double distance = 0, height = 0;
+  };
+  static Sight sight(const Segment& segment, const Point& place);
+  Sight nearest(const Point& place, int level) const;
+
   std::map<int, Level> levels_;
 };
 

@@ -1,15 +1,20 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "geometry/box_index.hpp"
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "geometry/space.hpp"
 #include "mesh/axis_height.hpp"
 #include "mesh/border_net.hpp"
 #include "mesh/breakline.hpp"
+#include "mesh/kerb_face.hpp"
+#include "mesh/texture_place.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/surface_mesh.hpp"
 
@@ -23,14 +28,15 @@ constexpr int most_steps = 400;
 
 class LevelMesh {
  public:
-  LevelMesh(const std::vector<const MultiPolygon*>& grounds, int level,
+  LevelMesh(const std::vector<const MeshedSurface*>& surfaces, int level,
             const std::vector<HeightAxis>& axes, const AxisHeight& height, double tolerance)
-      : grounds_(grounds),
+      : surfaces_(surfaces),
         level_(level),
         height_(height),
         tolerance_(tolerance),
-        net_(grounds),
-        breaklines_(grounds.size()) {
+        net_(grounds(surfaces)),
+        kerbs_(net_, surfaces),
+        breaklines_(surfaces.size()) {
     // Half of the tolerance is for the axis that is broken less often, half for what lies flat.
     for (const HeightAxis& axis : axes)
       if (axis.level == level) axes_.push_back(without_slight_bends(axis.line, tolerance / 2));
@@ -42,8 +48,27 @@ class LevelMesh {
     }
   }
 
-  std::vector<Triangle> triangles(std::size_t surface, Geos& geos) {
+  GroundMesh mesh(std::size_t surface, Geos& geos) {
     poll_cancel();
+    GroundMesh made;
+    made.ground.triangles = triangles(surface, geos);
+    made.kerb.triangles = kerbs_.faces(surface, made.ground.triangles);
+    finish_ground(*surfaces_[surface], made.ground);
+    finish_kerb(*surfaces_[surface], made.kerb);
+    return made;
+  }
+
+ private:
+  static std::vector<const MultiPolygon*> grounds(
+      const std::vector<const MeshedSurface*>& surfaces) {
+    std::vector<const MultiPolygon*> all;
+    for (const MeshedSurface* surface : surfaces) all.push_back(&surface->surface);
+    return all;
+  }
+  const MultiPolygon& ground(std::size_t surface) const { return surfaces_[surface]->surface; }
+
+  // In the plane.
+  std::vector<Triangle> triangles(std::size_t surface, Geos& geos) {
     std::vector<BorderNet::Segment> segments = net_.border(surface);
     const auto kept = apart(net_, segments, breaklines_[surface]);
     segments.insert(segments.end(), kept.begin(), kept.end());
@@ -52,15 +77,46 @@ class LevelMesh {
     std::vector<Triangle> all;
     for (const Polygon& face : geos.faces(lines)) {
       const std::vector<Triangle> part = geos.triangles(face);
-      if (!part.empty() && inside(middle(part), *grounds_[surface]))
+      if (!part.empty() && inside(middle(part), ground(surface)))
         all.insert(all.end(), part.begin(), part.end());
     }
-    for (Triangle& triangle : all)
-      for (Point& corner : triangle) corner.z = height(corner);
     return all;
   }
 
- private:
+  // Heights, normals and texture coordinates, once for each place.
+  void finish_ground(const MeshedSurface& surface, SurfaceMesh& mesh) {
+    struct Corner {
+      double height;
+      Point normal;
+      std::array<double, 2> texture;
+    };
+    std::map<std::pair<double, double>, Corner> known;
+    for (Triangle& triangle : mesh.triangles)
+      for (Point& corner : triangle) {
+        const auto [found, added] = known.try_emplace({corner.x, corner.y});
+        if (added)
+          found->second = {height(corner) + surface.raised, height_.normal(corner, level_),
+                           texture_place(surface.line, corner)};
+        corner.z = found->second.height;
+        mesh.normals.push_back(found->second.normal);
+        mesh.texture.push_back(found->second.texture);
+      }
+  }
+
+  // Corners of a kerb come with what they lie above the height of their place.
+  void finish_kerb(const MeshedSurface& surface, SurfaceMesh& mesh) {
+    for (Triangle& triangle : mesh.triangles) {
+      const auto& [a, b, c] = triangle;
+      const Point normal = space::unit(space::cross(b - a, c - a));
+      const double foot = std::min({a.z, b.z, c.z});
+      for (Point& corner : triangle) {
+        mesh.normals.push_back(normal);
+        mesh.texture.push_back({texture_place(surface.line, corner)[0], corner.z - foot});
+        corner.z += height(corner);
+      }
+    }
+  }
+
   double height(const Point& place) { return height_.at(place, level_); }
 
   // A place deep in a face: the middle of its greatest triangle.
@@ -76,13 +132,13 @@ class LevelMesh {
     std::vector<Box> boxes;
     for (const Line& axis : axes_) boxes.push_back(box_of(MultiPolygon{{axis}}));
     const BoxIndex index(boxes);
-    for (std::size_t i = 0; i < grounds_.size(); ++i) {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       poll_cancel();
-      const std::vector<int> near = index.near(box_of(*grounds_[i]), 0);
+      const std::vector<int> near = index.near(box_of(ground(i)), 0);
       if (lies_level(i, near)) continue;
       for (const int axis : near)
-        add_breaklines(net_, i, *grounds_[i], axes_[axis], breaklines_[i]);
-      end_at_border(net_, i, *grounds_[i], breaklines_[i]);
+        add_breaklines(net_, i, ground(i), axes_[axis], breaklines_[i]);
+      end_at_border(net_, i, ground(i), breaklines_[i]);
     }
   }
 
@@ -99,7 +155,7 @@ class LevelMesh {
     }
     for (const int axis : near)
       for (const Point& p : axes_[axis])
-        if (inside(p, *grounds_[surface])) see(p.z);
+        if (inside(p, ground(surface))) see(p.z);
     return most - least <= tolerance_ / 2;
   }
 
@@ -142,31 +198,31 @@ class LevelMesh {
     return farthest;
   }
 
-  const std::vector<const MultiPolygon*>& grounds_;
+  const std::vector<const MeshedSurface*>& surfaces_;
   int level_;
   const AxisHeight& height_;
   double tolerance_;
   BorderNet net_;
+  KerbFaces kerbs_;
   std::vector<Line> axes_;
   std::vector<Breaklines> breaklines_;
 };
 
 }  // namespace
 
-std::vector<std::vector<Triangle>> mesh_surfaces(const std::vector<MeshedSurface>& surfaces,
-                                                 const std::vector<HeightAxis>& axes,
-                                                 double tolerance) {
+std::vector<GroundMesh> mesh_surfaces(const std::vector<MeshedSurface>& surfaces,
+                                      const std::vector<HeightAxis>& axes, double tolerance) {
   std::map<int, std::vector<std::size_t>> levels;
   for (std::size_t i = 0; i < surfaces.size(); ++i) levels[surfaces[i].level].push_back(i);
   const AxisHeight height(axes);
   Geos geos;
-  std::vector<std::vector<Triangle>> meshes(surfaces.size());
+  std::vector<GroundMesh> meshes(surfaces.size());
   for (const auto& [level, members] : levels) {
-    std::vector<const MultiPolygon*> grounds;
-    for (const std::size_t i : members) grounds.push_back(&surfaces[i].surface);
-    LevelMesh mesh(grounds, level, axes, height, tolerance);
+    std::vector<const MeshedSurface*> of_level;
+    for (const std::size_t i : members) of_level.push_back(&surfaces[i]);
+    LevelMesh level_mesh(of_level, level, axes, height, tolerance);
     for (std::size_t k = 0; k < members.size(); ++k)
-      if (surfaces[members[k]].wanted) meshes[members[k]] = mesh.triangles(k, geos);
+      if (surfaces[members[k]].wanted) meshes[members[k]] = level_mesh.mesh(k, geos);
   }
   return meshes;
 }

@@ -257,7 +257,8 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
     double longest = 0;
     for (const int i : hole.around) {
       const double shared = shared_border(hole.ring, *claims[i].surface);
-      if (shared <= longest) continue;
+      // Both sides of a notch are as long but for rounding.
+      if (shared <= longest + (owner != nullptr ? coordinate_margin : 0)) continue;
       longest = shared;
       owner = claims[i].surface;
     }

@@ -11,6 +11,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
+#include "ownership/notch.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -19,6 +20,8 @@ namespace {
 
 const double nearly_parallel = std::cos(M_PI / 18);
 constexpr double least_slit = 0.01;  // square metres
+constexpr int nose_chords = 8;
+constexpr double around_cuts = 1.5;  // metres: small ground this near that they close
 
 struct Side {
   Point from, to;  // the surface on its left
@@ -34,7 +37,7 @@ std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
 }
 
 // Across the slit between two sides that face each other: a line where it begins, one where it
-// ends.
+// ends. Where the slit grows wider than `width` the ground beyond gets a round nose.
 std::optional<std::pair<Line, Line>> ends_of_slit(const Side& a, const Side& b, double width) {
   const double size = distance(a.from, a.to);
   const Point along = unit(a.to - a.from), outwards = left_normal(along) * -1;
@@ -46,29 +49,39 @@ std::optional<std::pair<Line, Line>> ends_of_slit(const Side& a, const Side& b, 
     return h_from + (h_to - h_from) * (s - s_from) / (s_to - s_from);
   };
   double first = std::max(0.0, s_to), last = std::min(size, s_from);
+  bool opens_first = false, opens_last = false;
   // As far as b lies beyond a, but no more than the width.
   for (const double level : {0.0, width}) {
     const auto beyond = [&](double s) { return level > 0 ? away(s) > level : away(s) < level; };
     if (first >= last || (beyond(first) && beyond(last))) return std::nullopt;
     if (!beyond(first) && !beyond(last)) continue;
     const double at = s_from + (level - h_from) / (h_to - h_from) * (s_to - s_from);
-    (beyond(first) ? first : last) = std::clamp(at, first, last);
+    const bool at_first = beyond(first);
+    (at_first ? first : last) = std::clamp(at, first, last);
+    if (level > 0) (at_first ? opens_first : opens_last) = true;
   }
   if (last - first < coordinate_margin || std::max(away(first), away(last)) < same_place)
     return std::nullopt;
-  const auto across = [&](double s) {
-    const Point foot = a.from + along * s;
-    return Line{foot - outwards * coordinate_margin,
-                foot + outwards * (away(s) + coordinate_margin)};
+  const auto across = [&](double s, double nose) {
+    const Point foot = a.from + along * s, there = foot + outwards * away(s);
+    Line line{foot - outwards * coordinate_margin};
+    for (int i = 0; nose != 0 && i <= nose_chords; ++i) {
+      const double angle = M_PI * i / nose_chords;
+      line.push_back((foot + there) * 0.5 - outwards * (std::cos(angle) * away(s) / 2) +
+                     along * (std::sin(angle) * nose * away(s) / 2));
+    }
+    line.push_back(there + outwards * coordinate_margin);
+    return line;
   };
-  return std::pair(across(first), across(last));
+  return std::pair(across(first, opens_first ? 1 : 0), across(last, opens_last ? -1 : 0));
 }
 
 class Slits {
  public:
-  Slits(const std::vector<Claim>& claims, double width, double max_hole_area)
+  Slits(const std::vector<Claim>& claims, double width, double radius, double max_hole_area)
       : claims_(claims),
         width_(width),
+        radius_(radius),
         max_hole_area_(max_hole_area),
         boxes_(boxes_of(claims)),
         index_(boxes_) {}
@@ -94,14 +107,21 @@ class Slits {
 
   bool may_part(int i, int j) const {
     const Claim &a = claims_[i], &b = claims_[j];
-    return (a.wanted || b.wanted) && a.level == b.level &&
-           std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end()) ==
-               a.edges.end();
+    return (a.wanted || b.wanted) && a.level == b.level;
+  }
+
+  bool share_edge(int i, int j) const {
+    const auto &a = claims_[i].edges, &b = claims_[j].edges;
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
   }
 
   std::vector<Line> cuts_between(int i, int j) const {
-    const Box shared = boxes_[i].grown(width_).shared_with(boxes_[j].grown(width_));
     std::vector<Line> cuts;
+    if (radius_ > 0 && claims_[i].node && claims_[j].node && share_edge(i, j))
+      cuts = across_notches(*claims_[i].surface, *claims_[j].surface, radius_,
+                            [&](const Point& p) { return is_free(p, i, j); });
+    if (width_ <= 0 || share_edge(i, j)) return cuts;
+    const Box shared = boxes_[i].grown(width_).shared_with(boxes_[j].grown(width_));
     const std::vector<Side> of_j = sides_within(*claims_[j].surface, shared);
     if (of_j.empty()) return cuts;
     std::vector<Box> boxes;
@@ -122,17 +142,19 @@ class Slits {
 
   // Whether another surface leaves some of the middle between both ends.
   bool is_free(const std::pair<Line, Line>& ends, int i, int j) const {
-    const Point first = (ends.first[0] + ends.first[1]) * 0.5,
-                last = (ends.second[0] + ends.second[1]) * 0.5;
-    for (const double share : {0.1, 0.5, 0.9}) {
-      const Point p = first + (last - first) * share;
-      if (!index_.any_near(box_of(p, p), 0, [&](int k) {
-            return k != i && k != j && claims_[k].level == claims_[i].level &&
-                   inside(p, *claims_[k].surface);
-          }))
-        return true;
-    }
-    return false;
+    const Point first = (ends.first.front() + ends.first.back()) * 0.5,
+                last = (ends.second.front() + ends.second.back()) * 0.5;
+    const double shares[] = {0.1, 0.5, 0.9};
+    return std::any_of(std::begin(shares), std::end(shares), [&](double share) {
+      return is_free(first + (last - first) * share, i, j);
+    });
+  }
+
+  bool is_free(const Point& p, int i, int j) const {
+    return !index_.any_near(box_of(p, p), 0, [&](int k) {
+      return k != i && k != j && claims_[k].level == claims_[i].level &&
+             inside(p, *claims_[k].surface);
+    });
   }
 
   // Those that no surface of the slit's own level may overlap, nor one that tiles with it.
@@ -161,7 +183,7 @@ class Slits {
     Box place;
     for (const Line& cut : cuts)
       for (const Point& p : cut) place.add(p);
-    place = place.grown(width_);
+    place = place.grown(std::max(width_, around_cuts));
     const std::vector<int> members = members_near(i, j, place);
     std::vector<LineView> lines(cuts.begin(), cuts.end());
     for (const int k : members)
@@ -188,7 +210,7 @@ class Slits {
   }
 
   const std::vector<Claim>& claims_;
-  const double width_, max_hole_area_;
+  const double width_, radius_, max_hole_area_;
   const std::vector<Box> boxes_;
   const BoxIndex index_;
 };
@@ -240,9 +262,9 @@ class Filled {
 }  // namespace
 
 std::vector<Hole> slits_between(const std::vector<Claim>& claims, const std::vector<Hole>& holes,
-                                double width, double max_hole_area) {
-  if (width <= 0) return {};
-  std::vector<Hole> slits = Slits(claims, width, max_hole_area).found();
+                                double width, double radius, double max_hole_area) {
+  if (width <= 0 && radius <= 0) return {};
+  std::vector<Hole> slits = Slits(claims, width, radius, max_hole_area).found();
   const auto rank = [&](int k) { return std::tie(claims[k].axis_id, claims[k].order_key); };
   std::sort(slits.begin(), slits.end(), [&](const Hole& a, const Hole& b) {
     return std::tuple(rank(a.around[0]), rank(a.around[1])) <

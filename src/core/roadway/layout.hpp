@@ -15,6 +15,7 @@ struct Junction {
   std::vector<EdgeEnd> ends;  // counter-clockwise
   std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]; none at a dead end
   std::optional<Transition> transition;  // its length is known
+  bool transition_yields = false;        // to the limits at the far ends of its edges
   int along = 0;              // index in ends: the axis that the transition is seen along
   bool straight = false;      // two edges go on so straight that nothing lies between them
   std::vector<int> followed;  // further nodes that a corner looked at

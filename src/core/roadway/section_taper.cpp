@@ -20,6 +20,7 @@ struct KerbTaper {
   double limit = 0, until = 0;  // metres along the edge
   double half = 0;              // metres at the limit
   double own = 0;               // at the end of the change
+  EdgeEnd beyond;               // as which the street goes on
 
   bool covers(double abscissa) const {
     return std::min(limit, until) <= abscissa && abscissa <= std::max(limit, until);
@@ -69,8 +70,8 @@ class SectionTapers {
     const double reach_a = reach(a, wanted), reach_b = reach(b, wanted);
     const double half_a = half_at(arm_a, reach_a), half_b = half_at(arm_b, reach_b);
     const double slope = (half_b - half_a) / (reach_a + reach_b);
-    add(a, +1, reach_a, half_a + slope * (reach_a - arm_a.limit));
-    add(b, -1, reach_b, half_b - slope * (reach_b - arm_b.limit));
+    add(a, +1, reach_a, half_a + slope * (reach_a - arm_a.limit), b);
+    add(b, -1, reach_b, half_b - slope * (reach_b - arm_b.limit), a);
   }
 
   // Metres from the node; the limit where the section has no room for more.
@@ -81,7 +82,7 @@ class SectionTapers {
     return std::max(arm.limit, std::min(transition_limit(arm, wanted), room));
   }
 
-  void add(const EdgeEnd& end, int side, double reach, double half) {
+  void add(const EdgeEnd& end, int side, double reach, double half, const EdgeEnd& beyond) {
     Arm& arm = layout_.arm(end);
     if (reach - arm.limit < coordinate_margin) return;
     const double total = length(arm.line), own = half_at(arm, reach);
@@ -89,7 +90,8 @@ class SectionTapers {
       return end.at_start ? from_node : total - from_node;
     };
     by_edge_[end.edge].push_back(
-        {end.at_start ? side : -side, along_edge(arm.limit), along_edge(reach), half, own});
+        {end.at_start ? side : -side, along_edge(arm.limit), along_edge(reach), half, own,
+         beyond});
     const Point foot = planar(position_at(arm.line, arm.limit).point);
     Point& kerb = arm.border[side > 0 ? 0 : 1];
     kerb = foot + unit(kerb - foot) * half;
@@ -106,8 +108,12 @@ class SectionTapers {
 
   WidthProfile profile_of(int e) const {
     std::set<double> abscissas{0, length(layout_.arms[2 * e].line)};
-    for (const KerbTaper& taper : by_edge_[e]) abscissas.insert({taper.limit, taper.until});
     WidthProfile profile;
+    for (const KerbTaper& taper : by_edge_[e]) {
+      abscissas.insert({taper.limit, taper.until});
+      (taper.limit < taper.until ? profile.beyond_start : profile.beyond_end) = {
+          taper.beyond.edge, taper.beyond.at_start};
+    }
     for (const double abscissa : abscissas)
       profile.places.push_back({abscissa, half_on(e, +1, abscissa), half_on(e, -1, abscissa)});
     return profile;

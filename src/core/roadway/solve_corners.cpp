@@ -161,6 +161,7 @@ void choose_transition(const Layout& layout, Junction& junction) {
     junction.along = i;
   }
   if (junction.transition->length) return;
+  junction.transition_yields = true;
   const EdgeEnd &a = junction.ends[0], &b = junction.ends[1];
   junction.transition->length =
       taper_length(layout.arm(a), layout.arm(b),
@@ -187,6 +188,19 @@ void make_transition(Layout& layout, const Junction& junction) {
   for (const EdgeEnd& end : junction.ends) {
     Arm& arm = layout.arm(end);
     arm.limit = transition_limit(arm, *junction.transition->length);
+  }
+}
+
+// A taper as long as its speed wants begins no nearer to the corners at the other end of an edge than
+// these reach: the roadway of their fillets keeps its width.
+void yield_to_corners(Layout& layout) {
+  for (const Junction& junction : layout.junctions) {
+    if (!junction.transition_yields) continue;
+    for (const EdgeEnd& end : junction.ends) {
+      Arm& arm = layout.arm(end);
+      const double room = length(arm.line) - layout.arm({end.edge, !end.at_start}).limit;
+      arm.limit = std::min(arm.limit, std::max(room, least_limit(arm)));
+    }
   }
 }
 
@@ -238,6 +252,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
       arm.limit = std::max(arm.limit, least_limit(arm));
     }
   }
+  yield_to_corners(layout);
 }
 
 }  // namespace streetgen

@@ -365,7 +365,9 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
     taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
   if (gaps[last].tapers)
     taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
-  return {{node, limit}};
+  WidthProfile profile;
+  profile.places = {node, limit};
+  return profile;
 }
 
 // What a simple outline holds; of any other nothing.

@@ -120,6 +120,8 @@ const char* control_kind_name(ControlKind kind) noexcept {
       return "stop";
     case ControlKind::yield:
       return "yield";
+    case ControlKind::mini_roundabout:
+      return "mini_roundabout";
     case ControlKind::pedestrian_crossing:
       return "pedestrian_crossing";
   }

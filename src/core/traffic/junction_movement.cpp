@@ -14,6 +14,7 @@
 #include "traffic/kerb_clear_path.hpp"
 #include "traffic/path_choice.hpp"
 #include "traffic/plausibility.hpp"
+#include "traffic/turn.hpp"
 
 namespace streetgen {
 

@@ -12,6 +12,7 @@
 #include "streetgen/surface.hpp"
 #include "traffic/circulation.hpp"
 #include "traffic/lane_layout.hpp"
+#include "traffic/lane_taper.hpp"
 #include "traffic/marking.hpp"
 
 namespace streetgen {
@@ -97,19 +98,22 @@ struct EdgeLanes {
 };
 
 EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
-                   bool with_surface, const LaneSettings& settings) {
+                   const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
   const int count = static_cast<int>(wishes.size());
-  const std::vector<double> shares = lane_shares(wishes, strip.width(), settings.narrowest);
-  const auto offset_of = [&](double share) { return strip.offset_at(strip.from, share); };
+  const std::vector<double> own = lane_shares(wishes, strip.width(), settings.narrowest);
+  const std::vector<LaneShares> shares = tapered_shares(strip, own, tapered);
+  const auto offset_of = [&](const LaneShares& at) { return strip.offset_at(strip.from, at); };
   EdgeLanes out;
   std::vector<Line> borders;
-  for (const double share : shares) borders.push_back(line_at_share(strip, share));
+  for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
   for (Line* kerb : {&borders.front(), &borders.back()})
     *kerb =
         with_round_kinks(*kerb, settings.kerb_radius_minimal, {strip.from_border, strip.to_border});
   for (int p = 1; p <= count; ++p) {
     const LaneWish& wish = wishes[p - 1];
-    const double middle = (shares[p - 1] + shares[p]) / 2;
+    LaneShares middle;
+    for (std::size_t i = 0; i < shares[p].size(); ++i)
+      middle.push_back((shares[p - 1][i] + shares[p][i]) / 2);
     Lane lane;
     lane.ordinality = ordinality_of(p, count, settings.order);
     lane.position = p;
@@ -117,9 +121,9 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
     lane.along_axis = wish.along_axis;
     lane.both_ways = wish.both_ways;
     lane.kind = wish.kind;
-    lane.width = (shares[p] - shares[p - 1]) * strip.width();
+    lane.width = (own[p] - own[p - 1]) * strip.width();
     lane.axis_offset = offset_of(middle);
-    lane.line = line_at_share(strip, middle);
+    lane.line = line_at_shares(strip, middle);
     lane.turns = wish.turns;
     if (with_surface)
       lane.surface = lane_surface(geos, borders[p - 1], borders[p], lane.line, lane.width);
@@ -182,7 +186,8 @@ class Builder {
       const bool crossed = limits_crossed(streets_, e);
       std::vector<LaneWish> wishes = wishes_of(e);
       const std::vector<Decision> decisions = decide(e, wishes);
-      EdgeLanes made = lanes_of(geos_, strip, wishes, !crossed, settings_);
+      const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
+      EdgeLanes made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
       for (Lane& lane : made.lanes) {
         const Decision& decision = decisions[lane.position - 1];
         lane.edge = e;
@@ -219,6 +224,20 @@ class Builder {
                                        : across({}, settings_.driving_side);
     if (const Circulation* circulation = circulations_.of(edge)) turn_round(*circulation, wishes);
     return wishes;
+  }
+
+  TaperedLanes tapered_lanes(const WidthProfile& profile,
+                             const std::vector<LaneWish>& wishes) const {
+    TaperedLanes tapered;
+    const auto at_end = [&](bool at_start, const WidthProfile::Beyond& beyond) {
+      if (beyond.edge < 0) return ChangingLanes{};
+      std::vector<LaneWish> there = wishes_of(beyond.edge);
+      decide(beyond.edge, there);
+      return changing_lanes({wishes, at_start}, {there, beyond.at_start}, settings_.driving_side);
+    };
+    tapered.start = at_end(true, profile.beyond_start);
+    tapered.end = at_end(false, profile.beyond_end);
+    return tapered;
   }
 
   struct Decision {
@@ -278,7 +297,7 @@ std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,
   strip.to = length(strip.axis);
   strip.from_border = border_line(strip.axis, strip.from, width);
   strip.to_border = border_line(strip.axis, strip.to, width_end);
-  return lanes_of(geos, strip, across(wanted, settings.driving_side), true, settings).lanes;
+  return lanes_of(geos, strip, across(wanted, settings.driving_side), {}, true, settings).lanes;
 }
 
 Line offset_line(const Line& axis, double offset, double offset_end) {

@@ -13,9 +13,22 @@ double LaneStrip::half_at(double abscissa) const {
   return half_start + (half_end - half_start) * std::clamp(abscissa / length(axis), 0.0, 1.0);
 }
 
-double LaneStrip::width() const { return offset_at(from, 0) - offset_at(from, 1); }
+double LaneStrip::share_at(double abscissa, const LaneShares& shares) const {
+  if (shares.size() == 1) return shares.front();
+  const auto& places = profile.places;
+  const auto next = std::find_if(places.begin(), places.end(), [&](const WidthProfile::Place& place) {
+    return place.abscissa >= abscissa;
+  });
+  if (next == places.begin()) return shares.front();
+  if (next == places.end()) return shares.back();
+  const std::size_t i = next - places.begin();
+  const double from_place = places[i - 1].abscissa;
+  return shares[i - 1] + (shares[i] - shares[i - 1]) * (abscissa - from_place) /
+                             (next->abscissa - from_place);
+}
 
-double LaneStrip::offset_at(double abscissa, double share) const {
+double LaneStrip::offset_at(double abscissa, const LaneShares& shares) const {
+  const double share = share_at(abscissa, shares);
   if (profile.empty()) return half_at(abscissa) * (1 - 2 * share);
   const WidthProfile::Place wide = profile.at(abscissa);
   return wide.left - share * (wide.left + wide.right);
@@ -82,8 +95,8 @@ void drop_behind(Line& line, const Line& border, double reach) {
 }
 
 // Not yet ended on the borders.
-Line along(const LaneStrip& strip, double share) {
-  const double of_half = 1 - 2 * share;
+Line along(const LaneStrip& strip, const LaneShares& shares) {
+  const double of_half = 1 - 2 * shares.front();
   if (strip.profile.empty())
     return offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
                        of_half * strip.half_end);
@@ -91,8 +104,8 @@ Line along(const LaneStrip& strip, double share) {
   const double total = length(strip.axis);
   strip.profile.each_stretch(strip.from, strip.to, [&](const auto& from, const auto& to) {
     const auto [start, end] =
-        WidthProfile::extended(from.abscissa, strip.offset_at(from.abscissa, share), to.abscissa,
-                               strip.offset_at(to.abscissa, share), total);
+        WidthProfile::extended(from.abscissa, strip.offset_at(from.abscissa, shares), to.abscissa,
+                               strip.offset_at(to.abscissa, shares), total);
     const Line part = offset_line(strip.axis, from.abscissa, to.abscissa, start, end);
     line.insert(line.end(), part.begin(), part.end());
   });
@@ -101,13 +114,16 @@ Line along(const LaneStrip& strip, double share) {
 
 }  // namespace
 
-Line line_at_share(const LaneStrip& strip, double share) {
-  Line line = along(strip, share);
+Line line_at_shares(const LaneStrip& strip, const LaneShares& shares) {
+  Line line = along(strip, shares);
   if (line.size() < 2) line.push_back(line.front());
-  const auto on = [&](const Line& border) { return border[0] + (border[1] - border[0]) * share; };
-  line.front() = on(strip.from_border);
-  line.back() = on(strip.to_border);
-  if (share <= 0 || share >= 1) return line;  // a kerb is that of the section
+  const auto on = [&](const Line& border, double abscissa) {
+    return border[0] + (border[1] - border[0]) * strip.share_at(abscissa, shares);
+  };
+  line.front() = on(strip.from_border, strip.from);
+  line.back() = on(strip.to_border, strip.to);
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  if (*most <= 0 || *least >= 1) return line;  // a kerb is that of the section
   const double reach = strip.half_at(strip.from);
   drop_behind(line, strip.from_border, reach);
   line = reversed(std::move(line));

@@ -7,6 +7,10 @@
 
 namespace streetgen {
 
+// A line along a strip: its share of the roadway from the left kerb, at each place of the strip's
+// profile; one share where there is no profile.
+using LaneShares = std::vector<double>;
+
 // The piece of an edge that its lanes cover.
 struct LaneStrip {
   Line axis;              // planar, without repeated points
@@ -15,10 +19,11 @@ struct LaneStrip {
   double from = 0, to = 0;      // abscissas, from < to
   Line from_border, to_border;  // from the left kerb to the right one
   WidthProfile profile{};       // where it is not empty, in the place of the half widths
-  double width() const;         // metres, at `from`
-  // Metres to the left of the axis, at `share` of the roadway from the left kerb.
-  double offset_at(double abscissa, double share) const;
-  double half_at(double abscissa) const;
+  double width() const { return 2 * half_at(from); }  // metres, without what a profile changes
+  double share_at(double abscissa, const LaneShares& shares) const;
+  // Metres to the left of the axis.
+  double offset_at(double abscissa, const LaneShares& shares) const;
+  double half_at(double abscissa) const;  // as the axis has it
 };
 
 // From the left kerb to the right kerb in the direction of the axis.
@@ -31,7 +36,7 @@ LaneSide side_of(int position, int count);
 std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
                                 double narrowest);
 
-// Along the strip, at `share` of the roadway from the left kerb; ends on the borders.
-Line line_at_share(const LaneStrip& strip, double share);
+// Along the strip; ends on the borders.
+Line line_at_shares(const LaneStrip& strip, const LaneShares& shares);
 
 }  // namespace streetgen

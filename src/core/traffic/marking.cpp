@@ -163,7 +163,8 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
 std::optional<MarkingKind> end_marking(const EndControl& control, int lower) {
   if (control.own == ControlKind::signals || control.own == ControlKind::stop)
     return MarkingKind::stop;
-  if (control.own == ControlKind::yield) return MarkingKind::yield;
+  if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
+    return MarkingKind::yield;
   if (control.beside_signals || lower > 1) return MarkingKind::stop;
   return lower == 1 ? std::optional(MarkingKind::yield) : std::nullopt;
 }

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "geometry/polyline.hpp"
-#include "streetgen/trajectory.hpp"
+#include "traffic/turn.hpp"
 
 namespace streetgen {
 
@@ -303,7 +303,18 @@ class Plausibility {
         }
       }
     }
-    for (int i = 0; i < n; ++i) at(way, lanes[i], goal(i, shift)) = {true, reason};
+    for (int i = 0; i < n; ++i)
+      at(way, lanes[i], drivable_goal(way, lanes[i], goal(i, shift))) = {true, reason};
+  }
+
+  // In the place of a lane that no car comes to, the nearest one where the turn is wide enough.
+  static int drivable_goal(const Way& way, int in, int wanted) {
+    if (drivable(way, in, wanted)) return wanted;
+    int best = -1;
+    for (const int o : way.goals)
+      if (!tight(way, in, o) && (best < 0 || std::abs(o - wanted) < std::abs(best - wanted)))
+        best = o;
+    return best < 0 ? wanted : best;
   }
 
   // Lanes that others enter from one side are left to them; else the least move sideways.
@@ -480,18 +491,6 @@ class Plausibility {
 };
 
 }  // namespace
-
-double turn_angle(const Point& from, const Point& to) {
-  const double angle = std::atan2(cross(from, to), dot(from, to)) * 180 / M_PI;
-  return angle == -180 ? 180 : angle;
-}
-
-Turn turn_of(double angle) {
-  const double cosine = std::cos(angle * M_PI / 180);
-  if (cosine >= parallel_cosine) return Turn::through;
-  if (cosine <= -parallel_cosine) return Turn::u_turn;
-  return angle > 0 ? Turn::left : Turn::right;
-}
 
 void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements) {
   Plausibility(legs, movements).run();

@@ -45,10 +45,6 @@ struct Movement {
   bool forbidden(LaneKind in, LaneKind out) const { return forbidden(in) && forbidden(out); }
 };
 
-// Degrees in (-180, 180], positive to the left.
-double turn_angle(const Point& from, const Point& to);
-Turn turn_of(double angle);
-
 // Fills the verdicts.  At most one movement from a leg to a leg.
 void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements);
 

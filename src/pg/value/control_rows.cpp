@@ -27,6 +27,7 @@ std::vector<ControlPoint> read_controls(const ControlRows& rows) {
                                         {{"signals", ControlKind::signals},
                                          {"stop", ControlKind::stop},
                                          {"yield", ControlKind::yield},
+                                         {"mini_roundabout", ControlKind::mini_roundabout},
                                          {"pedestrian_crossing", ControlKind::pedestrian_crossing}});
     if (!rows.direction.nulls[i])
       control.direction = word_of<Direction>(text_of(rows.direction.values[i]),

@@ -84,7 +84,7 @@ Problem random_problem(std::mt19937& random) {
 
 TEST(FitRadii, AreThoseOfTheDefinition) {
   std::mt19937 random(7);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     const Problem problem = random_problem(random);
     const std::vector<double> found = fit_radii(problem.lengths, problem.bends);
     const std::vector<double> expected = radii_by_bisection(problem.lengths, problem.bends);
@@ -96,7 +96,7 @@ TEST(FitRadii, AreThoseOfTheDefinition) {
 
 TEST(FitRadii, TheSmallestIsTheClosedForm) {
   std::mt19937 random(8);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     Problem problem = random_problem(random);
     const std::size_t n = problem.bends.size();
     for (Bend& bend : problem.bends) bend.bound = 1e9, bend.fixed.reset();

@@ -34,6 +34,7 @@ double united_ground(const Streets& town) {
 StreetSettings with_slits_up_to(double width) {
   StreetSettings settings;
   settings.slit_width = width;
+  settings.kerb_radius_minimal = 0;  // the corners of streets that cross stay sharp
   return settings;
 }
 
@@ -76,6 +77,27 @@ TEST(Slit, StaysBetweenLevelsAndWhereAnotherStreetLies) {
   const Streets crossed = streets({low, beside, across}, with_slits_up_to(0.2));
   EXPECT_NEAR(united_ground(crossed), ground_of(crossed), 1e-5);
   EXPECT_NEAR(ground_of(crossed), 1200 + 94 * 0.1 + 6 * 70 - 6 * 12, 1e-5);
+}
+
+// Two side streets 7 m apart: the limits between their nodes cross, and so do their corners' arcs.
+TEST(Notch, BetweenCornersOfNeighboursIsRound) {
+  const std::vector<StreetAxis> beside = {
+      axis(1, {{0, 0, 0}, {50, 0, 0}}), axis(2, {{50, 0, 0}, {57, 0, 0}}),
+      axis(3, {{57, 0, 0}, {100, 0, 0}}), axis(4, {{50, 0, 0}, {50, 40, 0}}),
+      axis(5, {{57, 0, 0}, {57, 40, 0}})};
+  StreetSettings settings = with_slits_up_to(0.2);
+  settings.island_area = 0;
+  for (const double radius : {0.2, 0.4}) {
+    settings.kerb_radius_minimal = 0;
+    std::vector<StreetAxis> axes = beside;
+    for (StreetAxis& a : axes) a.radius = 4;
+    const double sharp = ground_of(streets(axes, settings));
+    settings.kerb_radius_minimal = radius;
+    const Streets round = streets(axes, settings);
+    EXPECT_GT(ground_of(round) - sharp, 0.001);
+    EXPECT_LT(ground_of(round) - sharp, 1);
+    EXPECT_NEAR(united_ground(round), ground_of(round), 1e-5);
+  }
 }
 
 TEST(Slit, IsTheSameWhereverTheStreetsLie) {

@@ -1,0 +1,30 @@
+-- What check_model says of signals.
+
+CREATE OR REPLACE FUNCTION streetgen._signal_check() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$
+SELECT 'error', 'junction of kind signals without a controller', 'junction', j.junction_id, 0, j.geom
+    FROM %1$I.junction j WHERE j.kind = 'signals' AND NOT EXISTS (SELECT FROM %1$I.controller c
+        WHERE c.controller_id = j.junction_id)
+UNION ALL
+SELECT 'error', 'movement that never has green', 'controller', c.controller_id, m.lane_in, m.geom
+    FROM %1$I.controller c JOIN %1$I.movement m ON m.junction_id = c.controller_id
+    WHERE m.connecting AND NOT EXISTS (SELECT FROM %1$I.signal_movement s WHERE (s.lane_in, s.lane_out, s.along_in,
+        s.along_out) = (m.lane_in, m.lane_out, m.along_in, m.along_out))
+UNION ALL
+SELECT 'notice', 'signals that the classifier alone says', 'controller', c.controller_id, c.cycle, c.geom
+    FROM %1$I.controller c WHERE c.method = 'classified'
+UNION ALL
+SELECT 'warning', 'cycle longer than decided, since its states last longer, s', 'controller', c.controller_id,
+    c.cycle, c.geom FROM %1$I.controller c JOIN %1$I.controller_override o ON o.controller_override_id
+        = (streetgen._controller_overrides(%1$L, c.controller_id))[1] WHERE c.cycle > o.cycle + 1e-6
+UNION ALL
+SELECT 'warning', 'durations by hand of another number of states', 'controller', c.controller_id,
+    cardinality(o.durations), c.geom FROM %1$I.controller c JOIN %1$I.controller_override o
+        ON o.controller_override_id = (streetgen._controller_overrides(%1$L, c.controller_id))[1]
+    WHERE cardinality(o.durations) <> (SELECT count(*) FROM %1$I.signal_state s
+        WHERE s.controller_id = c.controller_id)
+UNION ALL
+SELECT 'warning', 'controller override without its axis', 'controller_override', o.controller_override_id, 0, o.geom
+    FROM %1$I.controller_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$ $$;
+COMMENT ON FUNCTION streetgen._signal_check() IS 'The rules of check_model for signals, as SQL over a model %1$I.';

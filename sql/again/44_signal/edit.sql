@@ -1,0 +1,196 @@
+-- Signals by hand: the edit view of controllers, and green waves.
+
+CREATE OR REPLACE FUNCTION streetgen._controller_overrides(model name, controller bigint) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known bigint[];
+BEGIN
+    EXECUTE format($sql$
+SELECT coalesce(array_agg(o.controller_override_id ORDER BY o.controller_override_id DESC), '{}')
+FROM %1$I.controller_override o CROSS JOIN LATERAL (
+    SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+        JOIN %1$I.node n USING (node_id) WHERE e.axis_id = o.axis_id
+    ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN %1$I.junction_node m USING (node_id)
+WHERE m.junction_id = $1 $sql$, model) INTO known USING controller;
+    RETURN known;
+END $$;
+COMMENT ON FUNCTION streetgen._controller_overrides(name, bigint) IS
+    'The rows of controller_override that decide of a controller, the one that holds first.';
+
+CREATE OR REPLACE FUNCTION streetgen._decide_controller(model name, controller bigint, decided jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known constant bigint[] := streetgen._controller_overrides(model, controller);
+BEGIN
+    EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', model)
+        USING known[2:];
+    IF known = '{}' THEN
+        EXECUTE format($sql$
+INSERT INTO %1$I.controller_override (axis_id, geom, program, cycle, start_offset, durations)
+SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations
+FROM %1$I.junction_node m JOIN %1$I.node n USING (node_id) JOIN %1$I.edge e ON n.node_id IN (e.from_node, e.to_node),
+    jsonb_populate_record(NULL::%1$I.controller_override, $2) d
+WHERE m.junction_id = $1 ORDER BY e.edge_id LIMIT 1 $sql$, model) USING controller, decided;
+    ELSE
+        EXECUTE format($sql$
+UPDATE %1$I.controller_override o SET (program, cycle, start_offset, durations)
+    = ROW (d.program, d.cycle, d.start_offset, d.durations)
+FROM %1$I.controller_override k, jsonb_populate_record(k, $2) d
+WHERE o.controller_override_id = $1 AND k.controller_override_id = $1 $sql$, model) USING known[1], decided;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
+    'Writes what is decided of a controller (program, cycle, start_offset, durations; others stay as decided before).';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_controllers(model name, controllers bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._lock_axes(model, format('SELECT e.axis_id FROM %1$I.junction_node m JOIN %1$I.edge e '
+        'ON m.node_id IN (e.from_node, e.to_node) WHERE m.junction_id = ANY (%2$L)', model, controllers));
+END $$;
+COMMENT ON FUNCTION streetgen._lock_controllers(name, bigint[]) IS 'Locks the axes at the junctions of controllers.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_controller() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text;
+    taken_back boolean := TG_OP = 'DELETE';
+    decided jsonb := '{}';
+    known bigint[];
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        RAISE EXCEPTION 'a controller cannot be drawn' USING ERRCODE = '0A000',
+            HINT = 'Put a row of kind signals into control_point, or give the junction that kind.';
+    END IF;
+    subject := 'controller ' || OLD.controller_id;
+    PERFORM streetgen._lock_controllers(TG_TABLE_SCHEMA, ARRAY[OLD.controller_id]);
+    IF NOT taken_back THEN
+        taken_back := OLD.by_hand AND NEW.by_hand IS NOT TRUE;
+    END IF;
+    IF taken_back THEN
+        known := streetgen._controller_overrides(TG_TABLE_SCHEMA, OLD.controller_id);
+        EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', TG_TABLE_SCHEMA)
+            USING known;
+        RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+    END IF;
+    IF NEW.program IS DISTINCT FROM OLD.program THEN
+        IF streetgen._program_function(NEW.program) IS NULL THEN
+            RAISE EXCEPTION 'the program of % is "%"', subject, coalesce(NEW.program, 'NULL') USING ERRCODE = '22023',
+                HINT = 'phases, paper, or a function (movements streetgen.signal_request[]) returning SETOF '
+                    'streetgen.signal_answer, with its schema.';
+        END IF;
+        decided := decided || jsonb_build_object('program', NEW.program, 'durations', NULL);
+    END IF;
+    IF NEW.cycle IS DISTINCT FROM OLD.cycle THEN
+        PERFORM streetgen._check_edit_number('the cycle of ' || subject, NEW.cycle, 10, 3600, 's',
+            'Delete the row to take back what was decided by hand.');
+        decided := decided || jsonb_build_object('cycle', NEW.cycle);
+    END IF;
+    IF NEW.start_offset IS DISTINCT FROM OLD.start_offset THEN
+        PERFORM streetgen._check_edit_number('the offset of ' || subject, NEW.start_offset, 0, 3600, 's',
+            'Delete the row to take back what was decided by hand.');
+        decided := decided || jsonb_build_object('start_offset', NEW.start_offset);
+    END IF;
+    IF NEW.durations IS DISTINCT FROM OLD.durations THEN
+        IF cardinality(NEW.durations) IS DISTINCT FROM cardinality(OLD.durations)
+            OR NOT coalesce(0.1 <= ALL (NEW.durations) AND 3600 >= ALL (NEW.durations), false)
+        THEN
+            RAISE EXCEPTION 'the durations of % are %', subject, coalesce(NEW.durations::text, 'NULL')
+                USING ERRCODE = '22023', HINT = format('It has %s states of 0.1 to 3600 s each.',
+                    cardinality(OLD.durations));
+        END IF;
+        decided := decided || jsonb_build_object('durations', NEW.durations);
+    END IF;
+    IF decided <> '{}' THEN
+        PERFORM streetgen._decide_controller(TG_TABLE_SCHEMA, OLD.controller_id, decided);
+    END IF;
+    NEW.by_hand := OLD.by_hand OR decided <> '{}';
+    NEW.geom := OLD.geom;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_controller() IS
+    'Trigger of controller_editing: writes controller_override. An unknown program, a cycle, offset or duration out of '
+    'range: 22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._route_controllers(model name, axes bigint[])
+    RETURNS TABLE(controller_id bigint, metres float8, start float8, lane_in bigint)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+WITH street AS (SELECT a.axis_id, k, ST_Force2D(a.geom) AS geom FROM unnest($1) WITH ORDINALITY u(axis_id, k)
+    JOIN %1$I.axis a USING (axis_id)),
+driven AS (SELECT s.*, CASE WHEN p.geom IS NOT NULL THEN ST_Distance(ST_StartPoint(s.geom), p.geom)
+        <= ST_Distance(ST_EndPoint(s.geom), p.geom) WHEN n.geom IS NOT NULL THEN ST_Distance(ST_EndPoint(s.geom),
+        n.geom) <= ST_Distance(ST_StartPoint(s.geom), n.geom) ELSE true END AS along
+    FROM street s LEFT JOIN street p ON p.k = s.k - 1 LEFT JOIN street n ON n.k = s.k + 1),
+part AS (SELECT e.edge_id, d.along, CASE WHEN d.along THEN e.to_node ELSE e.from_node END AS node_id, e.geom,
+        j.edge_id IS NOT NULL AS inside,
+        row_number() OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa END) AS nth,
+        sum(ST_Length(e.geom)) OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa END)
+            - ST_Length(e.geom) AS before
+    FROM driven d JOIN %1$I.edge e USING (axis_id) LEFT JOIN %1$I.junction_edge j USING (edge_id)),
+step AS (SELECT p.*, n.edge_id AS next_edge FROM part p CROSS JOIN LATERAL (SELECT q.edge_id FROM part q
+    WHERE q.nth > p.nth AND NOT q.inside ORDER BY q.nth LIMIT 1) n WHERE NOT p.inside),
+green AS (SELECT DISTINCT ON (s.nth) s.nth, m.controller_id, m.ordinality, m.lane_in, s.before + ST_Length(s.geom)
+        * abs(CASE WHEN s.along THEN 0 ELSE 1 END - ST_LineLocatePoint(s.geom, h.geom)) AS metres
+    FROM step s JOIN %1$I.lane i ON i.edge_id = s.edge_id JOIN %1$I.signal_movement m ON m.lane_in = i.lane_id
+        AND m.along_in = s.along JOIN %1$I.lane o ON o.lane_id = m.lane_out AND o.edge_id = s.next_edge
+        JOIN %1$I.signal_head h ON (h.lane_id, h.along_axis) = (m.lane_in, m.along_in)
+    ORDER BY s.nth, m.right_of_way = 'permitted', m.ordinality, m.lane_in)
+SELECT g.controller_id, g.metres, coalesce((SELECT sum(t.duration) FROM %1$I.signal_state t
+    WHERE t.controller_id = g.controller_id AND t.ordinality < g.ordinality), 0), g.lane_in
+FROM green g ORDER BY g.nth $sql$, model) USING axes;
+END $$;
+COMMENT ON FUNCTION streetgen._route_controllers(name, bigint[]) IS
+    'The controllers that one passes along axes, in order: metres from the start to where one waits, seconds from the '
+    'start of the cycle to the green of whoever goes on along the axes, and the lane that it is for.';
+
+CREATE OR REPLACE FUNCTION streetgen.coordinate(model name, axes bigint[], speed float8)
+    RETURNS TABLE(controller_id bigint, metres float8, cycle float8, start_offset float8)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    passed bigint[];
+    common float8;
+    missing bigint;
+BEGIN
+    PERFORM streetgen._require_model(model), streetgen._check_given('axes', axes::text, 'speed', speed::text);
+    IF 'signal' <> ALL (streetgen._subjects(model)) THEN
+        RAISE EXCEPTION 'model "%" computes no signals', model USING ERRCODE = '55000',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''signal'', true) computes them.', model);
+    ELSIF NOT speed BETWEEN 5 AND 200 THEN
+        RAISE EXCEPTION 'speed is % km/h', speed USING ERRCODE = '22023', HINT = 'Expected 5 to 200 km/h.';
+    END IF;
+    EXECUTE format('SELECT min(u.axis_id) FROM unnest($1) u(axis_id) WHERE NOT EXISTS (SELECT FROM %I.axis a '
+        'WHERE a.axis_id = u.axis_id)', model) INTO missing USING axes;
+    IF missing IS NOT NULL THEN
+        RAISE EXCEPTION 'there is no axis %', missing USING ERRCODE = '22023', HINT = 'Name axes in driving order.';
+    END IF;
+    passed := ARRAY(SELECT DISTINCT r.controller_id FROM streetgen._route_controllers(model, axes) r ORDER BY 1);
+    PERFORM streetgen._lock_controllers(model, passed);
+    EXECUTE format('SELECT max(c.cycle) FROM %I.controller c WHERE c.controller_id = ANY ($1)', model)
+        INTO common USING passed;
+    -- One cycle for all; then the starts of green are known.
+    PERFORM streetgen._decide_controller(model, c, jsonb_build_object('cycle', common)) FROM unnest(passed) c;
+    -- Who drives at the speed comes two seconds after the start of each green.
+    PERFORM streetgen._decide_controller(model, r.controller_id, jsonb_build_object('start_offset',
+            mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric)
+            + CASE WHEN mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric) < 0
+                THEN common::numeric ELSE 0 END))
+        FROM (SELECT DISTINCT ON (p.controller_id) p.* FROM streetgen._route_controllers(model, axes) p
+            ORDER BY p.controller_id, p.metres) r;
+    RETURN QUERY EXECUTE format('SELECT c.controller_id, r.metres, c.cycle, c.start_offset FROM %I.controller c '
+        'JOIN streetgen._route_controllers($1, $2) r USING (controller_id) ORDER BY r.metres', model)
+        USING model, axes;
+END $$;
+COMMENT ON FUNCTION streetgen.coordinate(name, bigint[], float8) IS
+    'A green wave along axes in driving order, for who drives at a speed (km/h, 5 to 200): all controllers on the way '
+    'get the longest of their cycles and offsets, as decided by hand, so that he comes two seconds after each green '
+    'begins. Returns the controllers with the metres from the start to where one waits, cycle and offset, seconds. An '
+    'unknown axis, another speed: 22023; NULL: 22004; a model without signals: 55000.';

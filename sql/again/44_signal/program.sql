@@ -1,0 +1,130 @@
+-- Signal programs: those that are known, and one of the user.
+
+CREATE OR REPLACE FUNCTION streetgen.signal_phases(movements streetgen.signal_request[])
+    RETURNS SETOF streetgen.signal_answer
+    LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000 ROWS 30 AS 'MODULE_PATHNAME', 'streetgen_signal_phases';
+COMMENT ON FUNCTION streetgen.signal_phases(streetgen.signal_request[]) IS
+    'The states of few phases: approaches whose through traffic does not meet share one, and turns give way within it '
+    '(permitted). Amber lasts 1 s and the time to stop at 3 m/s2, at least 3 s; all red until the last car has left, '
+    'turning at up to 30 km/h. Greens are shared out by Webster''s rule, in a cycle of 30 to 120 s, where all flows '
+    'are known, else by lanes and importance. Each lasts at least 7 s, and as long as people need to cross the streets '
+    'that have red; where none has, all red lasts so long. No movements: no rows. NULL for NULL. A number out of range, '
+    'an unknown turn: 22023; NULL in a row: 22004.';
+
+CREATE OR REPLACE FUNCTION streetgen.signal_pairs(movements streetgen.signal_request[])
+    RETURNS SETOF streetgen.signal_answer
+    LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000 ROWS 60 AS 'MODULE_PATHNAME', 'streetgen_signal_pairs';
+COMMENT ON FUNCTION streetgen.signal_pairs(streetgen.signal_request[]) IS
+    'The states of the paper (Wilkie, Sewall and Lin, 4.3.1): each pair of roads has green for 20 s, amber and all red '
+    'within; who turns back goes with the first pair of his road. Arguments and errors are those of signal_phases. '
+    'NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._program_function(value text) RETURNS regprocedure
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    found oid := to_regprocedure(CASE value WHEN 'phases' THEN 'streetgen.signal_phases'
+        WHEN 'paper' THEN 'streetgen.signal_pairs' ELSE value END || '(streetgen.signal_request[])');
+BEGIN
+    RETURN (SELECT oid::regprocedure FROM pg_proc
+        WHERE oid = found AND prorettype = 'streetgen.signal_answer'::regtype AND proretset);
+END $$;
+COMMENT ON FUNCTION streetgen._program_function(text) IS
+    'The function that a signal program names: phases, paper, or one (movements streetgen.signal_request[]) returning '
+    'SETOF streetgen.signal_answer; NULL: there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_signal_answers(program text, junction bigint,
+    movements streetgen.signal_request[], answers streetgen.signal_answer[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    wrong text;
+BEGIN
+    WITH request AS (SELECT r.* FROM unnest(movements) WITH ORDINALITY
+            r(lane_in, lane_out, along_in, along_out, approach, exit, turn, length, speed, lanes, importance, flow,
+                walk_in, walk_out, conflicts, number)),
+    answer AS (SELECT a.*, r.number, r.conflicts FROM unnest(answers) a LEFT JOIN request r
+        ON (r.lane_in, r.lane_out, r.along_in, r.along_out) = (a.lane_in, a.lane_out, a.along_in, a.along_out)),
+    state AS (SELECT ordinality, min(duration) AS duration, max(duration) AS longest, min(kind) AS kind,
+        max(kind) AS other FROM answer GROUP BY ordinality)
+    SELECT what INTO wrong FROM (
+        SELECT 1 AS place, format('a state with number %s', coalesce(ordinality::text, 'NULL')) AS what FROM state
+            WHERE ordinality IS NULL OR ordinality < 1 OR ordinality > (SELECT count(*) FROM state)
+        UNION ALL SELECT 2, format('state %s of kind "%s"', ordinality, coalesce(kind, 'NULL')) FROM answer
+            WHERE kind IS NULL OR kind NOT IN ('green', 'amber', 'all_red')
+        UNION ALL SELECT 3, format('state %s of %s s', ordinality, coalesce(duration::text, 'NULL')) FROM answer
+            WHERE NOT coalesce(duration BETWEEN 0.1 AND 3600, false)
+        UNION ALL SELECT 4, format('two kinds or durations in state %s', ordinality) FROM state
+            WHERE kind <> other OR duration <> longest
+        UNION ALL SELECT 5, format('green in state %s from lane %s to lane %s, which is no movement there', ordinality,
+            coalesce(lane_in::text, 'NULL'), coalesce(lane_out::text, 'NULL')) FROM answer
+            WHERE kind = 'green' AND number IS NULL AND num_nonnulls(lane_in, lane_out) > 0
+        UNION ALL SELECT 6, format('right of way "%s"', coalesce(right_of_way, 'NULL')) FROM answer
+            WHERE number IS NOT NULL AND (right_of_way IN ('protected', 'permitted')) IS NOT TRUE
+        UNION ALL SELECT 7, format('no green from lane %s to lane %s', lane_in, lane_out) FROM request r
+            WHERE NOT EXISTS (SELECT FROM answer a WHERE a.number = r.number AND a.kind = 'green')
+        UNION ALL SELECT 8, format('two protected movements that meet in state %s, from lane %s and from lane %s',
+            a.ordinality, a.lane_in, b.lane_in) FROM answer a JOIN answer b USING (ordinality)
+            WHERE a.right_of_way = 'protected' AND b.right_of_way = 'protected' AND b.number = ANY (a.conflicts)) w
+        ORDER BY place, what LIMIT 1;
+    IF wrong IS NOT NULL THEN
+        RAISE EXCEPTION 'signal program % gives % at junction %', program, wrong, junction USING ERRCODE = '22023',
+            HINT = 'States count from 1, last 0.1 to 3600 s, and give each movement green; protected movements do not '
+                'meet. Setting signal_program to phases needs no function.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_signal_answers(text, bigint, streetgen.signal_request[],
+    streetgen.signal_answer[]) IS
+    'Raises 22023 where a signal program of the user leaves out a movement, lets protected ones meet, or gives states '
+    'that are none.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_answers(program text, junction bigint,
+    movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 30 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    called constant regprocedure := streetgen._program_function(program);
+    answers streetgen.signal_answer[];
+BEGIN
+    IF program = 'phases' THEN
+        RETURN QUERY SELECT * FROM streetgen.signal_phases(movements);
+        RETURN;
+    ELSIF program = 'paper' THEN
+        RETURN QUERY SELECT * FROM streetgen.signal_pairs(movements);
+        RETURN;
+    ELSIF called IS NULL THEN
+        RAISE EXCEPTION 'signal program "%" of junction % is no function', program, junction USING ERRCODE = '22023',
+            HINT = 'phases, paper, or a function (movements streetgen.signal_request[]) returning SETOF '
+                'streetgen.signal_answer, with its schema.';
+    END IF;
+    BEGIN
+        EXECUTE format('SELECT coalesce(array_agg(a), ''{}'') FROM %s($1) a', called::regproc) INTO answers
+            USING movements;
+    EXCEPTION WHEN OTHERS THEN
+        RAISE EXCEPTION 'signal program % fails at junction %: %', called::regproc, junction, SQLERRM
+            USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set signal_program to phases.';
+    END;
+    PERFORM streetgen._check_signal_answers(program, junction, movements, answers);
+    RETURN QUERY SELECT * FROM unnest(answers);
+END $$;
+COMMENT ON FUNCTION streetgen._signal_answers(text, bigint, streetgen.signal_request[]) IS
+    'The states of a junction by a program: phases, paper, or a function of the user. One that is not there, or gives '
+    'what no controller can run: 22023; what the function raises comes with its SQLSTATE, naming function and '
+    'junction.';
+
+CREATE OR REPLACE FUNCTION streetgen._timed(answers streetgen.signal_answer[], cycle float8, durations float8[])
+    RETURNS SETOF streetgen.signal_answer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$
+    WITH state AS (SELECT DISTINCT ordinality, kind, coalesce(durations[ordinality], duration) AS duration
+        FROM unnest(answers)),
+    sum AS (SELECT sum(duration) AS whole, sum(duration) FILTER (WHERE kind = 'green') AS green FROM state)
+    SELECT a.ordinality, CASE WHEN a.kind = 'green' AND cycle IS NOT NULL AND green > 0
+            -- A cycle too short for its states stays as long as they last with greens of 5 s.
+            THEN s.duration * greatest(cycle - whole + green, 5.0 * (SELECT count(*) FROM state
+                WHERE kind = 'green')) / green ELSE s.duration END,
+        a.kind, a.lane_in, a.lane_out, a.along_in, a.along_out, a.right_of_way
+    FROM unnest(answers) a JOIN state s USING (ordinality), sum $$;
+COMMENT ON FUNCTION streetgen._timed(streetgen.signal_answer[], float8, float8[]) IS
+    'States with the durations that were decided by hand, greens stretched or shortened to a cycle (seconds, NULL: as '
+    'long as the states last).';

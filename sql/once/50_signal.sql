@@ -1,0 +1,53 @@
+-- What a signal program takes and gives.
+CREATE TYPE streetgen.signal_request AS (lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
+    approach bigint, exit bigint, turn text, length float8, speed float8, lanes integer, importance integer,
+    flow float8, walk_in float8, walk_out float8, conflicts integer[]);
+COMMENT ON TYPE streetgen.signal_request IS 'A movement that asks a signal program for green.';
+COMMENT ON COLUMN streetgen.signal_request.lane_in IS 'the lane that it comes from';
+COMMENT ON COLUMN streetgen.signal_request.lane_out IS 'the lane that it leads to';
+COMMENT ON COLUMN streetgen.signal_request.along_in IS 'does one drive along the axis of the first?';
+COMMENT ON COLUMN streetgen.signal_request.along_out IS 'does one drive along the axis of the second?';
+COMMENT ON COLUMN streetgen.signal_request.approach IS 'the edge that it comes by';
+COMMENT ON COLUMN streetgen.signal_request.exit IS 'the edge that it leaves by';
+COMMENT ON COLUMN streetgen.signal_request.turn IS 'through, left, right or u_turn';
+COMMENT ON COLUMN streetgen.signal_request.length IS 'metres across the junction';
+COMMENT ON COLUMN streetgen.signal_request.speed IS 'of the approach, km/h';
+COMMENT ON COLUMN streetgen.signal_request.lanes IS 'of the approach that lead to the junction';
+COMMENT ON COLUMN streetgen.signal_request.importance IS 'of the approach, 1 highest';
+COMMENT ON COLUMN streetgen.signal_request.flow IS 'vehicles an hour that come by the approach; NULL: unknown';
+COMMENT ON COLUMN streetgen.signal_request.walk_in IS
+    'seconds that people need to cross the approach; NULL: nobody crosses there';
+COMMENT ON COLUMN streetgen.signal_request.walk_out IS
+    'seconds that people need to cross the exit; NULL: nobody crosses there';
+COMMENT ON COLUMN streetgen.signal_request.conflicts IS
+    'which of the movements cross it, merge with it or oppose it: their numbers in the array, from 1';
+
+CREATE TYPE streetgen.signal_answer AS (ordinality integer, duration float8, kind text, lane_in bigint,
+    lane_out bigint, along_in boolean, along_out boolean, right_of_way text);
+COMMENT ON TYPE streetgen.signal_answer IS
+    'A state of a signal program: a row for each movement that has green in it, or one row without a movement.';
+COMMENT ON COLUMN streetgen.signal_answer.ordinality IS 'number of the state in the cycle, from 1';
+COMMENT ON COLUMN streetgen.signal_answer.duration IS 'seconds';
+COMMENT ON COLUMN streetgen.signal_answer.kind IS 'green, amber or all_red';
+COMMENT ON COLUMN streetgen.signal_answer.lane_in IS 'the lane that the movement comes from';
+COMMENT ON COLUMN streetgen.signal_answer.lane_out IS 'the lane that it leads to';
+COMMENT ON COLUMN streetgen.signal_answer.along_in IS 'does one drive along the axis of the first?';
+COMMENT ON COLUMN streetgen.signal_answer.along_out IS 'does one drive along the axis of the second?';
+COMMENT ON COLUMN streetgen.signal_answer.right_of_way IS 'protected, or permitted: it gives way to who is protected';
+
+CREATE TYPE streetgen.signal_found AS (controller_id bigint, program text, start_offset float8, method text,
+    ordinality integer, duration float8, kind text, lane_in bigint, lane_out bigint, along_in boolean,
+    along_out boolean, right_of_way text);
+COMMENT ON TYPE streetgen.signal_found IS 'A row of an answer with the controller that runs it.';
+COMMENT ON COLUMN streetgen.signal_found.controller_id IS 'the controller';
+COMMENT ON COLUMN streetgen.signal_found.program IS 'its program';
+COMMENT ON COLUMN streetgen.signal_found.start_offset IS 'seconds by which its cycle starts late';
+COMMENT ON COLUMN streetgen.signal_found.method IS 'how it is known that signals stand there';
+COMMENT ON COLUMN streetgen.signal_found.ordinality IS 'number of the state; NULL: the junction has no movement';
+COMMENT ON COLUMN streetgen.signal_found.duration IS 'seconds';
+COMMENT ON COLUMN streetgen.signal_found.kind IS 'green, amber or all_red';
+COMMENT ON COLUMN streetgen.signal_found.lane_in IS 'the lane that the movement comes from';
+COMMENT ON COLUMN streetgen.signal_found.lane_out IS 'the lane that it leads to';
+COMMENT ON COLUMN streetgen.signal_found.along_in IS 'does one drive along the axis of the first?';
+COMMENT ON COLUMN streetgen.signal_found.along_out IS 'does one drive along the axis of the second?';
+COMMENT ON COLUMN streetgen.signal_found.right_of_way IS 'protected or permitted';

@@ -1,0 +1,13 @@
+// How far a path turns from one lane to another, and what that is called.
+#pragma once
+
+#include "streetgen/geometry.hpp"
+#include "streetgen/interconnection.hpp"
+
+namespace streetgen {
+
+// Degrees in (-180, 180], positive to the left.
+double turn_angle(const Point& from, const Point& to);
+Turn turn_of(double angle);
+
+}  // namespace streetgen

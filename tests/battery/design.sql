@@ -1,0 +1,56 @@
+-- Seed :seed of tests/battery/design: :edits random edits of every stage of a design. Rows by hand stay, the streets follow, and one design with the same rows by
+-- hand gives the same roads. Prints truths as the files of tests/sql do.
+\ir ../sql/shared/truths.sql
+\ir ../sql/shared/made_terrain.sql
+\ir ../sql/shared/made_design.sql
+SELECT test.make_design('edited'), test.make_design('anew') \g /dev/null
+SELECT * FROM streetgen.design('edited', links => '{1,2}') \g /dev/null
+SELECT * FROM streetgen.generate('edited') \g /dev/null
+
+-- What an edit does, and whether it was refused; a refused one leaves everything as it was. Edits of nodes, zones and classes are followed at once.
+CREATE FUNCTION pg_temp.edit(turn integer) RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+    what constant integer := abs(hashint4(turn)) % 10;
+    statement text;
+BEGIN
+    statement := CASE what
+        WHEN 0 THEN format('UPDATE edited.design_vertex_editing SET geom = ST_Translate(geom, %s, %s) WHERE design_vertex_id = (SELECT design_vertex_id FROM edited.design_vertex WHERE NOT rejected ORDER BY md5(%L || ordinality || design_link_id) LIMIT 1)', 25 * sin(turn), 25 * cos(turn), turn)
+        WHEN 1 THEN format('UPDATE edited.grade_point_editing SET height = height + %s WHERE grade_point_id = (SELECT grade_point_id FROM edited.grade_point WHERE NOT rejected AND abscissa > 300 ORDER BY md5(%L || round(abscissa)) LIMIT 1)', sin(turn), turn)
+        WHEN 2 THEN format('DELETE FROM edited.grade_point_editing WHERE grade_point_id = (SELECT grade_point_id FROM edited.grade_point WHERE NOT rejected AND NOT by_hand AND abscissa > 300 ORDER BY md5(%L || round(abscissa)) LIMIT 1)', turn)
+        WHEN 3 THEN format('INSERT INTO edited.structure_editing (design_link_id, kind, start_abscissa, end_abscissa) VALUES (%s, ''bridge'', %s, %s)', 1 + turn % 2, 200 + 40 * (turn % 90), 220 + 40 * (turn % 90))
+        WHEN 4 THEN 'UPDATE edited.design_crossing_editing SET kind = CASE kind WHEN ''level'' THEN ''over'' ELSE ''level'' END'
+        WHEN 5 THEN format('DELETE FROM edited.design_vertex_editing WHERE design_vertex_id = (SELECT design_vertex_id FROM edited.design_vertex WHERE NOT rejected ORDER BY md5(%L || ordinality || design_link_id) LIMIT 1)', turn)
+        WHEN 6 THEN format('UPDATE edited.design_node_editing SET geom = ST_Translate(geom, %s, %s) WHERE design_node_id = %s', 40 * sin(turn), 40 * cos(turn), 1 + turn % 4)
+        WHEN 7 THEN format('INSERT INTO edited.zone_editing (class, geom) VALUES (''forest'', ST_Multi(ST_Buffer(ST_SetSRID(ST_Point(%s, %s), 2154), 60)))', 901000 + abs(hashint4(turn + 7)) % 4000, 6450500 + abs(hashint4(turn + 9)) % 2000)
+        WHEN 8 THEN format('UPDATE edited.design_class_editing SET width = %s WHERE network = ''rural''', 10 + turn % 4)
+        ELSE format('UPDATE edited.design_vertex_editing SET radius = 140 + %s %% 50, clothoid_in = 40, clothoid_out = 50 WHERE design_vertex_id = (SELECT design_vertex_id FROM edited.design_vertex WHERE NOT rejected ORDER BY md5(%L || ordinality || design_link_id) LIMIT 1)', turn, turn) END;
+    EXECUTE statement;
+    IF what BETWEEN 6 AND 8 THEN
+        PERFORM streetgen.design('edited', links => '{1,2}');
+    END IF;
+    RETURN 'made';
+EXCEPTION WHEN invalid_parameter_value THEN
+    RETURN 'refused';
+END $$;
+CREATE TABLE made AS SELECT turn, pg_temp.edit(turn) AS outcome FROM generate_series(:edits * :seed, :edits * :seed + :edits - 1) turn;
+SELECT 'half of the edits are made', count(*) FILTER (WHERE outcome = 'made') >= :edits / 2 FROM made;
+SELECT 'nothing is stale after them', sum(computed) = 0 FROM streetgen.design('edited', links => '{1,2}');
+SELECT * FROM streetgen.generate('edited') \g /dev/null
+SELECT 'no error in the streets', count(*) = 0 FROM streetgen.check_model('edited') WHERE severity = 'error' OR rule LIKE 'stale: the axis%';
+
+UPDATE anew.design_node a SET geom = e.geom FROM edited.design_node e WHERE e.design_node_id = a.design_node_id;
+UPDATE anew.design_class a SET width = e.width FROM edited.design_class e WHERE e.network = a.network;
+INSERT INTO anew.zone (zone_id, class, geom, by_hand, rejected) SELECT zone_id, class, geom, by_hand, rejected FROM edited.zone;
+INSERT INTO anew.design_vertex SELECT * FROM edited.design_vertex WHERE by_hand;
+INSERT INTO anew.grade_point SELECT * FROM edited.grade_point WHERE by_hand;
+INSERT INTO anew.structure SELECT * FROM edited.structure WHERE by_hand;
+INSERT INTO anew.design_crossing SELECT * FROM edited.design_crossing WHERE by_hand;
+SELECT setval(pg_get_serial_sequence('anew.' || r, r || '_id'), 100000) FROM unnest('{zone,design_vertex,grade_point,structure,design_crossing}'::text[]) r \g /dev/null
+SELECT * FROM streetgen.design('anew', links => '{1,2}') \g /dev/null
+SELECT 'one design with the rows by hand gives the same alignments', count(*) = 2 AND bool_and(ST_HausdorffDistance(a.geom, b.geom) < 1e-6 AND abs(ST_3DLength(a.geom) - ST_3DLength(b.geom)) < 1e-4) FROM edited.design_link a JOIN anew.design_link b USING (design_link_id);
+SELECT 'and the same axes', NOT EXISTS (SELECT source_ref, level, round(ST_Length(geom)::numeric, 3) FROM edited.axis EXCEPT SELECT source_ref, level, round(ST_Length(geom)::numeric, 3) FROM anew.axis);
+SELECT 'and keeps them as they are', NOT EXISTS (SELECT ordinality, geom, by_hand, rejected FROM edited.design_vertex WHERE by_hand EXCEPT SELECT ordinality, geom, by_hand, rejected FROM anew.design_vertex)
+    AND NOT EXISTS (SELECT abscissa, height, by_hand, rejected FROM edited.grade_point WHERE by_hand EXCEPT SELECT abscissa, height, by_hand, rejected FROM anew.grade_point);
+CREATE TABLE known AS SELECT xmin::text AS version, axis_id FROM edited.axis;
+SELECT * FROM streetgen.design('edited', links => '{1,2}') \g /dev/null
+SELECT 'a second design changes no row', NOT EXISTS (SELECT * FROM known EXCEPT SELECT xmin::text, axis_id FROM edited.axis);

@@ -1,0 +1,71 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Files in three dimensions, CityJSON and glTF, held against the tables.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, 3, subjects => '{lane,sidewalk}'), streetgen.create_model('flat', 2154, subjects => '{surface}'), streetgen.create_model('bare', 2154), streetgen.create_model('painted', 2154);
+  INSERT INTO painted.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 9);
+  INSERT INTO town.axis (geom, width, level, sidewalk_left, sidewalk_right, name) VALUES
+    ('SRID=2154;LINESTRING(650000 6860000 100, 650100 6860000 106)', 9, 0, 2, 3, 'a "<&'), ('SRID=2154;LINESTRING(650100 6860000 106, 650140 6860000 110, 650180 6860000 109, 650240 6860020 101)', 7, 0, 2, 2, NULL),
+    ('SRID=2154;LINESTRING(650100 6860000 106, 650110 6859960 103, 650110 6859920 103)', 6, 0, 1.5, 0, NULL), ('SRID=2154;LINESTRING(650160 6859950 120, 650160 6860050 118)', 8, 1, 0, 0, NULL),
+    ('SRID=2154;LINESTRING(650700 6860300 90, 650790 6860310 95)', 8, 0, 2, 2, 'far away');
+  INSERT INTO flat.axis (geom, width) SELECT geom, width FROM (SELECT ST_Force2D(geom) AS geom, width FROM town.axis) a;
+END $$;
+CREATE FUNCTION pg_temp.city(model name, options jsonb DEFAULT '{}') RETURNS jsonb LANGUAGE sql AS $$ SELECT string_agg(line, E'\n' ORDER BY ordinality)::jsonb FROM streetgen.export_cityjson(model, options) $$;
+CREATE FUNCTION pg_temp.file(model name, options jsonb DEFAULT '{}') RETURNS bytea LANGUAGE sql AS $$ SELECT string_agg(part, '' ORDER BY ordinality) FROM streetgen.export_gltf(model, options) $$;
+
+CREATE TEMPORARY TABLE city AS SELECT pg_temp.city('town') AS city;
+CREATE TEMPORARY TABLE vertex AS SELECT n - 1 AS vertex, 650000 + (v ->> 0)::float8 / 1000 AS x, 6859915 + (v ->> 1)::float8 / 1000 AS y, (v ->> 2)::float8 / 1000 AS z FROM city, jsonb_array_elements(city -> 'vertices') WITH ORDINALITY e(v, n);
+CREATE TEMPORARY TABLE face AS
+SELECT o.key AS road, t.n AS triangle, ARRAY[(t.b #>> '{0,0}')::bigint, (t.b #>> '{0,1}')::bigint, (t.b #>> '{0,2}')::bigint] AS corner, s ->> 'type' AS type, s ->> 'function' AS function
+FROM city, jsonb_each(city -> 'CityObjects') o, LATERAL (SELECT o.value #> '{geometry,0}' AS g) g, jsonb_array_elements(g -> 'boundaries') WITH ORDINALITY t(b, n),
+    LATERAL (SELECT g #> ARRAY['semantics', 'surfaces', (g #>> ARRAY['semantics', 'values', (t.n - 1)::text])] AS s) s;
+CREATE TEMPORARY TABLE area AS
+SELECT f.*, ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) / 2 AS plan, sqrt(((b.y - a.y) * (c.z - a.z) - (c.y - a.y) * (b.z - a.z)) ^ 2 + ((b.z - a.z) * (c.x - a.x) - (c.z - a.z) * (b.x - a.x)) ^ 2
+    + ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) ^ 2) / 2 AS full_area
+FROM face f JOIN vertex a ON a.vertex = corner[1] JOIN vertex b ON b.vertex = corner[2] JOIN vertex c ON c.vertex = corner[3];
+CREATE TEMPORARY TABLE side AS SELECT function, corner[k] AS a, corner[k % 3 + 1] AS b FROM face, generate_series(1, 3) k;
+
+SELECT 'CityJSON 2.0, with its reference', city ->> 'type' = 'CityJSON' AND city ->> 'version' = '2.0' AND city #>> '{metadata,referenceSystem}' = 'https://www.opengis.net/def/crs/EPSG/0/2154' FROM city;
+SELECT 'coordinates are counted from whole metres', city #> '{transform,translate}' = '[650000, 6859915, 0]' OR (SELECT floor(min(ST_YMin(geom))) FROM town.edge) = (city #>> '{transform,translate,1}')::float8 FROM city;
+SELECT 'a road for each edge and each node with a surface', (SELECT array_agg(DISTINCT road ORDER BY road) FROM face) = (SELECT array_agg(DISTINCT r ORDER BY r) FROM (SELECT 'edge_' || edge_id AS r FROM town.section WHERE NOT ST_IsEmpty(surface)
+    UNION ALL SELECT 'node_' || node_id FROM town.intersection WHERE NOT ST_IsEmpty(surface) UNION ALL SELECT coalesce('node_' || node_id, 'edge_' || edge_id) FROM town.sidewalk) s);
+SELECT 'names come as they are', city #>> '{CityObjects,edge_1,attributes,name}' = 'a "<&' FROM city;
+SELECT 'what a surface is: ' || function, type = CASE function WHEN 'kerbstone' THEN 'AuxiliaryTrafficArea' ELSE 'TrafficArea' END FROM (SELECT DISTINCT function, type FROM face) f ORDER BY function;
+SELECT 'the roadway has the area of the tables, by 0.1 %', abs(sum(plan) / (SELECT sum(ST_Area(surface)) FROM town.roadway) - 1) < 1e-3 AND bool_and(plan > -1e-6) FROM area WHERE function = 'roadway';
+SELECT 'so have the sidewalks', abs(sum(plan) / (SELECT sum(ST_Area(surface)) FROM town.sidewalk) - 1) < 1e-3 AND bool_and(plan > -1e-6) FROM area WHERE function = 'footpath';
+-- Border shared by a sidewalk and the roadway of its level, 0.15 m high; a centimetre is what two ends of a border are apart at most.
+SELECT 'kerbs are upright, 0.15 m high along what sidewalks share with the roadway', max(abs(plan)) < 2e-3 AND sum(full_area) > 0.15 * 300 AND abs(sum(full_area) / 0.15 / (SELECT sum(ST_Length(ST_Intersection(ST_Boundary(s.surface), ST_Buffer(ST_Boundary(r.surface), 1e-4))))
+    FROM town.sidewalk s JOIN town.roadway r ON ST_DWithin(s.surface, r.surface, 1e-3)) - 1) < 0.01 FROM area WHERE function = 'kerbstone';
+SELECT 'every level side of a kerb has the roadway below and the sidewalk above, the other way round', count(*) > 100 AND bool_and(EXISTS (SELECT FROM side o WHERE (o.a, o.b) = (s.b, s.a) AND o.function IN ('roadway', 'footpath')))
+    FROM side s JOIN vertex a ON a.vertex = s.a JOIN vertex b ON b.vertex = s.b WHERE function = 'kerbstone' AND NOT EXISTS (SELECT FROM side o WHERE (o.a, o.b) = (s.b, s.a) AND o.function = 'kerbstone') AND (a.x, a.y) <> (b.x, b.y);
+SELECT 'no side has two triangles of one way', max(n) = 1 FROM (SELECT count(*) AS n FROM side GROUP BY a, b) u;
+SELECT 'no place has two vertices, and each is used', (SELECT count(*) = count(DISTINCT (x, y, z)) FROM vertex) AND (SELECT count(DISTINCT a) FROM side) = (SELECT count(*) FROM vertex);
+SELECT 'heights are those of the axes, and sidewalks lie above', min(z) BETWEEN 89.9 AND 90.01 AND max(z) BETWEEN 119.9 AND 120.2 FROM vertex;
+SELECT 'a model with surfaces alone has them alone', NOT EXISTS (SELECT FROM jsonb_each(c -> 'CityObjects') o WHERE o.value #> '{geometry,0,semantics,surfaces}' <> '[{"type": "TrafficArea", "function": "roadway"}]') FROM pg_temp.city('flat') c;
+SELECT 'a level alone', (SELECT array_agg(DISTINCT level) FROM town.edge JOIN (SELECT substr(jsonb_object_keys(pg_temp.city('town', '{"level": 1}') -> 'CityObjects'), 6)::bigint AS edge_id) e USING (edge_id)) = '{1}';
+SELECT 'an extent has whole edges, with vertices as in the whole', (SELECT count(*) FROM jsonb_object_keys(c -> 'CityObjects')) = 1 AND c #> '{CityObjects,edge_5,geometry,0,boundaries,0}' IS NOT NULL FROM pg_temp.city('town', '{"extent": [650750, 6860300, 650760, 6860310]}') c;
+SELECT 'digits of a coordinate', (pg_temp.city('flat', '{"precision": 5}') #>> '{transform,scale,0}')::float8 = 1e-5;
+
+-- glTF: header, chunk of JSON, chunk of data.
+CREATE FUNCTION pg_temp.word(file bytea, place integer) RETURNS bigint LANGUAGE sql AS $$ SELECT sum(get_byte(file, place + i)::bigint << 8 * i) FROM generate_series(0, 3) i $$;
+CREATE FUNCTION pg_temp.told(file bytea) RETURNS jsonb LANGUAGE sql AS $$ SELECT convert_from(substring(file FROM 21 FOR pg_temp.word(file, 12)::integer), 'UTF8')::jsonb $$;
+CREATE TEMPORARY TABLE solid AS SELECT file, pg_temp.told(file) AS told FROM pg_temp.file('town') file;
+SELECT 'a binary file of glTF 2.0 as long as it says', substring(file FOR 4) = 'glTF' AND pg_temp.word(file, 4) = 2 AND pg_temp.word(file, 8) = length(file) AND told #>> '{asset,version}' = '2.0' FROM solid;
+SELECT 'its data is as long as it says, to whole words', pg_temp.word(file, 20 + json::integer) = (told #>> '{buffers,0,byteLength}')::bigint AND length(file) = 28 + json + (told #>> '{buffers,0,byteLength}')::bigint AND length(file) % 4 = 0
+    FROM solid, pg_temp.word(file, 12) json;
+SELECT 'extras say reference and origin', told #> '{asset,extras,srid}' = '2154' AND told #> '{asset,extras,origin,0}' = '650000' FROM solid;
+SELECT 'a material for each kind', (SELECT array_agg(m ->> 'name') FROM jsonb_array_elements(told -> 'materials') m) = '{section,intersection,sidewalk,kerb,marking}' FROM solid;
+SELECT 'a node and a mesh for each square of 500 m that has streets', jsonb_array_length(told -> 'nodes') > 1 AND jsonb_array_length(told -> 'nodes') = (SELECT count(DISTINCT (floor(ST_X(p) / 500), floor(ST_Y(p) / 500))) FROM (SELECT ST_StartPoint(geom) AS p FROM town.edge UNION ALL SELECT geom FROM town.intersection JOIN town.node USING (node_id) WHERE NOT ST_IsEmpty(surface)) s) FROM solid;
+CREATE TEMPORARY TABLE primitive AS
+SELECT m.ordinality AS mesh, (p ->> 'material')::integer AS kind, told #> ARRAY['accessors', p #>> '{attributes,POSITION}'] AS position, told #> ARRAY['accessors', p ->> 'indices'] AS indices FROM solid, jsonb_array_elements(told -> 'meshes') WITH ORDINALITY m, jsonb_array_elements(m.value -> 'primitives') p;
+SELECT 'as many triangles as the mesh has', sum((indices ->> 'count')::bigint) FILTER (WHERE kind < 4) / 3 = (SELECT sum(ST_NumGeometries(mesh)) FROM streetgen._street_mesh('town', '{"extent": null, "level": null, "tolerance": 0.05}')) FROM primitive;
+SELECT 'kerbs stand on the roadway, and end where sidewalks lie', bool_and(abs((k.position #>> '{max,1}')::float8 - (s.position #>> '{max,1}')::float8) < 0.5) FROM primitive k JOIN primitive s USING (mesh) WHERE k.kind = 3 AND s.kind = 2;
+SELECT 'paint lies above the roadway, by 5 mm and twice the tolerance', count(*) > 0 AND bool_and(abs((p #>> '{min,1}')::float8 - z) < 1e-6 AND abs((p #>> '{max,1}')::float8 - z) < 1e-6)
+    FROM (VALUES ('{}'::jsonb, 0.105), ('{"tolerance": 0.01}', 0.025)) v(options, z), LATERAL (SELECT pg_temp.told(pg_temp.file('painted', options)) AS told) f, LATERAL (SELECT p FROM jsonb_array_elements(told #> '{meshes,0,primitives}') m, LATERAL (SELECT told #> ARRAY['accessors', m #>> '{attributes,POSITION}'] AS p) q WHERE m -> 'material' = '4') a;
+SELECT 'parts are of a megabyte at most, numbered from one', max(length(part)) <= 1048576 AND array_agg(ordinality ORDER BY ordinality) = array_agg(n ORDER BY n) FROM (SELECT *, row_number() OVER (ORDER BY ordinality) AS n FROM streetgen.export_gltf('town')) p;
+
+SELECT 'the same bytes again', pg_temp.file('town') = (SELECT file FROM solid) AND md5(pg_temp.city('town')::text) = (SELECT md5(city::text) FROM city);
+SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES
+    ($$SELECT streetgen.export_cityjson('bare')$$, '22023'), ($$SELECT streetgen.export_gltf('bare')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"junctions": "node"}')$$, '22023'),
+    ($$SELECT streetgen.export_gltf('town', '{"tolerance": 0}')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"precision": 3}')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"precision": 9}')$$, '22023'),
+    ($$SELECT streetgen.export_gltf('town', NULL)$$, '22023'), ($$SELECT streetgen.export_gltf('nowhere')$$, '3F000'), ($$SELECT streetgen.export_gltf('town', '{"extent": [0, 0, 1, 1]}')$$, '22023')) s(statement, expected);

@@ -1,0 +1,97 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Signals: phases, what is shown when, by hand, green waves, and what users program.  (name, holds)
+CREATE FUNCTION line(VARIADIC xy float8[]) RETURNS geometry LANGUAGE sql AS $$
+  SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + xy[2 * i - 1], 6860000 + xy[2 * i]) ORDER BY i), 2154) FROM generate_series(1, cardinality(xy) / 2) i $$;
+DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, subjects => '{signal}', driving_side => 'right'); END $$;
+-- A street of eleven pieces that ten side streets cross; the crossings have signals.
+INSERT INTO town.axis (geom, width, lane_count, importance, speed, name)
+  SELECT line(150.0 * (k - 1) + 7 * (k % 3), 0, 150.0 * k + 7 * ((k + 1) % 3), 0), 8, 2, 2, 50, 'high' FROM generate_series(1, 11) k ORDER BY k;
+INSERT INTO town.axis (geom, width, lane_count, importance, speed, name)
+  SELECT line(150.0 * k + 7 * ((k + 1) % 3), 90 * d, 150.0 * k + 7 * ((k + 1) % 3), 0), 6, 2, 3, 30, 'side' FROM generate_series(1, 10) k, unnest(ARRAY[-1, 1]) d;
+INSERT INTO town.control_point (geom, kind) SELECT ST_StartPoint(geom), 'signals' FROM town.axis WHERE name = 'high' AND axis_id > 1;
+SELECT 'each junction of kind signals has one controller', count(*) = 10 AND count(controller_id) = 10 FROM town.junction LEFT JOIN town.controller ON controller_id = junction_id WHERE kind = 'signals';
+SELECT 'and no other place', count(*) = 10 FROM town.controller;
+SELECT 'a crossing of two streets has two phases', bool_and(n = 2) FROM (SELECT count(*) AS n FROM town.signal_state WHERE kind = 'green' GROUP BY controller_id) s;
+SELECT 'states last as long as the cycle', bool_and(abs(cycle - whole) < 1e-9) FROM town.controller JOIN (SELECT controller_id, sum(duration) AS whole FROM town.signal_state GROUP BY 1) s USING (controller_id);
+SELECT 'all that connects has green', count(*) > 100 AND bool_and(s.lane_in IS NOT NULL) FROM town.movement m LEFT JOIN town.signal_movement s USING (lane_in, lane_out) WHERE m.connecting AND m.junction_id IN (SELECT controller_id FROM town.controller);
+SELECT 'protected movements neither cross nor merge', NOT EXISTS (SELECT FROM town.conflict c JOIN town.interconnection a ON a.interconnection_id = c.interconnection_a JOIN town.interconnection b ON b.interconnection_id = c.interconnection_b
+  JOIN town.signal_movement p ON (p.lane_in, p.lane_out) = (a.lane_in, a.lane_out) JOIN town.signal_movement q ON (q.lane_in, q.lane_out) = (b.lane_in, b.lane_out)
+  WHERE (p.controller_id, p.ordinality) = (q.controller_id, q.ordinality) AND p.right_of_way = 'protected' AND q.right_of_way = 'protected');
+SELECT 'left turns give way, nothing else does', bool_and((turn = 'left') = (right_of_way = 'permitted')) FROM town.signal_movement JOIN town.movement USING (lane_in, lane_out);
+SELECT 'heads stand where lanes end', count(*) = 40 AND bool_and(ST_DWithin(h.geom, l.geom, 1e-9)) FROM town.signal_head h JOIN town.lane l USING (lane_id);
+SELECT 'they say whether somebody mapped the signals', bool_and(method = 'hypothesis') FROM town.controller;
+SELECT 'check_model has nothing to say of them', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation LIKE 'controller%' OR severity = 'error');
+CREATE TABLE before AS SELECT * FROM test.content('town') UNION ALL SELECT s::text FROM town.signal_state s UNION ALL SELECT m::text FROM town.signal_movement m UNION ALL SELECT c::text FROM town.controller c;
+SELECT 'a second run rewrites no row', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town');
+
+-- What is shown.
+SELECT 'the same again after each cycle', NOT EXISTS (SELECT * FROM streetgen.signals('town', 12) EXCEPT SELECT s.* FROM town.controller c, LATERAL streetgen.signals('town', 12 + 3 * c.cycle) s WHERE s.controller_id = c.controller_id);
+SELECT 'over a cycle each movement has green as long as its states', bool_and(abs(shown - known) <= 1) FROM (SELECT lane_in, lane_out, count(*) FILTER (WHERE aspect = 'green') AS shown FROM (SELECT min(controller_id) AS id, min(cycle) AS cycle FROM town.controller) c,
+  generate_series(0, ceil(c.cycle)::integer - 1) t, LATERAL streetgen.signals('town', t) s WHERE s.controller_id = c.id GROUP BY 1, 2) a
+  JOIN (SELECT lane_in, lane_out, sum(duration) AS known FROM town.signal_movement JOIN town.signal_state USING (controller_id, ordinality) GROUP BY 1, 2) b USING (lane_in, lane_out);
+SELECT 'a plan ends with the cycle', max(ends) = max(cycle) FROM town.controller c, LATERAL streetgen.signal_plan('town', c.controller_id) WHERE c.controller_id = (SELECT min(controller_id) FROM town.controller);
+SELECT 'its picture has a line for each movement', (xpath('count(//*[local-name() = "text" and contains(., "lane")])', streetgen.signal_svg('town', min(controller_id))::xml))[1]::text = '12' FROM town.controller;
+
+-- By hand.
+UPDATE town.controller_editing SET cycle = 100, start_offset = 7 WHERE controller_id = (SELECT min(controller_id) FROM town.controller);
+SELECT 'a cycle by hand stretches the greens', (SELECT (cycle, start_offset, method) = (100::float8, 7::float8, 'by_hand') AND abs(100 - (SELECT sum(duration) FROM town.signal_state s WHERE s.controller_id = c.controller_id)) < 1e-9 FROM town.controller c WHERE method = 'by_hand');
+UPDATE town.axis SET width = 9 WHERE axis_id = 1;
+SELECT 'it outlives an edit', count(*) = 1 FROM town.controller WHERE method = 'by_hand' AND cycle = 100;
+UPDATE town.controller_editing SET durations[1] = 40 WHERE by_hand;
+SELECT 'a duration by hand too', count(*) = 1 FROM town.controller JOIN town.signal_state USING (controller_id) WHERE method = 'by_hand' AND ordinality = 1;
+DELETE FROM town.controller_editing WHERE by_hand;
+UPDATE town.axis SET width = 8 WHERE axis_id = 1;
+SELECT 'taken back, all is as before', NOT EXISTS ((SELECT c::text FROM town.controller c EXCEPT TABLE before) UNION ALL (SELECT s::text FROM town.signal_state s EXCEPT TABLE before) UNION ALL (SELECT m::text FROM town.signal_movement m EXCEPT TABLE before));
+SELECT name || ' is refused', test.state(statement) = state FROM (VALUES
+    ('a program that is none', $$UPDATE town.controller_editing SET program = 'dance'$$, '22023'),
+    ('a cycle of a second', 'UPDATE town.controller_editing SET cycle = 1', '22023'),
+    ('a cycle that is no number', $$UPDATE town.controller_editing SET cycle = 'NaN'$$, '22023'),
+    ('an offset below 0', 'UPDATE town.controller_editing SET start_offset = -1', '22023'),
+    ('durations of another number', $$UPDATE town.controller_editing SET durations = '{3}'$$, '22023'),
+    ('a duration of a day', 'UPDATE town.controller_editing SET durations[1] = 86400', '22023'),
+    ('a controller drawn', 'INSERT INTO town.controller_editing (program) VALUES (NULL)', '0A000'),
+    ('a setting that names no function', $$SELECT streetgen.set('town', 'signal_program', 'pg_catalog.now')$$, '22023'),
+    ('a time that is no number', $$SELECT streetgen.signals('town', 'NaN')$$, '22023'),
+    ('a controller that is not there', $$SELECT streetgen.signal_plan('town', -5)$$, '22023'),
+    ('a wave at no speed', $$SELECT streetgen.coordinate('town', '{1}', 0)$$, '22023'),
+    ('a wave along an axis that is not there', $$SELECT streetgen.coordinate('town', '{1,99999}', 50)$$, '22023'),
+    ('a flow below 0', 'UPDATE town.axis SET flow = -1', '23514')) v(name, statement, state) ORDER BY name COLLATE "C";
+
+-- A green wave: whoever passes the first light in its first seconds of green meets green at all others.
+SELECT 'a wave passes ten controllers', count(*) = 10 FROM streetgen.coordinate('town', ARRAY(SELECT generate_series(1, 11)::bigint), 50);
+CREATE TABLE wave AS SELECT r.controller_id, r.metres, r.lane_in FROM streetgen._route_controllers('town', ARRAY(SELECT generate_series(1, 11)::bigint)) r;
+SELECT 'all have one cycle', count(DISTINCT cycle) = 1 FROM town.controller;
+SELECT 'a car at the speed meets green at each, cycle after cycle', count(*) = 30 AND bool_and(s.aspect = 'green') FROM wave w CROSS JOIN generate_series(0, 2) turn CROSS JOIN (SELECT max(cycle) AS cycle FROM town.controller) c,
+  LATERAL streetgen.signals('town', turn * cycle + w.metres / (50 / 3.6)) s JOIN town.movement m USING (lane_in, lane_out) WHERE s.lane_in = w.lane_in AND m.turn = 'through';
+DELETE FROM town.controller_editing;
+
+-- The paper's program, flows, crossings on foot, and programs of users.
+SELECT streetgen.set('town', 'signal_program', 'paper'), streetgen.generate('town') \g /dev/null
+SELECT 'of the paper: six pairs of 20 s', bool_and(cycle = 120 AND program = 'paper') FROM town.controller;
+SELECT streetgen.set('town', 'signal_program', 'phases'), streetgen.generate('town') \g /dev/null
+UPDATE town.axis SET flow = CASE name WHEN 'high' THEN 1400 ELSE 300 END;
+SELECT 'who has more traffic has more green', bool_and(high > 2 * side) FROM (SELECT s.controller_id, max(duration) FILTER (WHERE a.name = 'high') AS high, max(duration) FILTER (WHERE a.name = 'side') AS side FROM town.signal_state s
+  JOIN town.signal_movement m USING (controller_id, ordinality) JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) JOIN town.axis a USING (axis_id) GROUP BY 1) g;
+INSERT INTO town.control_point (geom, kind) SELECT ST_LineInterpolatePoint(geom, 0.95), 'pedestrian_crossing' FROM town.axis WHERE name = 'high';
+SELECT 'green of the side streets lasts as long as people cross the high street', bool_and(duration >= 4 + 8 / 1.2) FROM (SELECT s.controller_id, max(duration) AS duration FROM town.signal_state s
+  JOIN town.signal_movement m USING (controller_id, ordinality) JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) JOIN town.axis a USING (axis_id) WHERE a.name = 'side' GROUP BY 1) g;
+CREATE FUNCTION one_by_one(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$
+  SELECT n::integer, 9::float8, 'green', lane_in, lane_out, along_in, along_out, 'protected' FROM unnest(movements) WITH ORDINALITY m(lane_in, lane_out, along_in, along_out, a, b, c, d, e, f, g, h, i, j, k, n) $$;
+CREATE FUNCTION all_at_once(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$
+  SELECT 1, 9::float8, 'green', lane_in, lane_out, along_in, along_out, 'protected' FROM unnest(movements) $$;
+CREATE FUNCTION forgets(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$ SELECT 1, 9::float8, 'green', NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL $$;
+CREATE FUNCTION raises(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE plpgsql AS $$ BEGIN RAISE 'no' USING ERRCODE = '22012'; END $$;
+CREATE FUNCTION pg_temp.program(name text) RETURNS text LANGUAGE sql AS $$ SELECT test.state(format('SELECT streetgen.set(%L, %L, %L); SELECT FROM streetgen.generate(%1$L)', 'town', 'signal_program', 'public.' || name)) $$;
+SELECT 'a program that lets movements meet is refused', pg_temp.program('all_at_once') = '22023';
+SELECT 'one that forgets movements too', pg_temp.program('forgets') = '22023';
+SELECT 'one that raises does so with its code', pg_temp.program('raises') = '22012';
+SELECT 'after them all is as it was', bool_and(program = 'phases') FROM town.controller;
+SELECT 'a program of a user runs', pg_temp.program('one_by_one') = 'none';
+
+-- Switched off, nothing is left of it.
+SELECT FROM streetgen.switch_subject('town', 'signal', false);
+SELECT 'switched off, the tables go', to_regclass('town.controller') IS NULL AND to_regclass('town.controller_editing') IS NULL AND to_regprocedure('town._update_signals(bigint[], bigint[])') IS NULL;
+UPDATE town.axis SET width = 8.2 WHERE axis_id = 2;
+SELECT 'and a model without signals says so', test.state($$SELECT streetgen.signals('town', 0)$$) = '55000';
