@@ -82,7 +82,7 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'overpasses: where two edges cross without a node, and which of them is above'),
     (15, 'height', '{overpass}'::text[], false, false, 'little',
         'heights along edges, with clearances and grades where roads pass over and under each other'),
-    (16, 'bridge', '{overpass}'::text[], false, false, 'little',
+    (17, 'bridge', '{overpass}'::text[], false, false, 'little',
         'bridges and tunnels: stretches of edges over others, or off the ground by their level') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
