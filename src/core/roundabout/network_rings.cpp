@@ -7,6 +7,7 @@
 #include "geometry/enclosing_circle.hpp"
 #include "geometry/fit_circle.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "network/face.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/roundabout.hpp"
@@ -103,15 +104,22 @@ class RingFinder {
   // Without edges that hang into the face, which has them on both sides; fills line and inside.
   std::vector<EdgeSide> sides_about(const Face& face, NetworkRing& ring) const {
     std::map<std::pair<int, int>, int> times;
-    for (const EdgeSide& side : face.rings.front().sides) ++times[{side.edge, side.part}];
+    std::map<std::pair<int, bool>, double> covered;
+    for (const EdgeSide& side : face.rings.front().sides) {
+      ++times[{side.edge, side.part}];
+      covered[{side.edge, side.left}] += std::abs(side.end - side.start);
+    }
     std::vector<EdgeSide> sides;
     for (const EdgeSide& side : face.rings.front().sides) {
       if (times[{side.edge, side.part}] > 1) {
         ring.inside += side.left;
         continue;
       }
-      sides.push_back(side);
       const Edge& edge = network_.edges[side.edge];
+      // Where streets cross without a node another face may have the rest of a side: then neither is
+      // a ring.
+      if (covered[{side.edge, side.left}] < length(edge.line) - 2 * coordinate_margin) return {};
+      sides.push_back(side);
       const Line piece = side.left ? substring(edge.line, side.start, side.end)
                                    : substring(edge.line, side.end, side.start);
       for (const Point& p : piece)

@@ -87,6 +87,17 @@ TEST(NetworkRings, KeepsToItsBounds) {
   EXPECT_TRUE(network_rings({{1, {{0, 0}, {90, 0}}}}, {}).empty());
 }
 
+// A street that passes without a node makes two faces of a ring; one that ends within makes none.
+TEST(NetworkRings, OfStreetsThatCrossWithoutANodeAreNone) {
+  std::vector<RingAxis> crossed = roundabout({0, 0}, 20, OneWay::no), overshot = crossed;
+  crossed.push_back({9, {{-80, 7}, {80, 9}}});
+  EXPECT_TRUE(network_rings(crossed, {}).empty());
+  overshot.push_back({9, {{3, 7}, {80, 9}}});
+  const auto rings = network_rings(overshot, {});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_EQ(rings[0].edges.size(), 4u);
+}
+
 TEST(NetworkRings, OtherLevelsCloseNoRing) {
   EXPECT_TRUE(network_rings({{1, arc({0, 0}, 20, 0, 180, 12), 0}, {2, arc({0, 0}, 20, 180, 360, 12), 1}}, {})
                   .empty());
