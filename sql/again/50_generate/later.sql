@@ -1,0 +1,35 @@
+-- What follows the one statement: subjects whose rows may be longer than the reach.
+
+CREATE OR REPLACE FUNCTION streetgen._later_subjects() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT '{block,junction,signal,bridge}'::text[] $$;
+COMMENT ON FUNCTION streetgen._later_subjects() IS
+    'The subjects that no part of the one statement writes: statements of their own follow it.';
+
+CREATE OR REPLACE FUNCTION streetgen._update_later(model name, axes bigint[], blocks bigint[] DEFAULT NULL,
+    edges bigint[] DEFAULT NULL)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    touched bigint[];
+BEGIN
+    IF axes IS NULL THEN
+        RETURN QUERY SELECT * FROM streetgen._renew_all_blocks(model);
+    ELSE
+        RETURN QUERY EXECUTE format('SELECT * FROM %I._renew_blocks($1, $2)', model) USING blocks, axes;
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._update_bridges(model, axes, edges);
+    IF 'junction' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
+    IF axes IS NOT NULL THEN
+        EXECUTE format('SELECT ARRAY(SELECT from_node FROM %1$I.edge WHERE axis_id = ANY ($1) UNION SELECT to_node '
+            'FROM %1$I.edge WHERE axis_id = ANY ($1))', model) INTO touched USING axes;
+    END IF;
+    RETURN QUERY EXECUTE format('SELECT * FROM %I._update_junctions($1)', model) USING touched;
+END $$;
+COMMENT ON FUNCTION streetgen._update_later(name, bigint[], bigint[], bigint[]) IS
+    'After the one statement wrote rows of axes (NULL: of all): brings the subjects up to date that it does not write; '
+    'a row per table. blocks: those that the axes touched before, 0 for what lies in no block. edges: those whose '
+    'bridges the axes could change before.';
