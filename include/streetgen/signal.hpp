@@ -44,6 +44,7 @@ struct SignalState {
 // within it. After each phase come amber and all red, which lasts until the last car has left.
 // Greens are shared out by Webster's rule where flows are known, else by lanes and importance.
 // Where all streets share one phase, all red lasts as long as people need to cross them.
+// Edges are told apart by their ids and ordered as they come.
 // Every movement has green once a cycle. No movements: no states. Refused (invalid_input): numbers
 // that are not finite or out of range, conflicts that name no movement.
 std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& movements);

@@ -90,6 +90,14 @@ SELECT 'one that raises does so with its code', pg_temp.program('raises') = '220
 SELECT 'after them all is as it was', bool_and(program = 'phases') FROM town.controller;
 SELECT 'a program of a user runs', pg_temp.program('one_by_one') = 'none';
 
+-- Edits leave what a run from scratch makes.
+DO $$ BEGIN PERFORM streetgen.set('town', 'signal_program', 'phases'), streetgen.create_model('anew', 2154, subjects => '{signal}', driving_side => 'right'); PERFORM FROM streetgen.generate('town'); END $$;
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (3, 15);
+INSERT INTO town.axis (geom, width, lane_count, importance, speed, name) SELECT line(150.0 * k + 7 * ((k + 1) % 3), 0, 150.0 * k + 60, 70), 6, 2, 4, 30, 'slant' FROM generate_series(2, 5) k;
+DELETE FROM town.axis WHERE axis_id = 18;
+UPDATE town.axis SET lane_count = 4, width = 14 WHERE axis_id BETWEEN 4 AND 6;
+SELECT 'signals after edits are those from scratch', test.followed('town', 'anew');
+
 -- Switched off, nothing is left of it.
 SELECT FROM streetgen.switch_subject('town', 'signal', false);
 SELECT 'switched off, the tables go', to_regclass('town.controller') IS NULL AND to_regclass('town.controller_editing') IS NULL AND to_regprocedure('town._update_signals(bigint[], bigint[])') IS NULL;

@@ -48,6 +48,15 @@ void check(const std::vector<SignalRequest>& movements) {
   }
 }
 
+// With edges numbered as they come, so that a program does not hang on their ids.
+std::vector<SignalRequest> numbered(std::vector<SignalRequest> movements) {
+  std::map<std::int64_t, std::int64_t> numbers;
+  for (SignalRequest& m : movements)
+    for (std::int64_t* edge : {&m.approach, &m.exit})
+      *edge = numbers.emplace(*edge, static_cast<std::int64_t>(numbers.size())).first->second;
+  return movements;
+}
+
 double half_second_up(double seconds) { return std::ceil(2 * seconds - 1e-9) / 2; }
 
 // Who cannot stop before the line still drives; who enters at the end of amber leaves in all red.
@@ -231,13 +240,15 @@ class Phases {
 
 }  // namespace
 
-std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& movements) {
-  check(movements);
+std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& requests) {
+  check(requests);
+  const std::vector<SignalRequest> movements = numbered(requests);
   return Phases(movements).states();
 }
 
-std::vector<SignalState> signal_pairs(const std::vector<SignalRequest>& movements) {
-  check(movements);
+std::vector<SignalState> signal_pairs(const std::vector<SignalRequest>& requests) {
+  check(requests);
+  const std::vector<SignalRequest> movements = numbered(requests);
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<SignalState::Green>> pairs;
   std::map<std::int64_t, std::vector<int>> turning_back;
   for (int i = 0; i < static_cast<int>(movements.size()); ++i) {
