@@ -37,7 +37,8 @@ DECLARE
 BEGIN
     IF z IS NULL THEN
         EXECUTE format('SELECT streetgen._known_height(ST_Z(d.geom)) FROM (SELECT geom FROM %I.axis
-                WHERE ST_DWithin(geom, $1, 500) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
+                WHERE ST_DWithin(geom, $1, 500) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 20) a,
+                ST_DumpPoints(a.geom) d
             WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY ST_Distance(d.geom, $1), 1 LIMIT 1',
             model) INTO z USING place;
     END IF;
