@@ -169,8 +169,7 @@ BEGIN
     subject := CASE TG_OP WHEN 'INSERT' THEN 'the new kerb point' ELSE 'kerb point ' || OLD.kerb_point_id END;
     PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
     IF NEW.axis_id IS NULL THEN
-        EXECUTE format('SELECT axis_id FROM %I.axis ORDER BY geom <-> $1, axis_id LIMIT 1', TG_TABLE_SCHEMA)
-            INTO NEW.axis_id USING NEW.geom;
+        NEW.axis_id := streetgen._nearest_axis(TG_TABLE_SCHEMA, NEW.geom);
     END IF;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
         format('SELECT axis_id FROM %I.kerb_point_override WHERE kerb_point_override_id = %s UNION ALL SELECT %s',

@@ -155,12 +155,17 @@ BEGIN
         -- nearest place may be a node.
         touched := format($sql$
 WITH reach AS MATERIALIZED (SELECT value::float8 AS reach FROM %1$I.setting WHERE name = 'reach'),
+ground AS MATERIALIZED (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level'),
 street AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node FROM %1$I.edge e WHERE e.axis_id = ANY (axes)
-    UNION ALL SELECT a.axis_id, o.from_node, o.to_node FROM reach, %1$I.axis a LEFT JOIN LATERAL (
-        SELECT e.from_node, e.to_node FROM %1$I.edge e WHERE e.axis_id <> a.axis_id
-            AND e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level')
-        ORDER BY e.geom <-> a.geom LIMIT 1) o ON true
+    UNION ALL SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, %1$I.axis a
+    -- As _nearest_axis: the nearest box bounds the distance.
+    LEFT JOIN LATERAL (SELECT e.geom FROM %1$I.edge e WHERE e.axis_id <> a.axis_id AND e.level = ground.level
+        ORDER BY e.geom <#> a.geom LIMIT 1) b ON true
+    LEFT JOIN LATERAL (SELECT e.from_node, e.to_node FROM %1$I.edge e
+        WHERE e.axis_id <> a.axis_id AND e.level = ground.level
+            AND ST_DWithin(e.geom, a.geom, ST_Distance(b.geom, a.geom))
+        ORDER BY ST_Distance(e.geom, a.geom), e.edge_id LIMIT 1) o ON true
     WHERE a.axis_id = ANY (axes) AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id <> a.axis_id
         AND e.geom && ST_Expand(a.geom, reach) AND ST_DWithin(e.geom, a.geom, reach))
         -- Where it lies as it did, its own edges tell.

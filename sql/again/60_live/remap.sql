@@ -250,7 +250,7 @@ BEGIN
         RETURN 0;
     END IF;
     EXECUTE format('SELECT count(*) FROM %1$I.lane WHERE edge_id = (SELECT edge_id FROM %1$I.edge WHERE axis_id = $1 '
-        'ORDER BY geom <-> $2, edge_id LIMIT 1)', model) INTO lanes USING axis, place;
+        'ORDER BY ST_Distance(geom, $2), edge_id LIMIT 1)', model) INTO lanes USING axis, place;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS

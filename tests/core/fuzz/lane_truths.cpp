@@ -71,13 +71,21 @@ void find_unsound(const Lanes& lanes, Faults& faults) {
       faults.push_back("a marking is not sound" + of_edge(marking.edge));
 }
 
+// The width that the axis gives its roadway at the start limit, without a taper.
+double width_at_start(const Streets& town, int e) {
+  const Roadway& roadway = town.roadways[e];
+  const double total = length(planar(town.network.edges[e].line));
+  return roadway.width +
+         (roadway.width_end - roadway.width) * town.limits[2 * e].abscissa / total;
+}
+
 // Numbers, widths and places of the lanes of each edge.
 void find_misplaced(const Streets& town, const Lanes& lanes, Faults& faults) {
   auto lane = lanes.lanes.begin();
   for (int e = 0; e < static_cast<int>(town.network.edges.size()); ++e) {
     std::vector<int> ordinalities;
     double sum = 0;
-    double roadway = distance(town.limits[2 * e].border_line[0], town.limits[2 * e].border_line[1]);
+    const double roadway = width_at_start(town, e);
     const bool crossed = town.limits[2 * e].method == Method::crossed_limits;
     for (int position = 1; lane != lanes.lanes.end() && lane->edge == e; ++lane, ++position) {
       if (lane->position != position) faults.push_back("positions are not in order" + of_edge(e));
