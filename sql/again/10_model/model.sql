@@ -398,6 +398,9 @@ BEGIN
             '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
             '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);
+        EXECUTE (SELECT string_agg(format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role), ';')
+            FROM unnest(streetgen._object_table()) relation WHERE to_regclass(format('%I.%I', model, relation))
+                IS NOT NULL);
     END IF;
     PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);
 END $$;
