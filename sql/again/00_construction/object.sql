@@ -26,11 +26,13 @@ COMMENT ON FUNCTION streetgen._border_offset(float8, float8, text, float8) IS
     'the offset itself.';
 
 CREATE OR REPLACE FUNCTION streetgen.place_on(axis geometry, width float8, abscissa float8, axis_offset float8,
-    side text, roadway_offset float8 DEFAULT 0) RETURNS geometry
+    side text DEFAULT NULL, roadway_offset float8 DEFAULT 0) RETURNS geometry
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE COST 200 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    IF side NOT IN ('left', 'right') THEN
+    IF num_nulls(axis, width, abscissa, axis_offset, roadway_offset) > 0 THEN
+        RETURN NULL;
+    ELSIF side NOT IN ('left', 'right') THEN
         RAISE EXCEPTION 'side is "%", expected left or right', side USING ERRCODE = '22023',
             HINT = 'NULL measures axis_offset from the axis.';
     ELSIF width NOT BETWEEN 0.001 AND 200 THEN
@@ -49,7 +51,7 @@ COMMENT ON FUNCTION streetgen.place_on(geometry, float8, float8, float8, text, f
     'metres from the axis along its normal, positive to the left. side left or right: axis_offset metres from that '
     'border of the roadway, positive away from it; the roadway is width metres wide, its middle roadway_offset to the '
     'left of the axis. At a vertex the normal halves the angle of both. An abscissa beyond the axis, a place over '
-    '1000 m away, other bad numbers or words: 22023. StreetGen paper, 2.9. NULL for NULL but of side.';
+    '1000 m away, other bad numbers or words: 22023. StreetGen paper, 2.9. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.locate_on(axis geometry, width float8, place geometry,
     roadway_offset float8 DEFAULT 0)
@@ -75,5 +77,5 @@ COMMENT ON FUNCTION streetgen.locate_on(geometry, float8, geometry, float8) IS
     'of the axis, the first of equal ones; side of the middle of the roadway, left or right; axis_offset, metres from '
     'the axis, positive to the left; border_offset, metres from the border of that side, positive away from the '
     'roadway. The inverse of streetgen.place_on, with side and border_offset or with NULL and axis_offset, but for '
-    'places nearest to a vertex or an end. Bad geometry or numbers, different SRIDs: 22023. StreetGen paper, 2.9. No '
-    'row for NULL.';
+    'places nearest to a vertex or an end. Bad geometry or numbers, different SRIDs: 22023. StreetGen paper, 2.9. NULL '
+    'for NULL: no row.';

@@ -38,7 +38,7 @@ BEGIN
         PERFORM streetgen._check_edit_geometry(CASE TG_OP WHEN 'INSERT' THEN 'the new object'
             ELSE 'object ' || OLD.street_object_id END, dropped);
     END IF;
-    IF dropped IS NOT NULL AND NEW.placement IS DISTINCT FROM 'absolute' AND ST_Dimension(dropped) = 0 THEN
+    IF dropped IS NOT NULL AND NEW.placement IS DISTINCT FROM 'absolute' THEN
         -- Its own axis, else the nearest one.
         IF NEW.axis_id IS NULL OR TG_OP = 'UPDATE' AND NEW.axis_id IS NOT DISTINCT FROM OLD.axis_id THEN
             NEW.axis_id := coalesce((SELECT axis_id FROM streetgen._own_axis_near(TG_TABLE_SCHEMA, NEW.axis_id,
@@ -64,11 +64,11 @@ BEGIN
         NEW.abscissa := NULL;
     END IF;
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, abscissa_end, side, '
-            'axis_offset, orientation, orientation_kind) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10) '
+        EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, side, '
+            'axis_offset, orientation, orientation_kind) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) '
             'RETURNING street_object_id, geom, angle, method', TG_TABLE_SCHEMA)
             INTO NEW.street_object_id, NEW.geom, NEW.angle, NEW.method USING NEW.type, NEW.geom,
-            coalesce(NEW.placement, 'axis'), NEW.axis_id, NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset,
+            coalesce(NEW.placement, 'axis'), NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset,
             coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
@@ -78,11 +78,11 @@ BEGIN
             USING NEW.axis_id;
     END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
-        'abscissa_end = $7, side = $8, axis_offset = $9, orientation = $10, orientation_kind = $11, method = CASE '
-        'WHEN $12 THEN ''absolute'' ELSE method END, placed_by = CASE placed_by WHEN ''rule'' THEN ''user'' ELSE '
+        'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
+        'WHEN $11 THEN ''absolute'' ELSE method END, placed_by = CASE placed_by WHEN ''rule'' THEN ''user'' ELSE '
         'placed_by END WHERE street_object_id = $1 RETURNING street_object_id', TG_TABLE_SCHEMA)
         INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
-        NEW.abscissa_end, NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
+        NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
     IF held IS NULL THEN
         RAISE EXCEPTION 'object % is gone', OLD.street_object_id USING ERRCODE = '22023',
             DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';

@@ -116,6 +116,8 @@ BEGIN
     FROM new n
     WHERE o.street_object_id = n.street_object_id AND (lost OR turned OR (o.axis_id, o.abscissa, o.abscissa_end)
         IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end));
+    DELETE FROM %1$I.object_edge e USING %1$I.street_object o WHERE o.street_object_id = e.street_object_id
+        AND o.axis_id = ANY (axes) AND o.method = 'orphaned';
     -- An orphan takes an axis that comes by where it stood at its own.
     WITH changed AS MATERIALIZED (SELECT c.axis_id FROM unnest(axes, after) c(axis_id, now) WHERE now IS NOT NULL),
     found AS (
@@ -142,8 +144,7 @@ BEGIN
             (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa))::numeric, 9)
             ELSE o.orientation END
     FROM found f WHERE o.street_object_id = f.street_object_id;
-    PERFORM FROM %1$I._place_objects(axes || ARRAY(SELECT DISTINCT o.axis_id FROM %1$I.street_object o
-        WHERE o.axis_id = ANY (axes)));
+    PERFORM FROM %1$I._place_objects(axes);
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_place_objects(bigint[])',
         'Brings the places of the objects of axes (NULL: of all), and their edges, up to date; a row per table'),
