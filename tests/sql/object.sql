@@ -15,7 +15,7 @@ CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST
 CREATE FUNCTION pg_temp.shape(geometry) RETURNS text LANGUAGE sql AS $$ SELECT ST_AsText(ST_SnapToGrid(ST_Translate($1, -650000, -6860000), 0.001)) $$;
 CREATE FUNCTION pg_temp.stands(bigint) RETURNS text LANGUAGE sql AS $$ SELECT concat_ws(' ', pg_temp.shape(geom), round(angle), axis_id, round(abscissa::numeric, 3), side, round(axis_offset::numeric, 3), method) FROM town.street_object WHERE street_object_id = $1 $$;
 INSERT INTO town.axis (geom, width) VALUES (pg_temp.line('LINESTRING(0 0, 100 0)'), 8), (pg_temp.line('LINESTRING(100 0, 100 80)'), 6);
-SELECT 'a model begins with types', count(*) = 15 FROM town.object_type;
+SELECT 'a model begins with types', count(*) = 16 FROM town.object_type;
 
 -- Dropped and dragged.
 INSERT INTO town.street_object_editing (type, geom) VALUES ('lamp', pg_temp.line('POINT(30 5)')), ('manhole', pg_temp.line('POINT(30 1)')), ('tree', pg_temp.line('POINT(30 40)')), ('sign', pg_temp.line('POINT(70 -4.5)'));
@@ -132,3 +132,48 @@ SELECT 'an unknown type', pg_temp.said($$INSERT INTO town.street_object_editing 
 SELECT 'another side', pg_temp.said($$UPDATE town.street_object SET placement = 'border', side = 'middle' WHERE street_object_id = 2$$) = '22023 the side of object 2 cannot be "middle"';
 SELECT 'an axis that is not there', pg_temp.said($$INSERT INTO town.street_object (type, axis_id, abscissa) VALUES ('lamp', 99, 5)$$) = '22023 the axis of the new object is gone';
 SELECT 'a type below itself', pg_temp.said($$UPDATE town.object_type SET parent = 'lamp' WHERE type = 'pole'$$) = '22023 object type "pole" cannot stand below "lamp"';
+
+-- Rules.
+SELECT streetgen.create_model('ruled', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO ruled.axis (geom, width, importance, kind) VALUES (pg_temp.line('LINESTRING(0 0, 200 0)'), 8, 2, 'primary'), (pg_temp.line('LINESTRING(200 0, 200 150)'), 6, 4, 'residential'), (pg_temp.line('LINESTRING(200 0, 350 0)'), 8, 2, 'primary');
+INSERT INTO ruled.placement_rule (type, side, every, phase, axis_offset, distance_from_limit) VALUES ('lamp', 'alternating', 25, 12, 0.8, 2);
+SELECT 'lamps stand every 25 m on alternating sides', bool_and((abs(o.abscissa - 12) / 25)::numeric % 1 = 0 AND o.side = CASE ((o.abscissa - 12) / 25)::integer % 2 WHEN 0 THEN 'left' ELSE 'right' END
+    AND abs(ST_Distance(o.geom, a.geom) - a.width / 2 - 0.8) < 1e-6) AND count(*) > 12 FROM ruled.street_object o JOIN ruled.axis a USING (axis_id);
+SELECT 'none within the limits', count(*) = 0 FROM ruled.street_object o JOIN ruled.object_edge USING (street_object_id) JOIN ruled.edge e USING (edge_id) JOIN ruled.section_limit l USING (edge_id)
+  WHERE CASE l.which WHEN 'start' THEN o.abscissa - e.start_abscissa < l.abscissa + 2 - 1e-6 ELSE o.abscissa - e.start_abscissa > l.abscissa - 2 + 1e-6 END;
+INSERT INTO ruled.placement_rule (type, along, side, distance_from_limit) VALUES ('crossing', 'arm', 'alternating', 2.5);
+SELECT 'a crossing on each arm of the node of three', count(*) = 3 FROM ruled.pedestrian_crossing WHERE surface IS NOT NULL AND stripes IS NOT NULL;
+SELECT 'as wide as the street across, and on its roadway', bool_and(abs(ST_Area(c.surface) - c.width * a.width) < 1e-6 AND ST_Area(ST_Intersection(c.surface, s.surface)) > 0.999 * ST_Area(c.surface) AND ST_Covers(ST_Buffer(c.surface, 1e-6), c.stripes))
+  FROM ruled.pedestrian_crossing c JOIN ruled.street_object o USING (street_object_id) JOIN ruled.axis a USING (axis_id) JOIN ruled.object_edge USING (street_object_id) JOIN ruled.section s USING (edge_id);
+UPDATE ruled.pedestrian_crossing_editing SET angle = 60, width = 3 WHERE axis_id = 2;
+SELECT 'an oblique one is as long as width by sine', abs(ST_Area(surface) - 3 * 6 / sin(radians(60))) < 1e-6 FROM ruled.pedestrian_crossing JOIN ruled.street_object USING (street_object_id) WHERE axis_id = 2;
+UPDATE ruled.object_type SET distance_least = 3 WHERE type = 'tree';
+INSERT INTO ruled.placement_rule (type, side, every, axis_offset, distance_from_limit, importance_from, density) VALUES ('tree', 'both', 8, 1.5, 10, 3, 1);
+SELECT 'trees on the less important street alone, 3 m from lamps', count(*) > 10 AND bool_and(o.axis_id = 2) AND bool_and(NOT EXISTS (SELECT FROM ruled.street_object l WHERE l.type = 'lamp' AND l.side = o.side AND l.axis_id = o.axis_id AND abs(l.abscissa - o.abscissa) < 3)) FROM ruled.street_object o WHERE type = 'tree';
+CREATE TABLE ruled_before AS SELECT street_object_id, xmin::text AS written, geom FROM ruled.street_object;
+SELECT count(*) FROM streetgen.generate('ruled', wait => true) \g /dev/null
+SELECT 'a second run keeps every row', bool_and(b.written = o.xmin::text) AND count(*) = (SELECT count(*) FROM ruled_before) FROM ruled_before b JOIN ruled.street_object o USING (street_object_id);
+-- One is moved by hand: its place stays free.
+CREATE TABLE one AS SELECT street_object_id, rule_place FROM ruled.street_object WHERE type = 'lamp' AND axis_id = 1 ORDER BY abscissa LIMIT 1;
+UPDATE ruled.street_object_editing SET abscissa = abscissa + 3 WHERE street_object_id = (SELECT street_object_id FROM one);
+SELECT count(*) FROM streetgen.generate('ruled', wait => true) \g /dev/null
+SELECT 'a lamp that was dragged is the user''s, and its place stays free', (SELECT placed_by = 'user' AND abscissa = 15 FROM ruled.street_object JOIN one USING (street_object_id)) AND count(*) = 1 FROM ruled.street_object WHERE type = 'lamp' AND axis_id = 1 AND abscissa < 30;
+INSERT INTO ruled.street_object_editing (type, geom) SELECT 'kiosk', geom FROM ruled.street_object WHERE type = 'tree' ORDER BY street_object_id LIMIT 1;
+SELECT 'a tree gives way to what somebody puts there', count(*) = 0 FROM ruled.street_object t JOIN ruled.street_object k ON k.type = 'kiosk' AND ST_DWithin(t.geom, k.geom, 3) WHERE t.type = 'tree';
+DELETE FROM ruled.street_object WHERE type = 'kiosk';
+SELECT 'and comes back', (SELECT count(*) FROM ruled.street_object WHERE type = 'tree') = (SELECT count(*) FROM ruled_before b WHERE NOT EXISTS (SELECT FROM ruled.street_object o WHERE o.type <> 'tree' AND o.street_object_id = b.street_object_id));
+-- Edits against a run from scratch.
+UPDATE ruled.axis SET geom = pg_temp.line('LINESTRING(0 0, 100 20, 200 0)'), width = 10 WHERE axis_id = 1;
+INSERT INTO ruled.axis (geom, width, importance) VALUES (pg_temp.line('LINESTRING(270 -50, 270 60)'), 7, 4);
+CREATE FUNCTION pg_temp.standing() RETURNS text LANGUAGE sql AS $$ SELECT md5(string_agg(concat_ws(' ', type, rule_id, axis_id, rule_place, ST_AsText(ST_SnapToGrid(geom, 1e-6))), ',' ORDER BY type, rule_id, axis_id, rule_place)) FROM ruled.street_object $$;
+CREATE TABLE edited AS SELECT pg_temp.standing() AS standing;
+DELETE FROM ruled.street_object WHERE placed_by = 'rule';
+SELECT count(*) FROM streetgen.generate('ruled', wait => true) \g /dev/null
+SELECT 'edits leave what a run from scratch gives', standing = pg_temp.standing() FROM edited;
+UPDATE ruled.placement_rule SET active = false WHERE type = 'tree';
+SELECT 'a rule switched off takes its objects away', count(*) = 0 FROM ruled.street_object WHERE type = 'tree';
+DELETE FROM ruled.pedestrian_crossing;
+SELECT 'an object goes with its crossing', count(*) = 0 FROM ruled.street_object WHERE type = 'crossing' AND placed_by <> 'rule';
+SELECT 'a rule every 0 m', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0)$$) = '22023 the new rule cannot place an object every 0 m';
+SELECT 'a rule of a million a metre', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0.000001)$$) = '22023 the new rule cannot place an object every 1e-06 m';
+SELECT 'a crossing wider than its street is long', pg_temp.said($$INSERT INTO ruled.pedestrian_crossing_editing (geom, width) VALUES (pg_temp.line('POINT(20 0)'), 500)$$) = '22023 the width of the new crossing cannot be 500';

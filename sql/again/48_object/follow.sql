@@ -10,9 +10,12 @@ BEGIN
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
         EXECUTE format('DROP FUNCTION IF EXISTS %1$I._place_objects(bigint[]), %1$I._carry_objects(bigint[], '
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
-            '%1$I.carry_objects_delete(), %1$I.join_objects() CASCADE', model);
+            '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
+            '%1$I._renew_crossings(bigint[]), %1$I._crossing_types(), %1$I.free_places(), %1$I.apply_rules(), '
+            '%1$I.redraw_crossings() CASCADE', model);
         RETURN;
     END IF;
+    PERFORM streetgen._make_rule_functions(model), streetgen._make_crossing_functions(model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
@@ -20,6 +23,7 @@ CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
     AS $body$
 #variable_conflict use_column
 BEGIN
+    PERFORM %1$I._renew_rule_objects(axes);
     UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
     FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end, o.abscissa,
                 o.abscissa_end, o.side, o.axis_offset) AS geom,
@@ -28,6 +32,8 @@ BEGIN
             FROM %1$I.axis_used WHERE axes IS NULL OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
         WHERE o.method = 'relative' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
     WHERE o.street_object_id = n.street_object_id AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+    PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
+        JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
     RETURN QUERY WITH there AS MATERIALIZED (
         SELECT s.street_object_id, s.axis_id, s.abscissa FROM %1$I.street_object s
         WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
@@ -61,6 +67,16 @@ BEGIN
             AND n.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
         WHERE n.method = 'relative' ORDER BY n.street_object_id, e.start_abscissa
         ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id WHERE o.edge_id <> excluded.edge_id;
+    INSERT INTO %1$I.pedestrian_crossing (street_object_id)
+        SELECT street_object_id FROM new_object WHERE type = ANY (%1$I._crossing_types()) ON CONFLICT DO NOTHING;
+    DELETE FROM %1$I.pedestrian_crossing c USING new_object n WHERE c.street_object_id = n.street_object_id
+        AND n.type <> ALL (%1$I._crossing_types());
+    PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object));
+    -- What rules placed gives way.
+    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
+        PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM new_object n
+            JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
+    END IF;
     RETURN NULL;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I._carry_objects(axes bigint[], before geometry[], after geometry[]) RETURNS void
@@ -80,7 +96,7 @@ BEGIN
                 least(1, o.abscissa_end / ST_Length2D(c.was))) END AS foot_end
         FROM changed c JOIN %1$I.street_object o USING (axis_id),
             LATERAL (SELECT ST_LineInterpolatePoint(c.was, least(1, o.abscissa / ST_Length2D(c.was))) AS foot) f
-        WHERE o.method = 'relative' AND c.was IS NOT NULL),
+        WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND c.was IS NOT NULL),
     inherited AS MATERIALIZED (
         SELECT s.*, h.axis_id AS heir, h.line FROM standing s LEFT JOIN LATERAL (
             SELECT s.axis_id, s.now AS line, 1 AS turn WHERE ST_DWithin(s.now, s.foot, tolerance)

@@ -106,6 +106,12 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         $sql$SELECT street_object_id, type, geom::geometry(Point, %2$s) AS geom, placement, axis_id, abscissa, side,
             axis_offset, orientation, orientation_kind, angle, method
         FROM %1$I.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
+    ('pedestrian_crossing_editing', 'Edit layer: drop or drag a pedestrian crossing; type its width and its angle',
+        ARRAY['key; NULL for a new crossing', 'its middle on the axis', 'the axis; NULL: the nearest',
+            'metres along the axis', 'metres along the street', 'degrees counter-clockwise from the axis to the way '
+            'across'],
+        $sql$SELECT c.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, c.width, c.angle
+        FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
     ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
         'come first; DELETE takes back what was decided by hand',
         ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',

@@ -151,7 +151,10 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     (54, 'object', $part$
     SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, ST_Dimension(o.geom) = 1,
         streetgen._object_symbol(o.geom, o.angle, t.symbol, greatest(t.size, 4 * pixel)), o.street_object_id
-        FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size WHERE pixel < 0.5$part$),
+        FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size
+        WHERE pixel < 0.5 AND t.symbol <> 'crossing'$part$),
+    (55, 'object', $part$
+    SELECT 7, 'paint', false, stripes, street_object_id FROM %1$I.pedestrian_crossing, size WHERE pixel < 0.5$part$),
     (10, 'network', $part$
     SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$),
     (11, 'alignment', $part$
