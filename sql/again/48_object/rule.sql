@@ -62,7 +62,8 @@ BEGIN
             AND (r.kind IS NULL OR s.kind = ANY (r.kind))),
     place AS (
         SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
-            (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned
+            (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
+            r.axis_offset AS aside
         FROM ruled r, LATERAL generate_series(greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                 floor((high - distance_from_limit - phase) / every)::bigint) k,
             LATERAL (VALUES ('left'), ('right')) v(side)
@@ -76,7 +77,8 @@ BEGIN
             CASE WHEN w.at_start THEN low + distance_from_limit ELSE high - distance_from_limit END,
             (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
                 + w.at_start::integer) - (v.side = 'right')::integer)::integer,
-            r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END
+            r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
+            CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
         FROM ruled r, LATERAL (VALUES (true, r.from_node), (false, r.to_node)) w(at_start, node),
             LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
         WHERE r.along = 'arm' AND high - low > 2 * distance_from_limit
@@ -85,7 +87,7 @@ BEGIN
             AND (SELECT count(*) FROM (SELECT FROM %1$I.edge b WHERE b.from_node = w.node
                 UNION ALL SELECT FROM %1$I.edge b WHERE b.to_node = w.node) d) >= 3),
     taken AS MATERIALIZED (
-        SELECT *, streetgen._object_geometry(line, width, width_end, abscissa, NULL, at_side, axis_offset) AS geom,
+        SELECT *, streetgen._object_geometry(line, width, width_end, abscissa, NULL, at_side, aside) AS geom,
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     free AS MATERIALIZED (
@@ -100,8 +102,7 @@ BEGIN
     INSERT INTO %1$I.street_object AS o (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
         orientation, placed_by, rule_id, rule_place, method)
     SELECT type, geom, angle, CASE WHEN at_side IS NULL THEN 'axis' ELSE 'border' END, axis_id, abscissa, at_side,
-        CASE WHEN along = 'arm' AND at_side IS NULL THEN 0 ELSE axis_offset END, turned, 'rule', rule_id, rule_place,
-        'relative'
+        aside, turned, 'rule', rule_id, rule_place, 'relative'
     FROM free ORDER BY rule_id, axis_id, rule_place
     ON CONFLICT (rule_id, axis_id, rule_place) DO UPDATE SET type = excluded.type, geom = excluded.geom,
         angle = excluded.angle, placement = excluded.placement, abscissa = excluded.abscissa, side = excluded.side,
