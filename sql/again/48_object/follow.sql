@@ -31,7 +31,8 @@ BEGIN
         FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end
             FROM %1$I.axis_used WHERE axes IS NULL OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
         WHERE o.method = 'relative' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
-    WHERE o.street_object_id = n.street_object_id AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+    WHERE o.street_object_id = n.street_object_id
+        AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
     PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
         JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
     RETURN QUERY WITH there AS MATERIALIZED (
@@ -39,7 +40,8 @@ BEGIN
         WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
     new AS MATERIALIZED (
         SELECT DISTINCT ON (t.street_object_id) t.street_object_id, e.edge_id
-        FROM there t JOIN %1$I.edge e ON e.axis_id = t.axis_id AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+        FROM there t JOIN %1$I.edge e ON e.axis_id = t.axis_id
+            AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
         ORDER BY t.street_object_id, e.start_abscissa),
     compared AS MATERIALIZED (
         SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN %1$I.object_edge o USING (street_object_id)),
@@ -88,10 +90,12 @@ DECLARE
 BEGIN
     -- Those of changed axes, with the place of the old axis at which they stood.
     WITH changed AS MATERIALIZED (
-        SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now
+        SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now,
+            c.was IS NOT NULL AND c.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(ST_Force2D(c.was),
+                ST_Force2D(c.now), tolerance) AS moved
         FROM unnest(axes, before, after) c(axis_id, was, now)),
     standing AS MATERIALIZED (
-        SELECT o.*, c.was, c.now, f.foot,
+        SELECT o.*, c.was, c.now, c.moved, f.foot, coalesce(ST_DWithin(c.now, f.foot, tolerance), false) AS stays,
             CASE WHEN o.abscissa_end IS NOT NULL THEN ST_LineInterpolatePoint(c.was,
                 least(1, o.abscissa_end / ST_Length2D(c.was))) END AS foot_end
         FROM changed c JOIN %1$I.street_object o USING (axis_id),
@@ -99,15 +103,15 @@ BEGIN
         WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND c.was IS NOT NULL),
     inherited AS MATERIALIZED (
         SELECT s.*, h.axis_id AS heir, h.line FROM standing s LEFT JOIN LATERAL (
-            SELECT s.axis_id, s.now AS line, 1 AS turn WHERE ST_DWithin(s.now, s.foot, tolerance)
+            SELECT s.axis_id, s.now AS line, 1 AS turn WHERE s.stays
             -- Another axis took the ground over: it runs there as this one did.
             UNION ALL SELECT x.axis_id, ST_Force2D(x.geom), 2 FROM %1$I.axis x
-            WHERE x.axis_id <> s.axis_id AND NOT coalesce(ST_DWithin(s.now, s.foot, tolerance), false)
+            WHERE NOT s.stays AND x.axis_id <> s.axis_id
                 AND ST_DWithin(x.geom, s.foot, tolerance)
                 AND abs(cos(streetgen._heading(s.was, s.foot) - streetgen._heading(ST_Force2D(x.geom), s.foot))) > 0.9
             -- It moved, and is not only cut back.
             UNION ALL SELECT s.axis_id, s.now, 3
-            WHERE s.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(s.was, s.now, tolerance)
+            WHERE NOT s.stays AND s.moved
             ORDER BY turn, axis_id LIMIT 1) h ON true),
     new AS (
         SELECT street_object_id, heir, at.abscissa, at.abscissa_end, turned,
@@ -115,9 +119,10 @@ BEGIN
                 AS lost,
             CASE WHEN turned THEN orientation + CASE WHEN orientation > 0 THEN -180 ELSE 180 END ELSE orientation END
                 AS orientation
-        FROM inherited i, LATERAL (SELECT coalesce(streetgen._remap_runs_against(was, line, foot), false) AS turned) t,
-            LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
+        FROM inherited i, LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
                 (streetgen._locate_on(line::bytea, foot_end::bytea))[1] AS b) l,
+            LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa)
+                - streetgen._direction_on(line::bytea, a)) < 0, false) AS turned) t,
             LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
                 AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
                 THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
@@ -160,7 +165,10 @@ BEGIN
             (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa))::numeric, 9)
             ELSE o.orientation END
     FROM found f WHERE o.street_object_id = f.street_object_id;
-    PERFORM FROM %1$I._place_objects(axes);
+    -- Streets that follow take their objects along.
+    IF NOT streetgen._live(%2$L) OR streetgen._setting_changed(%2$L) THEN
+        PERFORM FROM %1$I._place_objects(axes);
+    END IF;
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_place_objects(bigint[])',
         'Brings the places of the objects of axes (NULL: of all), and their edges, up to date; a row per table'),

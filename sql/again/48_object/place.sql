@@ -43,7 +43,7 @@ COMMENT ON FUNCTION streetgen._object_axis(name, bigint) IS
     'The line and widths (m) of an axis as the streets use them, held until the transaction ends; NULL for none.';
 
 CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     subject constant text := CASE TG_OP WHEN 'INSERT' THEN 'the new object' ELSE 'object ' || OLD.street_object_id END;

@@ -29,7 +29,8 @@ CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place
     RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     BEGIN ATOMIC
-        SELECT density >= 1 OR ((hashint8extended(axis, rule) # hashint4extended(place, rule)) & 1048575) < density * 1048576;
+        SELECT density >= 1
+            OR ((hashint8extended(axis, rule) # hashint4extended(place, rule)) & 1048575) < density * 1048576;
     END;
 COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
     'Whether a rule takes a place along an axis: the same share of all places, and the same places each time.';

@@ -93,17 +93,7 @@ COMMENT ON TABLE %1$I.placement_rule
     IS 'Rules that place objects along borders, axes, or at each arm of a node';
 COMMENT ON TABLE %1$I.pedestrian_crossing
     IS 'Pedestrian crossings: objects of type crossing, or of a type below it, with their ground and stripes';
-COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';
-CREATE OR REPLACE TRIGGER place_object BEFORE INSERT OR UPDATE ON %1$I.street_object FOR EACH ROW
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._place_object();
-COMMENT ON TRIGGER place_object ON %1$I.street_object IS 'Computes place and direction of what an axis or border places';
-CREATE OR REPLACE TRIGGER check_rule BEFORE INSERT OR UPDATE ON %1$I.placement_rule FOR EACH ROW
-    EXECUTE FUNCTION streetgen._check_placement_rule();
-COMMENT ON TRIGGER check_rule ON %1$I.placement_rule IS 'Says what a rule may hold';
-CREATE OR REPLACE TRIGGER check_hierarchy BEFORE INSERT OR UPDATE ON %1$I.object_type FOR EACH ROW
-    EXECUTE FUNCTION streetgen._check_object_type();
-COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that would stand below itself'$t$,
+COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';$t$,
         model, srid);
     IF NOT there THEN
         EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
@@ -112,6 +102,28 @@ COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that w
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_tables(name, integer) IS
     'Makes the tables of objects of a model; those that users write may be there from before.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_object_triggers(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
+        EXECUTE format($t$
+CREATE OR REPLACE TRIGGER place_object BEFORE INSERT OR UPDATE ON %1$I.street_object FOR EACH ROW
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._place_object();
+COMMENT ON TRIGGER place_object ON %1$I.street_object
+    IS 'Computes place and direction of what an axis or border places';
+CREATE OR REPLACE TRIGGER check_rule BEFORE INSERT OR UPDATE ON %1$I.placement_rule FOR EACH ROW
+    EXECUTE FUNCTION streetgen._check_placement_rule();
+COMMENT ON TRIGGER check_rule ON %1$I.placement_rule IS 'Says what a rule may hold';
+CREATE OR REPLACE TRIGGER check_hierarchy BEFORE INSERT OR UPDATE ON %1$I.object_type FOR EACH ROW
+    EXECUTE FUNCTION streetgen._check_object_type();
+COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that would stand below itself'$t$, model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._make_object_triggers(name) IS
+    'Makes the triggers that prove and place objects, also where the subject is switched off.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_object_type() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -143,7 +155,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('object_type', 'symbol', 'how it is drawn: circle, square, rectangle, diamond, triangle, star, tree, arrow, line'),
     ('object_type', 'size', 'how large it is drawn, metres'),
     ('object_type', 'description', 'what it is; free'),
-    ('object_type', 'distance_least', 'what a rule places keeps so far from other objects, metres; 0: it does not look'),
+    ('object_type', 'distance_least', 'what a rule places keeps so far from other objects, metres; 0: it does not '
+        'look'),
     ('placement_rule', 'rule_id', 'key; of two rules that collide the smaller one wins'),
     ('placement_rule', 'type', 'what it places'),
     ('placement_rule', 'along', 'border, axis, or arm: once where each street of a node of three and more begins'),
