@@ -177,3 +177,12 @@ SELECT 'an object goes with its crossing', count(*) = 0 FROM ruled.street_object
 SELECT 'a rule every 0 m', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0)$$) = '22023 the new rule cannot place an object every 0 m';
 SELECT 'a rule of a million a metre', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0.000001)$$) = '22023 the new rule cannot place an object every 1e-06 m';
 SELECT 'a crossing wider than its street is long', pg_temp.said($$INSERT INTO ruled.pedestrian_crossing_editing (geom, width) VALUES (pg_temp.line('POINT(20 0)'), 500)$$) = '22023 the width of the new crossing cannot be 500';
+-- A first run takes keys off and puts them back.
+SELECT streetgen.create_model('first', 2154, subjects => '{object}') \g /dev/null
+SELECT streetgen.live('first', false) \g /dev/null
+INSERT INTO first.axis (geom, width) SELECT pg_temp.line(format('LINESTRING(%s %s, %s %s)', 100 * x, 100 * y, 100 * x + CASE k WHEN 0 THEN 100 ELSE 0 END, 100 * y + CASE k WHEN 0 THEN 0 ELSE 100 END)), 7 FROM generate_series(0, 22) x, generate_series(0, 22) y, generate_series(0, 1) k;
+INSERT INTO first.placement_rule (type, side, every) VALUES ('lamp', 'alternating', 25);
+SELECT streetgen.live('first', true) \g /dev/null
+SELECT count(*) FROM streetgen.generate('first', wait => true) \g /dev/null
+SELECT 'a first run places objects and joins them to edges', (SELECT count(*) FROM first.street_object) = count(*) AND count(*) > 3000 FROM first.object_edge;
+SELECT 'a second one changes nothing', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('first', wait => true);

@@ -49,10 +49,13 @@ BEGIN
     gone AS (
         DELETE FROM %1$I.object_edge o WHERE o.street_object_id NOT IN (SELECT street_object_id FROM new)
             AND (axes IS NULL OR o.street_object_id IN (SELECT street_object_id FROM there)) RETURNING 1),
+    -- A first run has no keys yet.
     put AS (
         INSERT INTO %1$I.object_edge (street_object_id, edge_id)
-        SELECT street_object_id, edge_id FROM compared WHERE before IS DISTINCT FROM edge_id ORDER BY street_object_id
-        ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id)
+        SELECT street_object_id, edge_id FROM compared WHERE before IS NULL ORDER BY street_object_id),
+    moved AS (
+        UPDATE %1$I.object_edge o SET edge_id = c.edge_id FROM compared c
+        WHERE o.street_object_id = c.street_object_id AND c.before <> c.edge_id)
     SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
         (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
 END $body$;

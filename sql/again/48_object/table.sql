@@ -65,14 +65,14 @@ CREATE TABLE IF NOT EXISTS %1$I.street_object (
     orientation float8 NOT NULL DEFAULT 0 CHECK (orientation BETWEEN -360 AND 360),
     orientation_kind text NOT NULL DEFAULT 'axis' CHECK (orientation_kind IN ('absolute', 'axis')),
     placed_by text NOT NULL DEFAULT 'user' CHECK (placed_by IN ('user', 'import', 'rule')),
-    rule_id bigint, rule_place integer, source text, source_ref text,
+    rule_id bigint, rule_place integer, source text, source_ref text, source_hash bigint,
     method text NOT NULL DEFAULT 'absolute' CHECK (method IN ('absolute', 'relative', 'orphaned')),
     CHECK (method <> 'relative' OR axis_id IS NOT NULL AND abscissa IS NOT NULL AND axis_offset IS NOT NULL));
 CREATE INDEX IF NOT EXISTS street_object_geom ON %1$I.street_object USING gist (geom);
 CREATE INDEX IF NOT EXISTS street_object_axis ON %1$I.street_object (axis_id);
 CREATE INDEX IF NOT EXISTS street_object_type ON %1$I.street_object (type);
 CREATE INDEX IF NOT EXISTS street_object_orphaned ON %1$I.street_object USING gist (geom) WHERE method = 'orphaned';
-CREATE UNIQUE INDEX IF NOT EXISTS street_object_source ON %1$I.street_object (source, source_ref, type);
+CREATE UNIQUE INDEX IF NOT EXISTS street_object_source ON %1$I.street_object (source, source_ref);
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_rule ON %1$I.street_object (rule_id, axis_id, rule_place);
 CREATE TABLE IF NOT EXISTS %1$I.pedestrian_crossing (
     street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
@@ -195,6 +195,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('street_object', 'rule_place', 'number of its place in the rule, which stays free where a user moves it'),
     ('street_object', 'source', 'dataset of an import'),
     ('street_object', 'source_ref', 'its identifier there'),
+    ('street_object', 'source_hash', 'what the source said of it: what was edited by hand stays until that changes'),
     ('street_object', 'method', 'absolute, relative (its axis says where it stands), or orphaned: its axis is gone, '
         'and it stays where it stood; computed'),
     ('object_edge', 'street_object_id', 'the object'),
