@@ -29,7 +29,8 @@ BEGIN
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, %L, true) takes it in.', model, subject);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._require_subject(name, text) IS 'Raises 55000 for a model that does not compute a subject.';
+COMMENT ON FUNCTION streetgen._require_subject(name, text) IS
+    'Raises 55000 for a model that does not compute a subject.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_subject_tables(model name, srid integer, subjects text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -72,7 +73,8 @@ BEGIN
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
             AND (privilege_type = 'SELECT'
-                OR (made.relname LIKE '%\_override' OR made.relname = ANY (streetgen._object_table())) AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
+                OR (made.relname LIKE '%\_override' OR made.relname = ANY (streetgen._object_table()))
+                    AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege_type, model, held.relation, held.role);
     END LOOP;

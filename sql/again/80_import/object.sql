@@ -24,8 +24,8 @@ FROM pg_temp._import_object o WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom)$sq
             AND orientation::numeric BETWEEN -360 AND 360), false) LIMIT 1$sql$ INTO bad;
     IF bad.label IS NOT NULL THEN
         RAISE EXCEPTION 'source row % has %', bad.label, bad.has USING ERRCODE = '22023',
-            HINT = format('type is one of %I.object_type; geom is a point with a known SRID; orientation is in degrees, '
-                '-360 to 360.', model);
+            HINT = format('type is one of %I.object_type; geom is a point with a known SRID; orientation is in '
+                'degrees, -360 to 360.', model);
     END IF;
     SELECT source_ref AS label INTO bad FROM pg_temp._import_object WHERE source_ref IS NOT NULL
         GROUP BY source_ref HAVING count(*) > 1 LIMIT 1;
@@ -150,5 +150,5 @@ SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' TH
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm_objects(name, text) IS
     'Imports lamps, trees, benches, bollards, bus stops, crossings, signals and signs of an OSM file, from the table '
-    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects. No such table: 42P01; a model without '
-    'the subject: 55000. Needs the rights of the owner (42501).';
+    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects. No such table: 42P01; a model '
+    'without the subject: 55000. Needs the rights of the owner (42501).';
