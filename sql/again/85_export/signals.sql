@@ -1,17 +1,15 @@
--- Signals for SUMO: the programs of controllers, as states of the connections that they serve.
+-- Signals for simulators: the programs of controllers, by the ways from lane to lane that they serve.
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_signals(computed boolean) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._export_signals() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN NOT computed THEN $part$, line AS (
-    SELECT 1 AS turn, 0 AS id, NULL::xml AS element WHERE false)$part$
-    ELSE streetgen._sumo_going_on() || $part$,
+    AS $$ SELECT $part$,
 link AS MATERIALIZED (
-    SELECT g.*, c.controller_id, row_number() OVER (PARTITION BY c.controller_id ORDER BY name_in COLLATE "C", index_in,
-            name_out COLLATE "C", index_out) - 1 AS number,
+    SELECT w.*, c.controller_id, row_number() OVER (PARTITION BY c.controller_id ORDER BY name_in COLLATE "C",
+            index_in, name_out COLLATE "C", index_out) - 1 AS number,
         -- Who is within the junction leaves it.
-        EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.junction_edge e USING (edge_id) WHERE l.lane_id = g.lane_in) AS inside
-    FROM going_on g JOIN (SELECT DISTINCT place_id::text AS name, junction_id FROM place WHERE kind = 'signals') p
-        ON p.name = g.goes_to JOIN %1$I.controller c ON c.controller_id = p.junction_id WHERE c.cycle > 0),
+        EXISTS (SELECT FROM %1$I.lane l JOIN %1$I.junction_edge e USING (edge_id) WHERE l.lane_id = w.lane_in) AS inside
+    FROM signal_way w JOIN (SELECT DISTINCT place_id, junction_id FROM place WHERE kind = 'signals') p USING (place_id)
+        JOIN %1$I.controller c ON c.controller_id = p.junction_id WHERE c.cycle > 0),
 served AS MATERIALIZED (
     SELECT k.controller_id, k.number, s.ordinality, bool_or(s.right_of_way = 'protected') AS protected
     FROM link k JOIN %1$I.movement m ON m.junction_id = k.controller_id
@@ -20,9 +18,22 @@ served AS MATERIALIZED (
         JOIN %1$I.signal_movement s ON (s.controller_id, s.lane_in, s.lane_out, s.along_in, s.along_out)
             = (k.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out)
     WHERE NOT k.inside GROUP BY 1, 2, 3),
-state AS (
+state AS MATERIALIZED (
     SELECT s.*, max(ordinality) FILTER (WHERE kind = 'green') OVER (PARTITION BY controller_id ORDER BY ordinality)
-        AS green FROM %1$I.signal_state s),
+        AS green FROM %1$I.signal_state s)$part$ $$;
+COMMENT ON FUNCTION streetgen._export_signals() IS
+    'Queries of writers over a model that computes signals, after signal_way: the ways with id, place_id, names and '
+    'numbers of their lanes in the file (name_in, index_in, name_out, index_out), and lanes of the model. They are '
+    'link, the ways at places of controllers, counted for each from 0; served, in which states each has green; state, '
+    'the states, each with the green one that it follows.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_signals(computed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN NOT computed THEN $part$, line AS (
+    SELECT 1 AS turn, 0 AS id, NULL::xml AS element WHERE false)$part$
+    ELSE streetgen._sumo_going_on() || $part$,
+signal_way AS (SELECT *, goes_to::bigint AS place_id FROM going_on WHERE lane_in IS NOT NULL)$part$
+    || streetgen._export_signals() || $part$,
 shown AS (
     SELECT s.controller_id, s.ordinality, min(s.duration) AS duration, string_agg(CASE WHEN k.inside THEN 'g'
             WHEN v.number IS NULL OR s.kind = 'all_red' THEN 'r' WHEN s.kind = 'amber' THEN 'y'
