@@ -14,7 +14,8 @@ ring_edge AS MATERIALIZED (
     SELECT r.roundabout_id AS ring, r.centre, g.name, g.from_node, g.to_node, g.line, g.lane_count, g.lane_width,
         w.speed, keeps_right, CASE WHEN keeps_right THEN e.ordinality ELSE -e.ordinality END AS turn,
         count(*) OVER (PARTITION BY r.roundabout_id) AS edges
-    FROM (SELECT value <> 'left' AS keeps_right FROM %1$I.setting WHERE name = 'driving_side') s CROSS JOIN %1$I.roundabout r
+    FROM (SELECT value <> 'left' AS keeps_right FROM %1$I.setting WHERE name = 'driving_side') s
+        CROSS JOIN %1$I.roundabout r
         JOIN %1$I.roundabout_edge e USING (roundabout_id)
         LEFT JOIN troncon g ON g.edge_id = e.edge_id AND g.along_axis = e.along_axis
         LEFT JOIN written_edge w ON w.edge_id = e.edge_id
@@ -58,7 +59,8 @@ ring_movement AS MATERIALIZED (
         FROM round r JOIN ring_troncon t ON t.name = r.name_out
             JOIN step s ON (s.name_in, s.lane_in) = (r.name_out, r.lane_out))
     SELECT place_id,
-        row_number() OVER (ORDER BY name_in COLLATE "C", lane_in, name_out COLLATE "C", lane_out) AS way_id, name_in, lane_in, name_out, lane_out, NULL::geometry AS line, sign
+        row_number() OVER (ORDER BY name_in COLLATE "C", lane_in, name_out COLLATE "C", lane_out) AS way_id,
+        name_in, lane_in, name_out, lane_out, NULL::geometry AS line, sign
     FROM round WHERE name_out NOT IN (SELECT name FROM ring_troncon)),
 ring_piece AS (
     SELECT ring, piece, (array_agg(name ORDER BY step))[1] AS name,
