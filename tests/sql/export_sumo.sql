@@ -61,6 +61,10 @@ SELECT 'its movements are the connections', pg_temp.found('//connection', pg_tem
 INSERT INTO wide.junction_override (axis_id, geom, kind) VALUES (6, 'SRID=2154;POINT(650100 6860000)', 'signals');
 SELECT 'signals are traffic lights, one for all nodes of a junction', (SELECT count(*) > 0 FROM wide.junction WHERE kind = 'signals') AND pg_temp.found('//node[@type="traffic_light"]', pg_temp.file('wide', 'nodes')) = 2
   AND pg_temp.found('//node[@type="traffic_light" and @tl = preceding-sibling::node/@tl]', pg_temp.file('wide', 'nodes')) = 1;
+SELECT FROM streetgen.switch_subject('wide', 'signal', true);
+SELECT 'each connection at signals has green in some phase', bool_and(green) AND count(*) > 10 FROM (SELECT bool_or(substr(state::text, i, 1) IN ('G', 'g')) AS green
+  FROM unnest(xpath('//tlLogic/phase/@state', pg_temp.file('wide', 'tlLogics'))) state, generate_series(1, length(state::text)) i GROUP BY i) s;
+SELECT 'and is in the program once', (SELECT count(*) = count(DISTINCT n::text) AND count(*) = max(n::text::integer) + 1 FROM unnest(xpath('//connection/@linkIndex', pg_temp.file('wide', 'tlLogics'))) n);
 -- Roundabouts, and bus lanes that cars cross.
 DO $$ BEGIN
   PERFORM streetgen.create_model('ring', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right');

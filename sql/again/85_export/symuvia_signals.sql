@@ -26,10 +26,10 @@ signal_sequence AS MATERIALIZED (
     FROM whole_state GROUP BY controller_id, green HAVING sum(seconds) > 0),
 -- Troncons are what SymuVia gives green to. A sequence has a signal, if it were one that stays red.
 signal_shown AS (
-    SELECT s.controller_id, s.green, name_in, name_out, bool_or(k.inside) AS inside,
-        bool_or(k.inside OR v.number IS NOT NULL) AS serves,
+    SELECT s.controller_id, s.green, name_in, name_out, bool_or(k.open) AS open,
+        bool_or(k.open OR v.number IS NOT NULL) AS serves,
         row_number() OVER (PARTITION BY s.controller_id, s.green
-            ORDER BY bool_or(k.inside OR v.number IS NOT NULL) DESC, name_in COLLATE "C", name_out COLLATE "C") AS turn
+            ORDER BY bool_or(k.open OR v.number IS NOT NULL) DESC, name_in COLLATE "C", name_out COLLATE "C") AS turn
     FROM signal_sequence s JOIN link k USING (controller_id) LEFT JOIN served v
         ON (v.controller_id, v.number, v.ordinality) = (k.controller_id, k.number, s.green)
     GROUP BY s.controller_id, s.green, name_in, name_out),
@@ -37,8 +37,8 @@ sequence_line AS (
     SELECT s.controller_id, s.green, xmlelement(name "SEQUENCE", xmlattributes(s.seconds AS duree_totale),
         xmlelement(name "SIGNAUX_ACTIFS", xmlagg(xmlelement(name "SIGNAL_ACTIF", xmlattributes(
             0 AS duree_retard_allumage,
-            CASE WHEN inside THEN seconds WHEN serves THEN shown ELSE 0 END AS duree_vert,
-            CASE WHEN serves AND NOT inside THEN amber ELSE 0 END AS duree_orange, name_in AS troncon_entree,
+            CASE WHEN open THEN seconds WHEN serves THEN shown ELSE 0 END AS duree_vert,
+            CASE WHEN serves AND NOT open THEN amber ELSE 0 END AS duree_orange, name_in AS troncon_entree,
             name_out AS troncon_sortie)) ORDER BY g.turn))) AS element
     FROM signal_sequence s JOIN signal_shown g USING (controller_id, green)
     WHERE serves OR turn = 1 GROUP BY s.controller_id, s.green, s.seconds),
