@@ -20,7 +20,7 @@ parts_of() {
     *.shp) printf '%s\n' "${1%.shp}".{shp,shx,dbf,prj,cpg} ;;
     *.net.xml)
       printf '%s\n' "$1"
-      [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ}.xml ;;
+      [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ,tll}.xml ;;
     *) printf '%s\n' "$1" ;;
   esac
 }
