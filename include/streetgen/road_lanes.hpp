@@ -14,7 +14,7 @@ struct LaneGround {
 };
 
 // How a lane begins or ends.
-struct LaneEnd {
+struct LaneLimit {
   ChainPlace middle;  // in the direction of the road
   double width = 0;   // metres
 };
@@ -26,7 +26,7 @@ struct RoadLanes {
   // By border, from the left of the first lane to the right of the last, then by station: metres to
   // the left of the chain.
   std::vector<std::vector<double>> borders;
-  std::vector<LaneEnd> starts, ends;  // by lane
+  std::vector<LaneLimit> starts, ends;  // by lane
 };
 
 // The lanes of a road, from the left to the right, across the chain of lines and arcs that

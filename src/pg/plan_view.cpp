@@ -140,7 +140,7 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
       columns.back().insert(columns.back().end(), border.begin(), border.end());
     for (const auto* ends : {&road.starts, &road.ends}) {
       columns.emplace_back();
-      for (const LaneEnd& end : *ends)
+      for (const LaneLimit& end : *ends)
         for (const double number :
              {end.middle.point.x, end.middle.point.y, end.middle.heading, end.width})
           columns.back().push_back(number);

@@ -74,29 +74,29 @@ road AS (
     FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
             OVER (PARTITION BY edge_id ORDER BY lane_position) AS run FROM sided) s
     GROUP BY edge_id, run),
--- Lanes that meet at one place are parted by a road of so many metres.
+-- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
 met AS MATERIALIZED (
-    SELECT DISTINCT l.edge_id, at_end FROM way, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out))
-        v(lane_id, at_end) JOIN %1$I.lane l USING (lane_id) WHERE ST_Length(way.geom) < 0.1),
+    SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(way.geom))) AS cut
+    FROM way, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
+        JOIN %1$I.lane l USING (lane_id) WHERE ST_Length(way.geom) < 2 GROUP BY l.edge_id, at_end),
 stretch AS (
-    SELECT edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
-        EXISTS (SELECT FROM met WHERE met.edge_id = e.edge_id AND NOT at_end) AS met_start,
-        EXISTS (SELECT FROM met WHERE met.edge_id = e.edge_id AND at_end) AS met_end
-    FROM written_edge e JOIN (
+    SELECT e.edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
+        coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
+    FROM written_edge e LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
+        LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end JOIN (
         SELECT edge_id, CASE WHEN start.abscissa < until.abscissa THEN start.abscissa ELSE start.wanted_abscissa END
             AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
         FROM %1$I.section_limit start JOIN %1$I.section_limit until USING (edge_id)
-        WHERE start.which = 'start' AND until.which = 'end') l USING (edge_id)),
+        WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
 drawn AS MATERIALIZED (
     SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, d.*
     FROM origin o, road r JOIN stretch t USING (edge_id),
         -- Crossed limits may lie at one place.
         LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
             least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
-        LATERAL (SELECT least((b - a) / 4, 0.05) AS cut) c,
         LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom),
-            (a + CASE WHEN met_start THEN cut ELSE 0 END) / total,
-            (b - CASE WHEN met_end THEN cut ELSE 0 END) / total)::bytea, r.lines, r.surfaces, r.widths, o.tolerance) d),
+            (a + least(cut_start, (b - a) / 4)) / total,
+            (b - least(cut_end, (b - a) / 4)) / total)::bytea, r.lines, r.surfaces, r.widths, o.tolerance) d),
 placed AS MATERIALIZED (
     SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
         CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
@@ -111,10 +111,11 @@ connecting AS MATERIALIZED (
     FROM origin o, way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
         JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
         JOIN written_edge e ON e.edge_id = a.edge_id,
-        LATERAL streetgen._path_view((CASE WHEN ST_Length(k.geom) < 0.1
+        LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w,
+        LATERAL streetgen._path_view((CASE WHEN short
                 THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea,
             ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END],
-            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END], o.tolerance) d)$part$ $$;
+            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END], CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads() IS
     'Queries of a file of OpenDRIVE over a model: drawn, a road for each edge with what streetgen._road_lanes gives; '
     'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
@@ -159,7 +160,7 @@ line AS (
             border[lefts * cardinality(station) + 1:(lefts + 1) * cardinality(station)])
         || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane></center>' || coalesce(on_right, '')
-        || '</laneSection></lanes><userData code="edge" value="' || edge_id || '"/></road>'
+        || '</laneSection></lanes><userData code="edge" value="' || d.edge_id || '"/></road>'
     FROM origin o, side, drawn d JOIN lanes_text USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
@@ -171,14 +172,14 @@ line AS (
         || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
         || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
         || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, o.x, o.y, digits)
-        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', ends, ARRAY[width_in, width_out])
+        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', ends, ARRAY[half * width_in, half * width_out])
         || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
         || '<center><lane id="0" type="none" level="false"/></center>'
         || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
         || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
     FROM origin o, side, connecting c JOIN place USING (node_id),
         LATERAL (SELECT ARRAY[0, s[cardinality(s)] + length[cardinality(s)]] AS ends,
-            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule) w,
+            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule, CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
         LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
             || '" level="false">'
             || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'

@@ -62,14 +62,18 @@ void set_out(Line& line, double heading, double tolerance) {
   line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, most));
 }
 
-// Where the line turns back, a step to the left.
+// Where the line turns back, a step aside: at the end of the longer side, which it turns least.
 Line without_reversals(const Line& line, double tolerance) {
   Line out{line.front()};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const Point before = line[i] - out.back(), behind = line[i + 1] - line[i];
+    const Point before = line[i] - line[i - 1], behind = line[i + 1] - line[i];
+    const bool turns_back = std::abs(turn_between(before, behind)) > sharpest;
+    const double step = std::min(tolerance, std::max(norm(before), norm(behind)) / 2);
+    const Point aside = line[i] + left_normal(unit(before)) * step;
+    const bool step_first = norm(before) > norm(behind);
+    if (turns_back && step_first) out.push_back(aside);
     out.push_back(line[i]);
-    if (std::abs(turn_between(before, behind)) > sharpest)
-      out.push_back(line[i] + left_normal(unit(before)) * std::min(tolerance, norm(behind) / 2));
+    if (turns_back && !step_first) out.push_back(aside);
   }
   out.push_back(line.back());
   return out;

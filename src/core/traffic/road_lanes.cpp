@@ -19,6 +19,9 @@ constexpr double inside = 1e-3;      // metres from the ends, where borders of s
 constexpr double least_width = 1e-3;  // metres
 constexpr double straight_border = 0.01;  // metres that a border may leave what is written
 
+// What a lane grows by from one look to the next, at most: a share and metres.
+constexpr double wider = 1.3, wider_by = 0.5;
+
 // A stretch of the line across the road, metres to the left.
 struct Span {
   double left = 0, right = 0;
@@ -74,10 +77,16 @@ std::vector<Span> seen_spans(const LaneGround& lane, const std::vector<PlanPiece
   const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
   double expected = dot(lane.line.front() - start.point, left);
   const Span wanted{expected + lane.width / 2, expected - lane.width / 2};
+  double widest = lane.width;
   std::vector<std::optional<Span>> seen;
   for (const double s : stations) {
     seen.push_back(span_of(lane, place_at(chain, std::clamp(s, from, end - from)), expected));
-    if (seen.back()) expected = seen.back()->middle();
+    // In a bend one may look along the lane behind it.
+    if (seen.back() && seen.back()->left - seen.back()->right > widest * wider + wider_by)
+      seen.back().reset();
+    if (!seen.back()) continue;
+    expected = seen.back()->middle();
+    widest = std::max(lane.width, seen.back()->left - seen.back()->right);
   }
   const auto first = std::find_if(seen.begin(), seen.end(), [](const auto& s) { return s.has_value(); });
   Span last = first == seen.end() ? wanted : **first;
@@ -113,7 +122,7 @@ std::vector<std::size_t> needed(const std::vector<double>& stations,
   return out;
 }
 
-LaneEnd lane_end(const RoadLanes& road, std::size_t lane, bool at_start) {
+LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
   const std::vector<double>&left = road.borders[lane], &right = road.borders[lane + 1];
   const std::size_t last = road.stations.size() - 1;
   const std::size_t at = at_start ? 0 : last, a = at_start ? 0 : last - 1, b = a + 1;
@@ -156,8 +165,8 @@ RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, dou
     for (const std::size_t i : kept) road.borders.back().push_back(border[i]);
   }
   for (std::size_t p = 0; p < lanes.size(); ++p) {
-    road.starts.push_back(lane_end(road, p, true));
-    road.ends.push_back(lane_end(road, p, false));
+    road.starts.push_back(lane_limit(road, p, true));
+    road.ends.push_back(lane_limit(road, p, false));
   }
   return road;
 }
