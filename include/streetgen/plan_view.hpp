@@ -1,0 +1,46 @@
+// Reference lines of roads as OpenDRIVE has them: chains of lines and arcs without a kink.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+// Where a chain is, and where it goes there.
+struct ChainPlace {
+  Point point;
+  double heading = 0;  // radians, counter-clockwise from east
+};
+
+// A line, or an arc where the curvature is not zero.
+struct PlanPiece {
+  double s = 0;  // metres along the chain, where it begins
+  ChainPlace start;
+  double length = 0;     // metres, positive
+  double curvature = 0;  // one by metres, positive to the left
+};
+
+struct ChainEnds {
+  std::optional<double> heading_from, heading_to;  // radians; none: those of the line
+};
+
+// A chain of pieces that goes on in place and heading from one to the next, and leaves the line by
+// `tolerance` metres at most, nor the line it.  It begins and ends where the line does, with the
+// headings that are given, else those of its first and last side.  A kink becomes an arc; a line
+// that turns back on itself gets two on the way about.  A line without two distinct points has no
+// piece.  ASAM OpenDRIVE 1.7, section 8.
+std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends = {});
+
+// The same of a path from one place to another: it begins and ends there, with their headings, also
+// where the ends of the path lie beside them.
+std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
+                                 double tolerance);
+
+double length(const std::vector<PlanPiece>& chain);
+
+// At s metres along it, clamped.  A chain without a piece: degenerate.
+ChainPlace place_at(const std::vector<PlanPiece>& chain, double s);
+
+}  // namespace streetgen

@@ -1,0 +1,37 @@
+// The lanes of a road across its reference line: where each border lies, as OpenDRIVE has it.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/plan_view.hpp"
+
+namespace streetgen {
+
+struct LaneGround {
+  MultiPolygon surface;  // empty: so wide about the line
+  Line line;             // its middle, in the direction of the road
+  double width = 0;      // metres
+};
+
+// How a lane begins or ends.
+struct LaneLimit {
+  ChainPlace middle;  // in the direction of the road
+  double width = 0;   // metres
+};
+
+struct RoadLanes {
+  std::vector<PlanPiece> chain;
+  // Metres along the chain, the first 0, the last its end.  Between two of them borders are straight.
+  std::vector<double> stations;
+  // By border, from the left of the first lane to the right of the last, then by station: metres to
+  // the left of the chain.
+  std::vector<std::vector<double>> borders;
+  std::vector<LaneLimit> starts, ends;  // by lane
+};
+
+// The lanes of a road, from the left to the right, across the chain of lines and arcs that
+// follows `axis` by `tolerance` metres.  Lanes lie side by side: of two that leave a gap or overlap, the
+// border is in the middle.  None is narrower than a millimetre.
+RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance);
+
+}  // namespace streetgen

@@ -1,0 +1,40 @@
+-- Chains of lines and arcs along a line: what OpenDRIVE calls a plan view.
+
+CREATE OR REPLACE FUNCTION streetgen._plan_view(line bytea, tolerance float8)
+    RETURNS TABLE(s float8, x float8, y float8, heading float8, length float8, curvature float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 10 AS 'MODULE_PATHNAME', 'streetgen_plan_view';
+COMMENT ON FUNCTION streetgen._plan_view(bytea, float8) IS 'EWKB twin of streetgen.plan_view';
+
+CREATE OR REPLACE FUNCTION streetgen.plan_view(line geometry, tolerance float8 DEFAULT 0.05)
+    RETURNS TABLE(s float8, x float8, y float8, heading float8, length float8, curvature float8)
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 10
+    SET search_path = pg_catalog, public
+    AS $$ SELECT p.s, p.x, p.y, p.heading, p.length, p.curvature
+          FROM streetgen._plan_view(line::bytea, tolerance) p $$;
+COMMENT ON FUNCTION streetgen.plan_view(geometry, float8) IS
+    'A chain of lines and arcs along a line (LINESTRING, metres), in its order, as the planView of OpenDRIVE has it: s '
+    '(metres along the chain), x and y where a piece begins, heading there (radians, counter-clockwise from east), '
+    'length (metres) and curvature (1/m, positive to the left; 0: a line). Each piece goes on in place and heading '
+    'where the one before ends. The chain begins and ends where the line does, as its first and last side lead, and '
+    'lies within tolerance of it (metres, 0.0001 to 1000): points that matter less are left out, and an arc is put '
+    'into each kink that stays. A line that turns back on itself goes about in two arcs. A line that is no '
+    'LINESTRING or has no length, a number out of range: 22023. NULL for anything: no row. ASAM OpenDRIVE 1.7, '
+    'section 8.';
+
+CREATE OR REPLACE FUNCTION streetgen._path_view(path bytea, place_from float8[], place_to float8[], tolerance float8)
+    RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_path_view';
+COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8) IS
+    'The plan view of a path (EWKB) in one row of arrays, from one place to another: x, y and heading. It begins and '
+    'ends there, also where the ends of the path lie beside them.';
+
+CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, lines bytea[], surfaces bytea[], widths float8[],
+    tolerance float8)
+    RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
+        station float8[], border float8[], starts float8[], ends float8[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_road_lanes';
+COMMENT ON FUNCTION streetgen._road_lanes(bytea, bytea[], bytea[], float8[], float8) IS
+    'The plan view of an axis (EWKB) in one row of arrays, and the lanes across it, given from the left by line, '
+    'surface (MULTIPOLYGON, empty: so wide about the line) and width: station (metres along the chain), border '
+    '(metres to the left of the chain, by border from the left, then by station; straight between stations), starts '
+    'and ends (x, y, heading and width of each lane at the first and the last station).';

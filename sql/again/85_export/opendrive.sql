@@ -1,0 +1,218 @@
+-- ASAM OpenDRIVE 1.7: roads of lines and arcs with lanes across them, and a road for each movement.
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_lane_type(kind text, both_ways boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN both_ways THEN 'bidirectional' WHEN kind = 'general' THEN 'driving'
+        WHEN kind = 'cycle' THEN 'biking' ELSE kind END;
+COMMENT ON FUNCTION streetgen._opendrive_lane_type(text, boolean) IS
+    'The type that a lane has in OpenDRIVE, by its kind and whether both directions use it.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_open(element xml) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN left(element::text, -2) || '>';
+COMMENT ON FUNCTION streetgen._opendrive_open(xml) IS 'The opening tag of an empty element.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_number(value float8, digits integer) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN round(value::numeric, digits)::text;
+COMMENT ON FUNCTION streetgen._opendrive_number(float8, integer) IS 'A number with so many digits behind the point.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_plan(s float8[], x float8[], y float8[], heading float8[],
+    length float8[], curvature float8[], x0 float8, y0 float8, digits integer) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+    SELECT '<planView>' || string_agg('<geometry s="' || streetgen._opendrive_number(p.s, 7)
+        || '" x="' || streetgen._opendrive_number(p.x - x0, digits)
+        || '" y="' || streetgen._opendrive_number(p.y - y0, digits)
+        || '" hdg="' || streetgen._opendrive_number(p.heading, 9)
+        || '" length="' || streetgen._opendrive_number(p.length, 7)
+        || CASE WHEN p.curvature = 0 THEN '"><line/></geometry>'
+            ELSE '"><arc curvature="' || streetgen._opendrive_number(p.curvature, 12) || '"/></geometry>' END, ''
+        ORDER BY p.s) || '</planView>'
+    FROM unnest(s, x, y, heading, length, curvature) p(s, x, y, heading, length, curvature);
+    END;
+COMMENT ON FUNCTION streetgen._opendrive_plan(float8[], float8[], float8[], float8[], float8[], float8[], float8,
+    float8, integer) IS 'The element planView of a chain, from an origin x0, y0.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_change(element text, place text, station float8[], value float8[])
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+    SELECT string_agg('<' || element || ' ' || place || '="' || streetgen._opendrive_number(station[i], 7)
+        || '" a="' || streetgen._opendrive_number(value[i], 5)
+        || '" b="' || streetgen._opendrive_number((value[i + 1] - value[i]) / (station[i + 1] - station[i]), 9)
+        || '" c="0" d="0"/>', '' ORDER BY i)
+    FROM generate_series(1, cardinality(station) - 1) i;
+    END;
+COMMENT ON FUNCTION streetgen._opendrive_change(text, text, float8[], float8[]) IS
+    'Elements of polynomials that are straight from station to station; place is the attribute that says where.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(kind text, dashed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN '<roadMark sOffset="0" type="' || CASE WHEN kind IS NULL THEN 'none' WHEN dashed THEN 'broken'
+        ELSE 'solid' END || '" color="standard" laneChange="' || CASE WHEN dashed THEN 'both' ELSE 'none' END || '"/>';
+COMMENT ON FUNCTION streetgen._opendrive_mark(text, boolean) IS
+    'The line between two lanes, by its kind (NULL: none) and whether it has dashes.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_roads() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$,
+side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM %1$I.setting WHERE name = 'driving_side'),
+-- Lanes on the right have negative numbers and lead along the road where one drives on the right. A lane that comes
+-- between others against this order begins a road of its own.
+sided AS (
+    SELECT l.*, along_axis = right_hand AS on_right,
+        lag(along_axis = right_hand) OVER (PARTITION BY edge_id ORDER BY lane_position) AS was_right
+    FROM %1$I.lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)),
+road AS (
+    SELECT edge_id, run, row_number() OVER (ORDER BY edge_id, run) AS road_id, min(lane_position) - 1 AS before,
+        count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
+        array_agg(streetgen._opendrive_lane_type(kind, both_ways) ORDER BY lane_position) AS types,
+        array_agg(geom::bytea ORDER BY lane_position) AS lines,
+        array_agg(surface::bytea ORDER BY lane_position) AS surfaces,
+        array_agg(width ORDER BY lane_position) AS widths
+    FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
+            OVER (PARTITION BY edge_id ORDER BY lane_position) AS run FROM sided) s
+    GROUP BY edge_id, run),
+-- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
+met AS MATERIALIZED (
+    SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(way.geom))) AS cut
+    FROM way, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
+        JOIN %1$I.lane l USING (lane_id) WHERE ST_Length(way.geom) < 2 GROUP BY l.edge_id, at_end),
+stretch AS (
+    SELECT e.edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
+        coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
+    FROM written_edge e LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
+        LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end JOIN (
+        SELECT edge_id, CASE WHEN start.abscissa < until.abscissa THEN start.abscissa ELSE start.wanted_abscissa END
+            AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
+        FROM %1$I.section_limit start JOIN %1$I.section_limit until USING (edge_id)
+        WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
+drawn AS MATERIALIZED (
+    SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, d.*
+    FROM origin o, road r JOIN stretch t USING (edge_id),
+        -- Crossed limits may lie at one place.
+        LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
+            least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
+        LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom),
+            (a + least(cut_start, (b - a) / 4)) / total,
+            (b - least(cut_end, (b - a) / 4)) / total)::bytea, r.lines, r.surfaces, r.widths, o.tolerance) d),
+placed AS MATERIALIZED (
+    SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
+        CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
+        types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y, places[4 * i - 1] AS heading, places[4 * i] AS width
+    FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
+        v(at_end, places)),
+connecting AS MATERIALIZED (
+    SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id) AS road_id, way_id,
+        a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
+        a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
+        CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, d.*
+    FROM origin o, way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+        JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
+        JOIN written_edge e ON e.edge_id = a.edge_id,
+        LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w,
+        LATERAL streetgen._path_view((CASE WHEN short
+                THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea,
+            ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END],
+            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END], CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
+COMMENT ON FUNCTION streetgen._opendrive_roads() IS
+    'Queries of a file of OpenDRIVE over a model: drawn, a road for each edge with what streetgen._road_lanes gives; '
+    'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
+    'lane.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_lines() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$,
+crossroads AS MATERIALIZED (SELECT DISTINCT place_id, node_id FROM connecting JOIN place USING (node_id)),
+lane_text AS (
+    SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
+        || '" type="' || types[i] || '" level="false">'
+        || streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
+            SELECT border[(i - 1) * stations + k] - border[i * stations + k] FROM generate_series(1, stations) k))
+        || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane>' AS text
+    FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d CROSS JOIN generate_series(1, cardinality(lanes)) i
+        LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position)
+            = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
+lanes_text AS (
+    SELECT road_id, '<left>' || string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) || '</left>' AS on_left,
+        '<right>' || string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) || '</right>' AS on_right
+    FROM lane_text GROUP BY road_id),
+line AS (
+    SELECT 1 AS turn, 0::bigint AS id, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
+            1 AS "revMajor", right($1 ->> 'version', 1) AS "revMinor", %1$L AS name, 'StreetGen' AS vendor)))
+        || '<geoReference><![CDATA['
+        || trim(proj4text) || ']]></geoReference><offset x="' || x || '" y="' || y || '" z="0" hdg="0"/></header>'
+        AS element
+    FROM origin LEFT JOIN spatial_ref_sys ON srid = %2$s
+    UNION ALL
+    SELECT 2, d.road_id, streetgen._opendrive_open(xmlelement(name road, xmlattributes(
+            streetgen._xml_text(a.name) AS name, streetgen._opendrive_number(d.s[cardinality(d.s)]
+                + d.length[cardinality(d.s)], 7) AS length,
+            d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule)))
+        || CASE WHEN f.place_id IS NULL AND t.place_id IS NULL THEN '' ELSE '<link>'
+            || coalesce('<predecessor elementType="junction" elementId="' || f.place_id || '"/>', '')
+            || coalesce('<successor elementType="junction" elementId="' || t.place_id || '"/>', '') || '</link>' END
+        || '<type s="0" type="unknown"><speed max="' || streetgen._opendrive_number(e.speed, 1)
+        || '" unit="km/h"/></type>'
+        || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, o.x, o.y, digits)
+        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', station,
+            border[lefts * cardinality(station) + 1:(lefts + 1) * cardinality(station)])
+        || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
+        || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane></center>' || coalesce(on_right, '')
+        || '</laneSection></lanes><userData code="edge" value="' || d.edge_id || '"/></road>'
+    FROM origin o, side, drawn d JOIN lanes_text USING (road_id) JOIN written_edge e USING (edge_id)
+        LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
+        LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
+        LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
+    UNION ALL
+    SELECT 3, road_id, '<road length="' || streetgen._opendrive_number(s[cardinality(s)] + length[cardinality(s)], 7)
+        || '" id="' || road_id || '" junction="' || place_id || '" rule="' || rule
+        || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
+        || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
+        || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
+        || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, o.x, o.y, digits)
+        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', ends, ARRAY[half * width_in, half * width_out])
+        || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
+        || '<center><lane id="0" type="none" level="false"/></center>'
+        || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
+        || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
+    FROM origin o, side, connecting c JOIN place USING (node_id),
+        LATERAL (SELECT ARRAY[0, s[cardinality(s)] + length[cardinality(s)]] AS ends,
+            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule, CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
+        LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
+            || '" level="false">'
+            || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
+            || streetgen._opendrive_change('width', 'sOffset', ends, ARRAY[width_in, width_out]) || '</lane>' AS lane) l
+    UNION ALL
+    SELECT 4, place_id, '<junction id="' || place_id || '">' || string_agg('<connection id="' || road_id
+        || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
+        || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
+        ORDER BY road_id) || '</junction>'
+    FROM side, connecting JOIN place USING (node_id) GROUP BY place_id)$part$ $$;
+COMMENT ON FUNCTION streetgen._opendrive_lines() IS
+    'Queries of a file of OpenDRIVE as streetgen._export_lines takes them, after streetgen._opendrive_roads().';
+
+CREATE OR REPLACE FUNCTION streetgen.export_opendrive(model name, options jsonb DEFAULT '{}')
+    RETURNS TABLE(ordinality bigint, line text)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000
+    SET search_path = pg_catalog, public SET jit = off SET work_mem = '16MB'
+    AS $$
+DECLARE
+    known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
+BEGIN
+    RETURN QUERY EXECUTE streetgen._export_lines(model, known,
+        streetgen._opendrive_roads() || streetgen._opendrive_lines(), '<OpenDRIVE>', '</OpenDRIVE>') USING known;
+END $$;
+COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
+    'A file of ASAM OpenDRIVE 1.7 (or 1.6), line by line. An edge is a road, its reference line a chain of lines and '
+    'arcs (streetgen.plan_view) along the axis between its section limits. Its lanes have the borders of the model as '
+    'polynomials, parking lanes too; those against the axis lie left of the centre lane where one drives on the right. '
+    'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
+    'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
+    'is a junction. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
+    'road marks. Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
+    'that meet at one place are cut back by 0.05 m for the road that connects them. options as '
+    'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
+    'the model: 42501; a model without interconnections, or junctions that are asked for: 55000. What is stale is '
+    'written as it was, with a warning.';

@@ -1,0 +1,174 @@
+#include "streetgen/road_lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double step = 2;           // metres between two looks across the road
+constexpr double inside = 1e-3;      // metres from the ends, where borders of surfaces lie
+constexpr double least_width = 1e-3;  // metres
+constexpr double straight_border = 0.01;  // metres that a border may leave what is written
+
+// What a lane grows by from one look to the next, at most: a share and metres.
+constexpr double wider = 1.3, wider_by = 0.5;
+
+// A stretch of the line across the road, metres to the left.
+struct Span {
+  double left = 0, right = 0;
+  double middle() const { return (left + right) / 2; }
+};
+
+// What crosses the line through the place, metres to the left of it.
+void append_crossings(const Line& line, const ChainPlace& place, std::vector<double>& at) {
+  const Point way{std::cos(place.heading), std::sin(place.heading), 0}, left = left_normal(way);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point a = line[i] - place.point, b = line[i + 1] - place.point;
+    const double da = dot(a, way), db = dot(b, way);
+    if ((da <= 0) == (db <= 0)) continue;
+    at.push_back(dot(a, left) + (dot(b, left) - dot(a, left)) * da / (da - db));
+  }
+}
+
+// The one that is nearest to what is expected.
+std::optional<Span> span_of(const LaneGround& lane, const ChainPlace& place, double expected) {
+  std::optional<Span> nearest;
+  const auto take = [&](const Span& span) {
+    const auto off = [&](const Span& s) { return std::abs(s.middle() - expected); };
+    if (!nearest || off(span) < off(*nearest)) nearest = span;
+  };
+  std::vector<double> at;
+  for (const Polygon& part : lane.surface)
+    for (const Ring& ring : part) append_crossings(ring, place, at);
+  std::sort(at.begin(), at.end());
+  for (std::size_t i = 0; i + 1 < at.size(); i += 2) take({at[i + 1], at[i]});
+  if (!lane.surface.empty()) return nearest;
+  append_crossings(lane.line, place, at);
+  for (const double middle : at) take({middle + lane.width / 2, middle - lane.width / 2});
+  return nearest;
+}
+
+std::vector<double> looks(const std::vector<PlanPiece>& chain) {
+  std::vector<double> out;
+  for (const PlanPiece& piece : chain) {
+    const int parts = std::max(piece.curvature == 0 ? 1 : 2,
+                               static_cast<int>(std::ceil(piece.length / step)));
+    for (int i = 0; i < parts; ++i) out.push_back(piece.s + piece.length * i / parts);
+  }
+  out.push_back(length(chain));
+  return out;
+}
+
+// Places on the left of the chain where the lane was not seen: those of the place before, else
+// behind.
+std::vector<Span> seen_spans(const LaneGround& lane, const std::vector<PlanPiece>& chain,
+                             const std::vector<double>& stations) {
+  const double end = length(chain), from = std::min(inside, end / 4);
+  const ChainPlace start = place_at(chain, 0);
+  const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
+  double expected = dot(lane.line.front() - start.point, left);
+  const Span wanted{expected + lane.width / 2, expected - lane.width / 2};
+  double widest = lane.width;
+  std::vector<std::optional<Span>> seen;
+  for (const double s : stations) {
+    seen.push_back(span_of(lane, place_at(chain, std::clamp(s, from, end - from)), expected));
+    // In a bend one may look along the lane behind it.
+    if (seen.back() && seen.back()->left - seen.back()->right > widest * wider + wider_by)
+      seen.back().reset();
+    if (!seen.back()) continue;
+    expected = seen.back()->middle();
+    widest = std::max(lane.width, seen.back()->left - seen.back()->right);
+  }
+  const auto first = std::find_if(seen.begin(), seen.end(), [](const auto& s) { return s.has_value(); });
+  Span last = first == seen.end() ? wanted : **first;
+  std::vector<Span> out;
+  for (const auto& span : seen) out.push_back(last = span.value_or(last));
+  return out;
+}
+
+// Which stations are needed for borders that are straight between them.
+std::vector<std::size_t> needed(const std::vector<double>& stations,
+                                const std::vector<std::vector<double>>& borders) {
+  std::vector<std::size_t> out{0};
+  std::vector<std::size_t> ends{stations.size() - 1};
+  while (!ends.empty()) {
+    const std::size_t first = out.back(), last = ends.back();
+    std::size_t farthest = first;
+    double most = straight_border;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double share = (stations[i] - stations[first]) / (stations[last] - stations[first]);
+      for (const auto& border : borders) {
+        const double off =
+            std::abs(border[i] - border[first] - share * (border[last] - border[first]));
+        if (off > most) most = off, farthest = i;
+      }
+    }
+    if (farthest != first) {
+      ends.push_back(farthest);
+    } else {
+      out.push_back(last);
+      ends.pop_back();
+    }
+  }
+  return out;
+}
+
+LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
+  const std::vector<double>&left = road.borders[lane], &right = road.borders[lane + 1];
+  const std::size_t last = road.stations.size() - 1;
+  const std::size_t at = at_start ? 0 : last, a = at_start ? 0 : last - 1, b = a + 1;
+  const auto middle = [&](std::size_t i) { return (left[i] + right[i]) / 2; };
+  const double slope = (middle(b) - middle(a)) / (road.stations[b] - road.stations[a]);
+  const double curvature = (at_start ? road.chain.front() : road.chain.back()).curvature;
+  const ChainPlace place = place_at(road.chain, road.stations[at]);
+  const double off = middle(at), heading = place.heading;
+  return {{place.point + Point{-std::sin(heading), std::cos(heading), 0} * off,
+           heading + std::atan2(slope, 1 - curvature * off)},
+          left[at] - right[at]};
+}
+
+}  // namespace
+
+RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance) {
+  RoadLanes road;
+  road.chain = plan_view(axis, tolerance);
+  if (road.chain.empty() || lanes.empty()) return road;
+  const std::vector<double> stations = looks(road.chain);
+  std::vector<std::vector<double>> borders(lanes.size() + 1,
+                                           std::vector<double>(stations.size()));
+  std::vector<Span> before;
+  for (std::size_t p = 0; p < lanes.size(); ++p) {
+    poll_cancel();
+    const std::vector<Span> spans = seen_spans(lanes[p], road.chain, stations);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      borders[p][i] = p == 0 ? spans[i].left : (before[i].right + spans[i].left) / 2;
+      borders[p + 1][i] = spans[i].right;
+    }
+    before = spans;
+  }
+  for (std::size_t p = 0; p < lanes.size(); ++p)
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      borders[p + 1][i] = std::min(borders[p + 1][i], borders[p][i] - least_width);
+  const std::vector<std::size_t> kept = needed(stations, borders);
+  for (const std::size_t i : kept) road.stations.push_back(stations[i]);
+  for (const auto& border : borders) {
+    road.borders.emplace_back();
+    for (const std::size_t i : kept) road.borders.back().push_back(border[i]);
+  }
+  for (std::size_t p = 0; p < lanes.size(); ++p) {
+    road.starts.push_back(lane_limit(road, p, true));
+    road.ends.push_back(lane_limit(road, p, false));
+  }
+  return road;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,152 @@
+// streetgen.plan_view and its twins for roads and paths: chains of lines and arcs.
+#include "streetgen/plan_view.hpp"
+
+#include <string>
+#include <vector>
+
+#include "frame/argument.hpp"
+#include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
+#include "streetgen/road_lanes.hpp"
+#include "value/line_array.hpp"
+#include "value/number_array.hpp"
+#include "value/value_array.hpp"
+#include "value/wkb.hpp"
+
+extern "C" {
+#include <funcapi.h>
+#include <utils/tuplestore.h>
+}
+
+namespace streetgen::pg {
+namespace {
+
+constexpr int chain_columns = 6;
+
+double number_of(const PlanPiece& piece, int column) {
+  const double numbers[chain_columns] = {piece.s,
+                                         piece.start.point.x,
+                                         piece.start.point.y,
+                                         piece.start.heading,
+                                         piece.length,
+                                         piece.curvature};
+  return numbers[column];
+}
+
+using Numbers = std::vector<std::vector<double>>;
+
+// A column of pieces for each number.
+Numbers columns_of(const std::vector<PlanPiece>& chain) {
+  Numbers columns(chain_columns);
+  for (const PlanPiece& piece : chain)
+    for (int i = 0; i < chain_columns; ++i) columns[i].push_back(number_of(piece, i));
+  return columns;
+}
+
+// One row of arrays; none of a chain without a piece.
+void give_row(const Numbers& columns, ReturnSetInfo* result) {
+  if (columns.empty() || columns.front().empty()) return;
+  const int count = static_cast<int>(columns.size());
+  auto* values = static_cast<Datum*>(palloc0(count * sizeof(Datum)));
+  auto* nulls = static_cast<bool*>(palloc0(count * sizeof(bool)));
+  for (int i = 0; i < count; ++i) {
+    const int length = static_cast<int>(columns[i].size());
+    auto* numbers = static_cast<Datum*>(palloc(length * sizeof(Datum)));
+    for (int k = 0; k < length; ++k) numbers[k] = Float8GetDatum(columns[i][k]);
+    values[i] = PointerGetDatum(
+        construct_array(numbers, length, FLOAT8OID, sizeof(float8), true, TYPALIGN_DOUBLE));
+  }
+  tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+}
+
+ReturnSetInfo* result_of(FunctionCallInfo fcinfo) {
+  return reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+}
+
+double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
+
+}  // namespace
+}  // namespace streetgen::pg
+
+STREETGEN_FUNCTION(streetgen_plan_view) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  const std::string_view line = take_bytes(fcinfo, 0);
+  const double tolerance = PG_GETARG_FLOAT8(1);
+  InitMaterializedSRF(fcinfo, 0);
+  auto* slot = make_slot<std::vector<PlanPiece>>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new std::vector<PlanPiece>;
+    *slot->value = plan_view(read_line(line, "line").line, tolerance_of(tolerance));
+  });
+  report(outcome);
+  for (const PlanPiece& piece : *slot->value) {
+    Datum values[chain_columns];
+    const bool nulls[chain_columns] = {false};
+    for (int i = 0; i < chain_columns; ++i) values[i] = Float8GetDatum(number_of(piece, i));
+    tuplestore_putvalues(result_of(fcinfo)->setResult, result_of(fcinfo)->setDesc, values,
+                         const_cast<bool*>(nulls));
+  }
+  PG_RETURN_NULL();
+}
+
+// The path from the end of a lane to the beginning of another: places are x, y and heading.
+STREETGEN_FUNCTION(streetgen_path_view) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  const std::string_view path = take_bytes(fcinfo, 0);
+  const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
+  const double tolerance = PG_GETARG_FLOAT8(3);
+  InitMaterializedSRF(fcinfo, 0);
+  Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new Numbers;
+    const std::vector<double> a = read_numbers(from, 3, "place_from");
+    const std::vector<double> b = read_numbers(to, 3, "place_to");
+    const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
+                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance));
+    *slot->value = columns_of(chain);
+  });
+  report(outcome);
+  give_row(*slot->value, result_of(fcinfo));
+  PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_road_lanes) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(1), "lines");
+  const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(2), "surfaces");
+  const ValueArray widths = take_values(fcinfo, 3, FLOAT8OID, lines.count, "widths");
+  const double tolerance = PG_GETARG_FLOAT8(4);
+  InitMaterializedSRF(fcinfo, 0);
+  Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new Numbers;
+    std::vector<LaneGround> lanes;
+    for (int i = 0; i < lines.count && i < surfaces.count; ++i) {
+      const std::string number = std::to_string(i + 1);
+      lanes.push_back({read_surface(bytes_of(surfaces.values[i]), "surface " + number),
+                       read_line(bytes_of(lines.values[i]), "line " + number).line,
+                       in_range(DatumGetFloat8(widths.values[i]), 0, 1e4, "width")});
+    }
+    const RoadLanes road = road_lanes(read_line(axis, "axis").line, lanes, tolerance_of(tolerance));
+    Numbers& columns = *slot->value;
+    columns = columns_of(road.chain);
+    columns.push_back(road.stations);
+    columns.emplace_back();
+    for (const auto& border : road.borders)
+      columns.back().insert(columns.back().end(), border.begin(), border.end());
+    for (const auto* ends : {&road.starts, &road.ends}) {
+      columns.emplace_back();
+      for (const LaneLimit& end : *ends)
+        for (const double number :
+             {end.middle.point.x, end.middle.point.y, end.middle.heading, end.width})
+          columns.back().push_back(number);
+    }
+  });
+  report(outcome);
+  give_row(*slot->value, result_of(fcinfo));
+  PG_RETURN_NULL();
+}

@@ -1,0 +1,118 @@
+"""What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
+are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
+degrees. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead."""
+import math
+import sys
+import xml.etree.ElementTree as ElementTree
+
+
+def place(geometry, s):
+    """x, y and heading, s metres behind where the piece begins."""
+    x, y, heading = (float(geometry.get(name)) for name in ('x', 'y', 'hdg'))
+    arc = geometry.find('arc')
+    if arc is None:
+        return x + s * math.cos(heading), y + s * math.sin(heading), heading
+    curvature = float(arc.get('curvature'))
+    end = heading + s * curvature
+    return x + (math.sin(end) - math.sin(heading)) / curvature, y - (math.cos(end) - math.cos(heading)) / curvature, end
+
+
+def value(polynomials, name, s):
+    """The polynomial that holds at s, and its slope."""
+    held = [p for p in polynomials if float(p.get(name)) <= s + 1e-9]
+    if not held:
+        return 0.0, 0.0
+    a, b, c, d = (float(held[-1].get(k)) for k in 'abcd')
+    ds = s - float(held[-1].get(name))
+    return a + ds * (b + ds * (c + ds * d)), b + ds * (2 * c + ds * 3 * d)
+
+
+class Road:
+    def __init__(self, element):
+        self.element = element
+        self.length = float(element.get('length'))
+        self.pieces = element.findall('planView/geometry')
+        self.offsets = element.findall('lanes/laneOffset')
+        section = element.find('lanes/laneSection')
+        self.lanes = {int(lane.get('id')): lane for lane in section.iter('lane')}
+        edge = element.find("userData[@code='edge']")
+        self.edge = None if edge is None else edge.get('value')
+
+    def at(self, s):
+        piece = [p for p in self.pieces if float(p.get('s')) <= s + 1e-9][-1]
+        arc = piece.find('arc')
+        return place(piece, s - float(piece.get('s'))), 0.0 if arc is None else float(arc.get('curvature'))
+
+    def borders(self, number, s):
+        """Inner and outer border of a lane, metres to the left, each with its slope."""
+        side = 1 if number > 0 else -1
+        inner = value(self.offsets, 's', s)
+        for n in range(side, number + side, side):
+            width = value(self.lanes[n].findall('width'), 'sOffset', s)
+            outer = inner[0] + side * width[0], inner[1] + side * width[1]
+            if n != number:
+                inner = outer
+        return inner, outer
+
+    def middle(self, number, at_end):
+        """Place and heading of the middle of a lane, in the direction of the road, and its width."""
+        s = self.length if at_end else 0.0
+        (x, y, heading), curvature = self.at(s)
+        (a, da), (b, db) = self.borders(number, s)
+        t, slope = (a + b) / 2, (da + db) / 2
+        return x - t * math.sin(heading), y + t * math.cos(heading), heading + math.atan2(slope, 1 - curvature * t), abs(a - b)
+
+    def polygon(self, number):
+        stations = sorted({0.0, self.length} | {s for p in self.pieces for s in piece_stations(p)} | {float(w.get('sOffset')) for w in self.lanes[number].findall('width')})
+        inner, outer = [], []
+        for s in stations:
+            (x, y, heading), _ = self.at(min(s, self.length))
+            for (t, _), points in zip(self.borders(number, s), (inner, outer)):
+                points.append((x - t * math.sin(heading), y + t * math.cos(heading)))
+        return inner + outer[::-1] + inner[:1]
+
+
+def piece_stations(piece):
+    s, length = float(piece.get('s')), float(piece.get('length'))
+    parts = 1 if piece.find('arc') is None else 8
+    return [s + length * i / parts for i in range(parts)]
+
+
+def degrees_between(a, b):
+    return abs(math.degrees(math.remainder(a - b, 2 * math.pi)))
+
+
+def joints(roads):
+    """Gaps, metres and degrees, where lanes are linked."""
+    for road in roads.values():
+        if road.element.get('junction') == '-1':
+            continue
+        number = next(n for n in road.lanes if n != 0)
+        for end, at_end in (('predecessor', False), ('successor', True)):
+            link, lane = road.element.find('link/' + end), road.lanes[number].find('link/' + end)
+            other_end = link.get('contactPoint') == 'end'
+            x, y, heading, width = road.middle(number, at_end)
+            u, v, other, other_width = roads[link.get('elementId')].middle(int(lane.get('id')), other_end)
+            yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi))
+
+
+def main():
+    tree = ElementTree.parse(sys.argv[1])
+    roads = {road.get('id'): Road(road) for road in tree.iter('road')}
+    if '--lanes' in sys.argv:
+        offset = tree.find('header/offset')
+        east, north = float(offset.get('x')), float(offset.get('y'))
+        for road in roads.values():
+            for number in sorted(road.lanes):
+                if road.edge is not None and number != 0:
+                    print(road.edge, number, 'POLYGON((' + ','.join(f'{x + east:.4f} {y + north:.4f}' for x, y in road.polygon(number)) + '))', sep='\t')
+        return
+    chain = [(math.hypot(x - float(b.get('x')), y - float(b.get('y'))), degrees_between(heading, float(b.get('hdg'))))
+             for road in roads.values() for a, b in zip(road.pieces, road.pieces[1:]) for x, y, heading in [place(a, float(a.get('length')))]]
+    gaps = list(joints(roads))
+    lanes = sum(len(road.lanes) - 1 for road in roads.values() if road.edge is not None)
+    print(lanes, len(gaps) // 2, len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
+          sum(metres > 0.01 or degrees > 0.1 for metres, degrees in gaps))
+
+
+main()

@@ -1,0 +1,160 @@
+#include "streetgen/plan_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "geometry/polyline.hpp"
+#include "random_line.hpp"
+#include "streetgen/error.hpp"
+#include "streetgen/road_lanes.hpp"
+
+namespace streetgen {
+namespace {
+
+double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
+
+double side_heading(const Point& from, const Point& to) {
+  return std::atan2(to.y - from.y, to.x - from.x);
+}
+
+// Sixteen of each piece, and the end.
+Line places(const std::vector<PlanPiece>& chain) {
+  Line out;
+  for (const PlanPiece& piece : chain)
+    for (int i = 0; i < 16; ++i) out.push_back(place_at(chain, piece.s + piece.length * i / 16).point);
+  out.push_back(place_at(chain, length(chain)).point);
+  return out;
+}
+
+// Each piece begins where the one before it ends, in place and heading.
+void expect_smooth(const std::vector<PlanPiece>& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    ASSERT_GT(chain[i].length, 0);
+    if (i == 0) continue;
+    ASSERT_NEAR(chain[i].s, chain[i - 1].s + chain[i - 1].length, 1e-9);
+    const ChainPlace before = place_at({chain[i - 1]}, chain[i].s);
+    ASSERT_LT(distance(before.point, chain[i].start.point), 1e-6);
+    ASSERT_LT(turn_between(before.heading, chain[i].start.heading), 1e-6);
+  }
+}
+
+void expect_within(const std::vector<PlanPiece>& chain, const Line& line, double tolerance) {
+  const Line drawn = places(chain);
+  for (const Point& p : drawn) ASSERT_LE(distance_to_line(p, line), tolerance + 1e-6);
+  // A chord of the sixteen leaves its arc by less than the tenth part.
+  for (const Point& p : line) ASSERT_LE(distance_to_line(p, drawn), 1.1 * tolerance);
+}
+
+TEST(PlanView, LiesWithinTheToleranceOfRandomLines) {
+  std::mt19937 random(20);
+  for (int i = 0; i < 200; ++i) {
+    const double tolerance = i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.01 : 0.5;
+    const Line line = random_line(random, {2 + i % 9, 3.0});
+    const std::vector<PlanPiece> chain = plan_view(line, tolerance);
+    expect_smooth(chain);
+    expect_within(chain, line, tolerance);
+    EXPECT_LT(distance(chain.front().start.point, planar(line.front())), 1e-9);
+    EXPECT_LT(distance(place_at(chain, length(chain)).point, planar(line.back())), 1e-6);
+  }
+}
+
+TEST(PlanView, HasTheHeadingsThatAreGiven) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> turned(-2, 2);
+  for (int i = 0; i < 200; ++i) {
+    const Line line = random_line(random, {2 + i % 5, 2.5});
+    const ChainEnds ends{side_heading(line[0], line[1]) + turned(random),
+                         side_heading(line[line.size() - 2], line.back()) + turned(random)};
+    const std::vector<PlanPiece> chain = plan_view(line, 0.05, ends);
+    expect_smooth(chain);
+    EXPECT_LT(turn_between(chain.front().start.heading, *ends.heading_from), 1e-9);
+    EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, *ends.heading_to), 1e-6);
+  }
+}
+
+TEST(PlanView, OfAStraightLineIsALine) {
+  const auto chain = plan_view({{3, 4}, {6, 8}, {9, 12}}, 0.05);
+  ASSERT_EQ(chain.size(), 1u);
+  EXPECT_EQ(chain[0].curvature, 0);
+  EXPECT_NEAR(chain[0].length, 10, 1e-12);
+  EXPECT_NEAR(chain[0].start.heading, std::atan2(4, 3), 1e-12);
+}
+
+TEST(PlanView, PutsAnArcIntoAKink) {
+  const auto chain = plan_view({{0, 0}, {50, 0}, {50, 50}}, 0.1);
+  ASSERT_EQ(chain.size(), 3u);
+  EXPECT_GT(chain[1].curvature, 0);
+  // Half the tolerance lies between the corner and the arc: R (sqrt 2 - 1).
+  EXPECT_NEAR(1 / chain[1].curvature, 0.05 / (std::sqrt(2) - 1), 1e-9);
+  EXPECT_NEAR(chain[1].length * chain[1].curvature, M_PI / 2, 1e-9);
+}
+
+TEST(PlanView, GoesAboutWhereALineTurnsBack) {
+  for (const Line& line : {Line{{0, 0}, {20, 0}, {5, 0}}, Line{{0, 0}, {5, 0}, {-15, 0.01}}}) {
+    const auto chain = plan_view(line, 0.05);
+    expect_smooth(chain);
+    expect_within(chain, line, 0.05);
+  }
+}
+
+TEST(PlanView, OfNothingIsNothing) {
+  EXPECT_TRUE(plan_view({{1, 1}, {1, 1}}, 0.05).empty());
+  EXPECT_THROW(place_at({}, 0), Error);
+}
+
+TEST(PathView, JoinsTwoPlaces) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> beside(-0.3, 0.3);
+  for (int i = 0; i < 100; ++i) {
+    const Line line = random_line(random, {3, 1.5});
+    const ChainPlace from{planar(line.front()) + Point{beside(random), beside(random)}, beside(random)};
+    const ChainPlace to{planar(line.back()) + Point{beside(random), beside(random)}, beside(random)};
+    const auto chain = path_view(line, from, to, 0.05);
+    expect_smooth(chain);
+    const ChainPlace end = place_at(chain, length(chain));
+    EXPECT_LT(distance(end.point, to.point), 1e-6);
+    EXPECT_LT(turn_between(end.heading, to.heading), 1e-6);
+    EXPECT_LT(distance(chain.front().start.point, from.point), 1e-9);
+  }
+}
+
+MultiPolygon strip(double left, double right, double left_end, double right_end) {
+  return {{{{0, right}, {40, right_end}, {40, left_end}, {0, left}, {0, right}}}};
+}
+
+TEST(RoadLanes, HaveTheBordersOfTheirSurfaces) {
+  const std::vector<LaneGround> lanes{{strip(3, 0, 5, 1), {{0, 1.5}, {40, 3}}, 3},
+                                      {strip(0, -3, 1, -3), {{0, -1.5}, {40, -1}}, 3}};
+  const RoadLanes road = road_lanes({{0, 0}, {40, 0}}, lanes, 0.05);
+  EXPECT_EQ(road.stations, (std::vector<double>{0, 40}));
+  const double wanted[3][2] = {{3, 5}, {0, 1}, {-3, -3}};
+  for (int p = 0; p < 3; ++p)
+    for (int end = 0; end < 2; ++end) EXPECT_NEAR(road.borders[p][end], wanted[p][end], 1e-3);
+  EXPECT_NEAR(road.ends[0].width, 4, 1e-3);
+  EXPECT_NEAR(road.ends[0].middle.point.y, 3, 1e-3);
+  EXPECT_NEAR(road.ends[0].middle.heading, std::atan2(1.5, 40), 1e-3);
+}
+
+TEST(RoadLanes, WithoutASurfaceLieAboutTheirLine) {
+  const RoadLanes road = road_lanes({{0, 0}, {0, 9}}, {{{}, {{-2, 0}, {-2, 9}}, 3}}, 0.05);
+  ASSERT_EQ(road.borders.size(), 2u);
+  EXPECT_NEAR(road.borders[0][0], 3.5, 1e-9);
+  EXPECT_NEAR(road.borders[1][0], 0.5, 1e-9);
+}
+
+// The normal of a place before a right angle runs along the lane behind it.
+TEST(RoadLanes, DoNotLookAlongTheLaneBehindABend) {
+  const Line axis{{0, 0}, {30, 0}, {30, 30}};
+  const MultiPolygon corner{
+      {{{0, -2}, {32, -2}, {32, 30}, {28, 30}, {28, 2}, {0, 2}, {0, -2}}}};
+  const RoadLanes road = road_lanes(axis, {{corner, axis, 4}}, 0.05);
+  for (std::size_t i = 0; i < road.stations.size(); ++i)
+    EXPECT_LT(road.borders[0][i] - road.borders[1][i], 4 * std::sqrt(2) + 0.01) << i;
+}
+
+}  // namespace
+}  // namespace streetgen

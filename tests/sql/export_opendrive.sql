@@ -1,0 +1,59 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Files of OpenDRIVE: a road for each edge and each movement, with every lane; and chains of lines and arcs.  (name, holds)
+SELECT 'a line is a line', (SELECT (count(*), min(length), min(curvature), min(heading)) = (1, 50, 0, 0) FROM streetgen.plan_view('LINESTRING(0 0,20 0,50 0)'));
+SELECT 'a kink becomes an arc', (SELECT array_agg(sign(curvature) ORDER BY s) = '{0,-1,0}' FROM streetgen.plan_view('LINESTRING(0 0,50 0,80 -40)', 0.1));
+SELECT 'a piece begins where the one before ends', (SELECT bool_and(abs(before - s) < 1e-9) FROM (SELECT s, lag(s + length) OVER (ORDER BY s) AS before FROM streetgen.plan_view('LINESTRING(0 0,50 0,80 -40,90 20)')) p);
+SELECT 'no line, and a tolerance of nothing, are refused', test.state($$SELECT FROM streetgen.plan_view('POINT(0 0)')$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,0 0)')$$) = '22023'
+  AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', 0)$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', 'NaN')$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,NaN 0)')$$) = '22023';
+SELECT 'NULL for anything is no row', NOT EXISTS (SELECT FROM streetgen.plan_view(NULL)) AND NOT EXISTS (SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', NULL));
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, driving_side => 'right'), streetgen.create_model('left_town', 2154, driving_side => 'left'), streetgen.create_model('bare', 2154, subjects => '{}');
+  INSERT INTO town.axis (axis_id, geom, width, direction, kind_forward, importance, name) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650050 6860005,650100 6860000)', 14, 'both', 'general|bus', 2, E'<"Rue" & \x01d''Ab>'),
+    (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 14, 'both', NULL, 2, NULL),
+    (3, 'SRID=2154;LINESTRING(650100 6860100,650100 6860000)', 9, 'direct', 'general|cycle|parking', 6, NULL),
+    (4, 'SRID=2154;LINESTRING(650200 6860000,650300 6860050)', 7, 'both', NULL, 2, NULL),
+    (5, 'SRID=2154;LINESTRING(650100 6860000,650100 6859900)', 3, 'both', NULL, 6, 'both ways');
+  INSERT INTO left_town.axis SELECT * FROM town.axis;
+END $$;
+CREATE FUNCTION pg_temp.file(model name, options jsonb DEFAULT '{}') RETURNS xml LANGUAGE sql AS $$
+  SELECT xmlparse(document string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_opendrive(model, options) $$;
+CREATE FUNCTION pg_temp.found(path text, file xml) RETURNS integer LANGUAGE sql AS $$ SELECT cardinality(xpath(path, file)) $$;
+CREATE FUNCTION pg_temp.texts(path text, file xml) RETURNS text[] LANGUAGE sql AS $$ SELECT array_agg(x::text ORDER BY x::text COLLATE "C") FROM unnest(xpath(path, file)) x $$;
+CREATE TEMPORARY TABLE written AS SELECT pg_temp.file('town') AS file, pg_temp.file('left_town') AS on_left;
+SELECT 'there is a road for each edge', pg_temp.found('//road[@junction="-1"]', file) = (SELECT count(*) FROM town.edge) FROM written;
+SELECT 'and a connecting road for each interconnection that connects', pg_temp.found('//road[@junction!="-1"]', file) = (SELECT count(*) FROM town.interconnection WHERE connecting) FROM written;
+SELECT 'every lane is there, with its kind', pg_temp.texts('//road[@junction="-1"]//lane[@id!="0"]/@type', file) = (SELECT array_agg(t ORDER BY t COLLATE "C") FROM (SELECT streetgen._opendrive_lane_type(kind, both_ways) AS t FROM town.lane) l) FROM written;
+SELECT 'ids are whole numbers, each once', (SELECT count(DISTINCT id) = count(*) AND bool_and(id ~ '^[0-9]+$') FROM unnest(pg_temp.texts('//road/@id', file)) id) FROM written;
+SELECT 'a connecting road is one of its junction', (SELECT bool_and(pg_temp.found('//junction[@id="' || j || '"]/connection[@connectingRoad="' || r || '"]', file) = 1)
+  FROM unnest(xpath('//road[@junction!="-1"]', file)) x, LATERAL (SELECT (xpath('/road/@id', x))[1]::text AS r, (xpath('/road/@junction', x))[1]::text AS j) i) FROM written;
+SELECT 'lanes are linked in the junction as in the road', (SELECT bool_and(pg_temp.found('//connection[@connectingRoad="' || r || '" and @incomingRoad="' || i || '"]/laneLink[@from="' || p || '" and @to="-1"]', file) = 1)
+  FROM unnest(xpath('//road[@junction!="-1"]', file)) x, LATERAL (SELECT (xpath('/road/@id', x))[1]::text AS r, (xpath('/road/link/predecessor/@elementId', x))[1]::text AS i, (xpath('//lane/link/predecessor/@id', x))[1]::text AS p) l) FROM written;
+SELECT 'roads lead to junctions that are there', (SELECT bool_and(pg_temp.found('//junction[@id="' || j || '"]', file) = 1) FROM unnest(pg_temp.texts('//road[@junction="-1"]/link/*/@elementId', file)) j) FROM written;
+SELECT 'one drives on the side that the model says', pg_temp.texts('//road/@rule', file) @> '{RHT}' AND NOT pg_temp.texts('//road/@rule', file) @> '{LHT}' AND NOT pg_temp.texts('//road/@rule', on_left) @> '{RHT}' FROM written;
+SELECT 'a one-way street has lanes of one side', pg_temp.found('//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@id < 0]', file) = 3 AND pg_temp.found('//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@id > 0]', on_left) = 3 FROM written, town.edge WHERE axis_id = 3;
+SELECT 'lengths are those of the pieces', (SELECT bool_and(abs((xpath('/road/@length', x))[1]::text::float8 - (xpath('sum(//geometry/@length)', x))[1]::text::float8) < 1e-5) FROM unnest(xpath('//road', file)) x) FROM written;
+SELECT 'coordinates are near zero', (SELECT bool_and(x::float8 BETWEEN -1 AND 400) FROM unnest(pg_temp.texts('//geometry/@x', file)) x) AND pg_temp.texts('//offset/@x', file) = '{650000}' FROM written;
+SELECT 'the projection is told', (xpath('string(//geoReference)', file))[1]::text LIKE '%+proj=lcc%' FROM written;
+SELECT 'a name keeps what XML can hold', (xpath('string(//road[userData[@code="edge" and @value="1"]]/@name)', file))[1]::text = (xpath('string(/n/@m)', '<n m="&lt;&quot;Rue&quot; &amp; d''Ab&gt;"/>'))[1]::text FROM written;
+SELECT 'widths at the beginning of roads are those of the lanes', (SELECT bool_and(abs(f.width - l.width) <= 0.01) FROM town.lane l JOIN town.edge USING (edge_id),
+    LATERAL (SELECT (xpath('(//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@id != 0])[' || lane_position || ']/width[1]/@a', file))[1]::text::float8 AS width) f WHERE axis_id IN (1, 2, 3)) FROM written;
+SELECT 'lines between lanes are marks', pg_temp.found('//road[@junction="-1"]//roadMark[@type="broken" or @type="solid"]', file) = (SELECT count(*) FROM town.lane_separator) FROM written;
+SELECT 'a part of the town has whole edges, and no way out of them', pg_temp.found('//road', f) = 1 AND pg_temp.found('//junction', f) = 0 FROM pg_temp.file('town', '{"extent": [650240, 6860000, 650300, 6860050]}') f;
+SELECT 'the version as asked for', pg_temp.texts('//header/@revMinor', pg_temp.file('town', '{"version": "1.6"}')) = '{6}' AND pg_temp.texts('//header/@revMinor', file) = '{7}' FROM written;
+SELECT 'the same bytes again', file::text = pg_temp.file('town')::text FROM written;
+SELECT 'bad options are refused: ' || bad, test.state(format($$SELECT FROM streetgen.export_opendrive('town', %L)$$, bad)) = '22023' FROM unnest(ARRAY['{"colour": 1}', '{"version": "1.4"}', '{"tolerance": 0}', '{"extent": [0, 0, 1, 1]}']) bad;
+SELECT 'a model without interconnections is refused, and one without junctions that are asked for', test.state($$SELECT FROM streetgen.export_opendrive('bare')$$) = '55000' AND test.state($$SELECT FROM streetgen.export_opendrive('town', '{"junctions": "group"}')$$) = '55000';
+-- A lane that lies among those of the other direction.
+SELECT FROM streetgen.create_model('wide', 2154, subjects => '{interconnection,junction}', driving_side => 'right') \g /dev/null
+INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 'direct'), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7, 'direct'),
+    (3, 'SRID=2154;LINESTRING(650200 6860010,650100 6860010)', 7, 'direct'), (4, 'SRID=2154;LINESTRING(650100 6860010,650000 6860010)', 7, 'direct'),
+    (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both'), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860010)', 7, 'both'), (7, 'SRID=2154;LINESTRING(650100 6860010,650100 6860100)', 7, 'both');
+SELECT 'the nodes of a junction are one, its movements the connecting roads', pg_temp.found('//road[@junction!="-1"]', f) = (SELECT count(*) FROM wide.movement WHERE connecting) AND pg_temp.found('//junction', f) = 1
+  AND pg_temp.found('//road[userData[@code="edge" and @value="6"]]', f) = 0 FROM pg_temp.file('wide', '{"junctions": "group"}') f;
+-- What is stale is written with a warning that counts.
+SELECT FROM streetgen.live('town', false);
+UPDATE town.axis SET width = 13 WHERE axis_id = 1;
+SELECT 'a stale model is written', pg_temp.found('//road[@junction="-1"]', pg_temp.file('town')) = (SELECT count(*) FROM town.edge);
