@@ -61,7 +61,7 @@ BEGIN
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
             AND (privilege_type = 'SELECT'
-                OR made.relname LIKE '%\_override' AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
+                OR (made.relname LIKE '%\_override' OR made.relname = ANY (streetgen._object_table())) AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege_type, model, held.relation, held.role);
     END LOOP;
