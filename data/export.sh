@@ -56,10 +56,10 @@ write_layer() {
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 
-# write_lines FILE CALL: what a writer gives, which is in the order of the file.
+# write_lines FILE CALL: what a writer gives, which is in the order of the file. psql does not say that a disk is full, cat does.
 write_lines() {
   PGOPTIONS="-c client_min_messages=${told:-warning}" psql -qXAt -v ON_ERROR_STOP=1 -v SHOW_CONTEXT=never -v FETCH_COUNT=5000 -d "$database" \
-    -c "SELECT line FROM $2" >"$1" || fail "$(basename "$1") cannot be written"
+    -c "SELECT line FROM $2" | cat >"$1" || fail "$(basename "$1") cannot be written"
 }
 
 # write_parts FILE CALL: the same of a file of bytes.
