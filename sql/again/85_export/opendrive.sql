@@ -100,7 +100,8 @@ drawn AS MATERIALIZED (
 placed AS MATERIALIZED (
     SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
         CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
-        types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y, places[4 * i - 1] AS heading, places[4 * i] AS width
+        types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
+        places[4 * i - 1] AS heading, places[4 * i] AS width
     FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
         v(at_end, places)),
 connecting AS MATERIALIZED (
@@ -115,7 +116,8 @@ connecting AS MATERIALIZED (
         LATERAL streetgen._path_view((CASE WHEN short
                 THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea,
             ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END],
-            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END], CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
+            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END],
+            CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads() IS
     'Queries of a file of OpenDRIVE over a model: drawn, a road for each edge with what streetgen._road_lanes gives; '
     'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
@@ -131,7 +133,8 @@ lane_text AS (
         || streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
             SELECT border[(i - 1) * stations + k] - border[i * stations + k] FROM generate_series(1, stations) k))
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane>' AS text
-    FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d CROSS JOIN generate_series(1, cardinality(lanes)) i
+    FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
+        CROSS JOIN generate_series(1, cardinality(lanes)) i
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position)
             = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
 lanes_text AS (
@@ -179,7 +182,8 @@ line AS (
         || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
     FROM origin o, side, connecting c JOIN place USING (node_id),
         LATERAL (SELECT ARRAY[0, s[cardinality(s)] + length[cardinality(s)]] AS ends,
-            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule, CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
+            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
+            CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
         LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
             || '" level="false">'
             || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
