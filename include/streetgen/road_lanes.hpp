@@ -21,7 +21,7 @@ struct LaneLimit {
 
 struct RoadLanes {
   std::vector<PlanPiece> chain;
-  // Metres along the chain, the first 0, the last its end.  Between two of them borders are straight.
+  // Metres along the chain from 0 to its end.  Borders are straight from one to the next.
   std::vector<double> stations;
   // By border, from the left of the first lane to the right of the last, then by station: metres to
   // the left of the chain.
@@ -29,9 +29,9 @@ struct RoadLanes {
   std::vector<LaneLimit> starts, ends;  // by lane
 };
 
-// The lanes of a road, from the left to the right, across the chain of lines and arcs that
-// follows `axis` by `tolerance` metres.  Lanes lie side by side: of two that leave a gap or overlap, the
-// border is in the middle.  None is narrower than a millimetre.
+// The lanes of a road, given from the left to the right, across the chain of lines and arcs that
+// follows `axis` by `tolerance` metres.  Of two that leave a gap or overlap, the border is in the
+// middle.  None is narrower than a millimetre.  An axis without length, or no lane: no station.
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance);
 
 }  // namespace streetgen

@@ -53,6 +53,13 @@ INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
     (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both'), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860010)', 7, 'both'), (7, 'SRID=2154;LINESTRING(650100 6860010,650100 6860100)', 7, 'both');
 SELECT 'the nodes of a junction are one, its movements the connecting roads', pg_temp.found('//road[@junction!="-1"]', f) = (SELECT count(*) FROM wide.movement WHERE connecting) AND pg_temp.found('//junction', f) = 1
   AND pg_temp.found('//road[userData[@code="edge" and @value="6"]]', f) = 0 FROM pg_temp.file('wide', '{"junctions": "group"}') f;
+-- Heights of axes, and of profiles.
+SELECT FROM streetgen.create_model('hill', 2154, dimension => 3, driving_side => 'right') \g /dev/null
+INSERT INTO hill.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING Z (650000 6860000 10,650100 6860000 20)', 7), (2, 'SRID=2154;LINESTRING Z (650100 6860000 20,650200 6860000 20)', 5), (3, 'SRID=2154;LINESTRING Z (650100 6860000 20,650100 6860100 40)', 5);
+SELECT 'without heights there is no elevation', pg_temp.found('//elevationProfile', file) = 0 FROM written;
+SELECT 'roads and connecting roads have heights', pg_temp.found('//road/elevationProfile', f) = pg_temp.found('//road', f) FROM pg_temp.file('hill') f;
+SELECT 'a road climbs as its axis does', abs((xpath('string(//road[userData[@code="edge" and @value="' || edge_id || '"]]//elevation[1]/@a)', f))[1]::text::float8 - 10) < 0.01 AND abs((xpath('string(//road[userData[@code="edge" and @value="' || edge_id || '"]]//elevation[1]/@b)', f))[1]::text::float8 - 0.1) < 1e-6
+  FROM hill.edge, pg_temp.file('hill') f WHERE axis_id = 1;
 -- What is stale is written with a warning that counts.
 SELECT FROM streetgen.live('town', false);
 UPDATE town.axis SET width = 13 WHERE axis_id = 1;

@@ -89,18 +89,21 @@ stretch AS (
         FROM %1$I.section_limit start JOIN %1$I.section_limit until USING (edge_id)
         WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
 drawn AS MATERIALIZED (
-    SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, d.*
+    SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
+        d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
     FROM origin o, road r JOIN stretch t USING (edge_id),
         -- Crossed limits may lie at one place.
         LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
             least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
-        LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom),
-            (a + least(cut_start, (b - a) / 4)) / total,
-            (b - least(cut_end, (b - a) / 4)) / total)::bytea, r.lines, r.surfaces, r.widths, o.tolerance) d),
+        LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
+            (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
+        LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea, r.lines,
+            r.surfaces, r.widths, o.tolerance) d),
 placed AS MATERIALIZED (
     SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
         CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
-        types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y, places[4 * i - 1] AS heading, places[4 * i] AS width
+        types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
+        places[4 * i - 1] AS heading, places[4 * i] AS width
     FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
         v(at_end, places)),
 connecting AS MATERIALIZED (
@@ -115,11 +118,36 @@ connecting AS MATERIALIZED (
         LATERAL streetgen._path_view((CASE WHEN short
                 THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea,
             ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END],
-            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END], CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
+            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END],
+            CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads() IS
     'Queries of a file of OpenDRIVE over a model: drawn, a road for each edge with what streetgen._road_lanes gives; '
     'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
     'lane.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_heights(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $part$,
+raised AS MATERIALIZED (
+    SELECT road_id, array_agg(m ORDER BY m) AS station, array_agg(z ORDER BY m) AS heights
+    FROM (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, ST_M(p.geom) AS m, ST_Z(p.geom) AS z
+        FROM drawn JOIN ($part$ || CASE WHEN 'height' = ANY (subjects) THEN 'SELECT edge_id, geom FROM %1$I.profile'
+                WHEN dimension = 3 THEN 'SELECT edge_id, geom FROM written_edge'
+                ELSE 'SELECT NULL::bigint AS edge_id, NULL::geometry AS geom WHERE false' END || $part$) h
+            USING (edge_id), ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
+        ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
+    GROUP BY road_id HAVING count(*) > 1)$part$
+    FROM streetgen._subjects(model) subjects, streetgen.model m WHERE m.name = model $$;
+COMMENT ON FUNCTION streetgen._opendrive_heights(name) IS
+    'Query raised of a file of OpenDRIVE, after streetgen._opendrive_roads(): the heights of roads, metres, at stations '
+    'along them: of profiles where the model computes them, else of axes that have any.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_elevation(station float8[], heights float8[]) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce('<elevationProfile>' || streetgen._opendrive_change('elevation', 's', station, heights)
+        || '</elevationProfile>', '');
+COMMENT ON FUNCTION streetgen._opendrive_elevation(float8[], float8[]) IS
+    'The element elevationProfile of heights at stations; nothing where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_lines() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -131,7 +159,8 @@ lane_text AS (
         || streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
             SELECT border[(i - 1) * stations + k] - border[i * stations + k] FROM generate_series(1, stations) k))
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane>' AS text
-    FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d CROSS JOIN generate_series(1, cardinality(lanes)) i
+    FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
+        CROSS JOIN generate_series(1, cardinality(lanes)) i
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position)
             = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
 lanes_text AS (
@@ -147,8 +176,7 @@ line AS (
     FROM origin LEFT JOIN spatial_ref_sys ON srid = %2$s
     UNION ALL
     SELECT 2, d.road_id, streetgen._opendrive_open(xmlelement(name road, xmlattributes(
-            streetgen._xml_text(a.name) AS name, streetgen._opendrive_number(d.s[cardinality(d.s)]
-                + d.length[cardinality(d.s)], 7) AS length,
+            streetgen._xml_text(a.name) AS name, streetgen._opendrive_number(d.total, 7) AS length,
             d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule)))
         || CASE WHEN f.place_id IS NULL AND t.place_id IS NULL THEN '' ELSE '<link>'
             || coalesce('<predecessor elementType="junction" elementId="' || f.place_id || '"/>', '')
@@ -156,8 +184,9 @@ line AS (
         || '<type s="0" type="unknown"><speed max="' || streetgen._opendrive_number(e.speed, 1)
         || '" unit="km/h"/></type>'
         || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, o.x, o.y, digits)
-        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', station,
-            border[lefts * cardinality(station) + 1:(lefts + 1) * cardinality(station)])
+        || streetgen._opendrive_elevation(h.station, h.heights)
+        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', d.station,
+            border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)])
         || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane></center>' || coalesce(on_right, '')
         || '</laneSection></lanes><userData code="edge" value="' || d.edge_id || '"/></road>'
@@ -165,21 +194,27 @@ line AS (
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
+        LEFT JOIN raised h ON h.road_id = d.road_id
     UNION ALL
-    SELECT 3, road_id, '<road length="' || streetgen._opendrive_number(s[cardinality(s)] + length[cardinality(s)], 7)
-        || '" id="' || road_id || '" junction="' || place_id || '" rule="' || rule
+    SELECT 3, c.road_id, '<road length="' || streetgen._opendrive_number(s[cardinality(s)] + length[cardinality(s)], 7)
+        || '" id="' || c.road_id || '" junction="' || place_id || '" rule="' || rule
         || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
         || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
         || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
         || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, o.x, o.y, digits)
+        || streetgen._opendrive_elevation(ends, ARRAY[
+            a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
+            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]])
         || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', ends, ARRAY[half * width_in, half * width_out])
         || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
         || '<center><lane id="0" type="none" level="false"/></center>'
         || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
         || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
-    FROM origin o, side, connecting c JOIN place USING (node_id),
+    FROM origin o, side, connecting c JOIN place USING (node_id)
+        LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT ARRAY[0, s[cardinality(s)] + length[cardinality(s)]] AS ends,
-            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule, CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
+            CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
+            CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
         LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
             || '" level="false">'
             || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
@@ -202,7 +237,8 @@ DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
 BEGIN
     RETURN QUERY EXECUTE streetgen._export_lines(model, known,
-        streetgen._opendrive_roads() || streetgen._opendrive_lines(), '<OpenDRIVE>', '</OpenDRIVE>') USING known;
+        streetgen._opendrive_roads() || streetgen._opendrive_heights(model) || streetgen._opendrive_lines(),
+        '<OpenDRIVE>', '</OpenDRIVE>') USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'A file of ASAM OpenDRIVE 1.7 (or 1.6), line by line. An edge is a road, its reference line a chain of lines and '
@@ -211,7 +247,7 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
     'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
     'is a junction. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
-    'road marks. Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
+    'road marks. Heights are those of profiles where the model computes them, else of axes that have any. Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
     'that meet at one place are cut back by 0.05 m for the road that connects them. options as '
     'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
     'the model: 42501; a model without interconnections, or junctions that are asked for: 55000. What is stale is '

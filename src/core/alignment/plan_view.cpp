@@ -17,8 +17,10 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 // Radians.  A sharper turn has no arc worth the name.
 constexpr double sharpest = 0.9 * pi;
-// Of the shares of the tolerance one is for the points left out, one for the arcs at those that stay.
+// A share of the tolerance is for the points left out, the other for the arcs at those that stay.
 constexpr double half = 0.5;
+// Radians.  A turn that is smaller moves the end of a kilometre by ten micrometres.
+constexpr double straight_turn = 1e-8;
 
 double heading_of(const Point& direction) { return std::atan2(direction.y, direction.x); }
 Point along(double heading) { return {std::cos(heading), std::sin(heading), 0}; }
@@ -53,13 +55,13 @@ Line simplified(const Line& line, double tolerance) {
   return out;
 }
 
-// A point behind the first one, so that the line sets out as the heading says.
+// A point behind the first one, so that the line sets out as the heading says; also where it does by
+// itself, since the point behind may yet be moved.
 void set_out(Line& line, double heading, double tolerance) {
   const Point side = line[1] - line[0], way = along(heading);
   const double turn = std::abs(turn_between(way, side));
-  if (turn < straight_sine) return;
-  const double most = tolerance / std::max(std::sin(std::min(turn, pi / 2)), straight_sine);
-  line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, most));
+  const double aside = std::max(std::sin(std::min(turn, pi / 2)), straight_turn);
+  line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, tolerance / aside));
 }
 
 // Where the line turns back, a step aside: at the end of the longer side, which it turns least.
@@ -107,7 +109,7 @@ class Chain {
   double tangent_at(std::size_t i) const {
     const Point before = line_[i] - line_[i - 1], behind = line_[i + 1] - line_[i];
     const double turn = std::abs(turn_between(before, behind));
-    if (turn < straight_sine) return 0;
+    if (turn < straight_turn) return 0;
     return std::min({norm(before) / 2, norm(behind) / 2, tolerance_ / std::tan(turn / 4)});
   }
 

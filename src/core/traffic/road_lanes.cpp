@@ -14,10 +14,10 @@ namespace streetgen {
 
 namespace {
 
-constexpr double step = 2;           // metres between two looks across the road
-constexpr double inside = 1e-3;      // metres from the ends, where borders of surfaces lie
+constexpr double step = 2;            // metres between two looks across the road
+constexpr double inside = 1e-3;       // metres from the ends, where borders of surfaces lie
 constexpr double least_width = 1e-3;  // metres
-constexpr double straight_border = 0.01;  // metres that a border may leave what is written
+constexpr double straight_border = 0.01;  // metres by which borders may leave what is written
 
 // What a lane grows by from one look to the next, at most: a share and metres.
 constexpr double wider = 1.3, wider_by = 0.5;
@@ -68,8 +68,7 @@ std::vector<double> looks(const std::vector<PlanPiece>& chain) {
   return out;
 }
 
-// Places on the left of the chain where the lane was not seen: those of the place before, else
-// behind.
+// At each station; where the lane is not seen, that of the station before, else behind.
 std::vector<Span> seen_spans(const LaneGround& lane, const std::vector<PlanPiece>& chain,
                              const std::vector<double>& stations) {
   const double end = length(chain), from = std::min(inside, end / 4);
@@ -88,7 +87,8 @@ std::vector<Span> seen_spans(const LaneGround& lane, const std::vector<PlanPiece
     expected = seen.back()->middle();
     widest = std::max(lane.width, seen.back()->left - seen.back()->right);
   }
-  const auto first = std::find_if(seen.begin(), seen.end(), [](const auto& s) { return s.has_value(); });
+  const auto first = std::find_if(seen.begin(), seen.end(),
+                                  [](const auto& span) { return span.has_value(); });
   Span last = first == seen.end() ? wanted : **first;
   std::vector<Span> out;
   for (const auto& span : seen) out.push_back(last = span.value_or(last));

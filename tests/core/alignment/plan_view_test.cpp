@@ -25,7 +25,8 @@ double side_heading(const Point& from, const Point& to) {
 Line places(const std::vector<PlanPiece>& chain) {
   Line out;
   for (const PlanPiece& piece : chain)
-    for (int i = 0; i < 16; ++i) out.push_back(place_at(chain, piece.s + piece.length * i / 16).point);
+    for (int i = 0; i < 16; ++i)
+      out.push_back(place_at(chain, piece.s + piece.length * i / 16).point);
   out.push_back(place_at(chain, length(chain)).point);
   return out;
 }
@@ -106,13 +107,25 @@ TEST(PlanView, OfNothingIsNothing) {
   EXPECT_THROW(place_at({}, 0), Error);
 }
 
+// The place ahead lies straight on, but is left in another direction.
+TEST(PathView, SetsOutAsAskedWhereOnlyTheEndTurns) {
+  for (const double heading_to : {-0.5, 0.0, 0.2, 3.0}) {
+    const auto chain = path_view({{0, 0}, {3, 0}}, {{0, 0}, 0}, {{3, 0}, heading_to}, 1);
+    expect_smooth(chain);
+    EXPECT_LT(turn_between(chain.front().start.heading, 0), 1e-9);
+    EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, heading_to), 1e-6);
+  }
+}
+
 TEST(PathView, JoinsTwoPlaces) {
   std::mt19937 random(22);
   std::uniform_real_distribution<double> beside(-0.3, 0.3);
   for (int i = 0; i < 100; ++i) {
     const Line line = random_line(random, {3, 1.5});
-    const ChainPlace from{planar(line.front()) + Point{beside(random), beside(random)}, beside(random)};
-    const ChainPlace to{planar(line.back()) + Point{beside(random), beside(random)}, beside(random)};
+    const auto near = [&](const Point& p) {
+      return ChainPlace{planar(p) + Point{beside(random), beside(random)}, beside(random)};
+    };
+    const ChainPlace from = near(line.front()), to = near(line.back());
     const auto chain = path_view(line, from, to, 0.05);
     expect_smooth(chain);
     const ChainPlace end = place_at(chain, length(chain));
