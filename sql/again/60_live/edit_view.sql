@@ -100,7 +100,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height'),
     ('street_object_editing', 'Edit layer: drop, drag or turn an object; type where it stands. It follows its axis',
         ARRAY['key; NULL for a new object', 'what it is', 'where it stands', 'absolute, axis or border; NULL for a new '
-            'one: by the place', 'the axis; NULL: the nearest', 'metres along the axis', 'left or right, of a placement by the border', 'metres to the left of the axis, or away '
+            'one: by the place', 'the axis; NULL: the nearest', 'metres along the axis', 'left or right, of a '
+            'placement by the border', 'metres to the left of the axis, or away '
             'from the border', 'degrees clockwise from the axis, or from the north', 'axis or absolute',
             'direction, degrees clockwise from the north', 'absolute, relative or orphaned'],
         $sql$SELECT street_object_id, type, geom::geometry(Point, %2$s) AS geom, placement, axis_id, abscissa, side,

@@ -139,8 +139,8 @@ raised AS MATERIALIZED (
     GROUP BY road_id HAVING count(*) > 1)$part$
     FROM streetgen._subjects(model) subjects, streetgen.model m WHERE m.name = model $$;
 COMMENT ON FUNCTION streetgen._opendrive_heights(name) IS
-    'Query raised of a file of OpenDRIVE, after streetgen._opendrive_roads(): the heights of roads, metres, at stations '
-    'along them: of profiles where the model computes them, else of axes that have any.';
+    'Query raised of a file of OpenDRIVE, after streetgen._opendrive_roads(): the heights of roads, metres, at '
+    'stations along them: of profiles where the model computes them, else of axes that have any.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_elevation(station float8[], heights float8[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -247,7 +247,8 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
     'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
     'is a junction. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
-    'road marks. Heights are those of profiles where the model computes them, else of axes that have any. Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
+    'road marks. Heights are those of profiles where the model computes them, else of axes that have any. '
+    'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
     'that meet at one place are cut back by 0.05 m for the road that connects them. options as '
     'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
     'the model: 42501; a model without interconnections, or junctions that are asked for: 55000. What is stale is '
