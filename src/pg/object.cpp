@@ -30,11 +30,12 @@ STREETGEN_FUNCTION(streetgen_place_on) {
 
 STREETGEN_FUNCTION(streetgen_direction_on) {
   const std::string_view axis = take_bytes(fcinfo, 0);
-  const double abscissa = PG_GETARG_FLOAT8(1);
+  const double abscissa = PG_GETARG_FLOAT8(1), turn = PG_GETARG_FLOAT8(2);
   double degrees = 0;
   const Outcome outcome = compute([&] {
     const ReadLine read = read_line(axis, "axis");
     degrees = place_beside(read.line, {finite(abscissa, "abscissa"), 0}).direction * 180 / M_PI;
+    degrees = std::fmod(degrees + in_range(turn, -360, 360, "orientation") + 360, 360);
   });
   report(outcome);
   PG_RETURN_FLOAT8(degrees);

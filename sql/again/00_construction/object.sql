@@ -5,11 +5,11 @@ CREATE OR REPLACE FUNCTION streetgen._place_on(bytea, float8, float8) RETURNS by
 COMMENT ON FUNCTION streetgen._place_on(bytea, float8, float8) IS
     'The place (EWKB) at an abscissa of an axis (EWKB), so many metres to its left';
 
-CREATE OR REPLACE FUNCTION streetgen._direction_on(bytea, float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._direction_on(bytea, float8, float8) RETURNS float8
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_direction_on';
-COMMENT ON FUNCTION streetgen._direction_on(bytea, float8) IS
-    'Direction of an axis (EWKB) at an abscissa, degrees clockwise from the north; at a vertex between those of both '
-    'segments';
+COMMENT ON FUNCTION streetgen._direction_on(bytea, float8, float8) IS
+    'Direction of an axis (EWKB) at an abscissa, turned by so many degrees: clockwise from the north, from 0 to below '
+    '360; at a vertex between those of both segments';
 
 CREATE OR REPLACE FUNCTION streetgen._locate_on(bytea, bytea) RETURNS float8[]
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_locate_on';
@@ -18,9 +18,12 @@ COMMENT ON FUNCTION streetgen._locate_on(bytea, bytea) IS
 
 CREATE OR REPLACE FUNCTION streetgen._border_offset(width float8, axis_offset float8, side text,
     roadway_offset float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE side WHEN 'left' THEN roadway_offset + width / 2 + axis_offset
-        WHEN 'right' THEN roadway_offset - width / 2 - axis_offset ELSE axis_offset END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        SELECT CASE side WHEN 'left' THEN roadway_offset + width / 2 + axis_offset
+            WHEN 'right' THEN roadway_offset - width / 2 - axis_offset ELSE axis_offset END;
+    END;
 COMMENT ON FUNCTION streetgen._border_offset(float8, float8, text, float8) IS
     'Metres to the left of an axis: of a distance from its left or right border, away from the roadway; side NULL: '
     'the offset itself.';

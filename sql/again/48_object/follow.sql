@@ -20,17 +20,28 @@ BEGIN
 CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
+    -- Of all axes or of some: each has a plan of its own.
+    SET plan_cache_mode = force_custom_plan
     AS $body$
 #variable_conflict use_column
+DECLARE
+    nestloop_before constant text := current_setting('enable_nestloop');
+    seqscan_before constant text := current_setting('enable_seqscan');
 BEGIN
-    PERFORM %1$I._renew_rule_objects(axes);
+    -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
+    PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
+    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active)
+        OR EXISTS (SELECT FROM %1$I.street_object WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
+        PERFORM %1$I._renew_rule_objects(axes);
+    END IF;
     UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
     FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end, o.abscissa,
                 o.abscissa_end, o.side, o.axis_offset) AS geom,
             streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
         FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end
             FROM %1$I.axis_used WHERE axes IS NULL OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
-        WHERE o.method = 'relative' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
+        -- Those of rules are new.
+        WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
     WHERE o.street_object_id = n.street_object_id
         AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
     PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
@@ -47,7 +58,8 @@ BEGIN
         SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN %1$I.object_edge o USING (street_object_id)),
     -- Of what stands there no more, and of objects whose axes are gone.
     gone AS (
-        DELETE FROM %1$I.object_edge o WHERE o.street_object_id NOT IN (SELECT street_object_id FROM new)
+        DELETE FROM %1$I.object_edge o WHERE NOT EXISTS (SELECT FROM new n WHERE n.street_object_id
+                = o.street_object_id)
             AND (axes IS NULL OR o.street_object_id IN (SELECT street_object_id FROM there)) RETURNING 1),
     -- A first run has no keys yet.
     put AS (
@@ -58,6 +70,7 @@ BEGIN
         WHERE o.street_object_id = c.street_object_id AND c.before <> c.edge_id)
     SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
         (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
+    PERFORM set_config('enable_nestloop', nestloop_before, true), set_config('enable_seqscan', seqscan_before, true);
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I.join_objects() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
@@ -124,8 +137,8 @@ BEGIN
                 AS orientation
         FROM inherited i, LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
                 (streetgen._locate_on(line::bytea, foot_end::bytea))[1] AS b) l,
-            LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa)
-                - streetgen._direction_on(line::bytea, a)) < 0, false) AS turned) t,
+            LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa, 0)
+                - streetgen._direction_on(line::bytea, a, 0)) < 0, false) AS turned) t,
             LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
                 AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
                 THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
@@ -165,7 +178,7 @@ BEGIN
         side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= 0 THEN 'left' ELSE 'right' END END,
         axis_offset = CASE WHEN o.side IS NULL THEN beside ELSE o.axis_offset END,
         orientation = CASE WHEN o.orientation_kind = 'axis' THEN round((o.angle - streetgen._direction_on(
-            (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa))::numeric, 9)
+            (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa, 0))::numeric, 9)
             ELSE o.orientation END
     FROM found f WHERE o.street_object_id = f.street_object_id;
     -- Streets that follow take their objects along.

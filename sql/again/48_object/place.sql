@@ -1,33 +1,45 @@
 -- Where an object stands that is placed by an axis, or by the border of its roadway.
 
-CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8, abscissa float8,
-    abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._object_stretch(axis geometry, length float8, width float8, width_end float8,
+    abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa, at_start)::geometry
-        WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
+    SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
         ELSE streetgen.offset_line(stretch, at_start, at_end) END
-    FROM (SELECT ST_Length2D(axis) AS length) l,
-        LATERAL (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side, 0)
+    FROM (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side, 0)
                 AS at_start,
             streetgen._border_offset(width + (width_end - width) * abscissa_end / length, axis_offset, side, 0)
                 AS at_end,
-            CASE WHEN abscissa_end IS NOT NULL THEN ST_LineSubstring(axis, least(abscissa / length, 1),
-                least(abscissa_end / length, 1)) END AS stretch) o $$;
+            ST_LineSubstring(axis, least(abscissa / length, 1), least(abscissa_end / length, 1)) AS stretch) o $$;
+COMMENT ON FUNCTION streetgen._object_stretch(geometry, float8, float8, float8, float8, float8, text, float8) IS
+    'Where a stretch lies, as _object_geometry, of an axis of a length (m).';
+
+CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8, abscissa float8,
+    abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa,
+                streetgen._border_offset(width + (width_end - width) * abscissa / ST_Length2D(axis), axis_offset, side,
+                    0::float8))::geometry
+            ELSE streetgen._object_stretch(axis, ST_Length2D(axis), width, width_end, abscissa, abscissa_end, side,
+                axis_offset) END;
+    END;
 COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8, text, float8) IS
     'Where an object stands: a point at an abscissa, or a line from there to another one; side NULL: so many metres to '
     'the left of the axis, else from that border. The width (m) changes linearly along the axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_angle(axis geometry, abscissa float8, abscissa_end float8,
     orientation float8, orientation_kind text) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT CASE WHEN angle < 360 THEN angle ELSE 0 END
-    FROM (SELECT a - 360 * floor(a / 360) AS angle FROM (SELECT orientation + CASE WHEN orientation_kind = 'axis'
-        AND axis IS NOT NULL THEN streetgen._direction_on(axis::bytea,
-            coalesce((abscissa + abscissa_end) / 2, abscissa)) ELSE 0 END AS a) s) t $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+        SELECT CASE WHEN orientation_kind = 'axis' AND axis IS NOT NULL THEN streetgen._direction_on(axis::bytea,
+                coalesce((abscissa + abscissa_end) / 2, abscissa), orientation)
+            ELSE orientation - 360 * floor(orientation / 360) END;
+    END;
 COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, text) IS
-    'The direction that an object faces, degrees clockwise from the north, 0 to 360: a stretch in its middle.';
+    'The direction that an object faces, degrees clockwise from the north, from 0 to below 360: a stretch in its '
+    'middle.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, OUT line geometry, OUT width float8,
     OUT width_end float8)

@@ -44,6 +44,7 @@ BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+    SET plan_cache_mode = force_custom_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
