@@ -20,7 +20,7 @@ parts_of() {
     *.shp) printf '%s\n' "${1%.shp}".{shp,shx,dbf,prj,cpg} ;;
     *.net.xml)
       printf '%s\n' "$1"
-      [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ}.xml ;;
+      [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ,tll}.xml ;;
     *) printf '%s\n' "$1" ;;
   esac
 }
@@ -56,10 +56,10 @@ write_layer() {
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 
-# write_lines FILE CALL: what a writer gives, which is in the order of the file.
+# write_lines FILE CALL: what a writer gives, which is in the order of the file. psql does not say that a disk is full, cat does.
 write_lines() {
   PGOPTIONS="-c client_min_messages=${told:-warning}" psql -qXAt -v ON_ERROR_STOP=1 -v SHOW_CONTEXT=never -v FETCH_COUNT=5000 -d "$database" \
-    -c "SELECT line FROM $2" >"$1" || fail "$(basename "$1") cannot be written"
+    -c "SELECT line FROM $2" | cat >"$1" || fail "$(basename "$1") cannot be written"
 }
 
 # write_parts FILE CALL: the same of a file of bytes.

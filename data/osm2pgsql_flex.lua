@@ -1,6 +1,7 @@
 -- Every highway and aeroway line of an OSM file, with the tags that import_osm reads, its turn
--- restrictions, a row for each pair of ways, and its signals, signs and crossings.  STREETGEN_PREFIX
--- names the tables (PREFIX_line, PREFIX_restriction, PREFIX_control), STREETGEN_SRID their projection.
+-- restrictions, a row for each pair of ways, its signals, signs and crossings, and what stands at
+-- streets.  STREETGEN_PREFIX names the tables (PREFIX_line, PREFIX_restriction, PREFIX_control,
+-- PREFIX_object), STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
@@ -49,7 +50,22 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
 
 local controls = { traffic_signals = true, stop = true, give_way = true, mini_roundabout = true, crossing = true }
 
+local standing = osm2pgsql.define_node_table(prefix .. '_object', {
+    { column = 'class', type = 'text', not_null = true },
+    { column = 'direction', type = 'text' },
+    { column = 'geom', type = 'point', projection = srid, not_null = true },
+})
+
+local standing_classes = { crossing = true, street_lamp = true, bus_stop = true, traffic_signals = true,
+                           stop = true, give_way = true, tree = true, bench = true, bollard = true }
+
 function osm2pgsql.process_node(object)
+    for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier' }) do
+        if standing_classes[object.tags[key]] then
+            standing:insert({ class = object.tags[key], direction = object.tags.direction, geom = object:as_point() })
+            break
+        end
+    end
     if controls[object.tags.highway] then
         control:insert({ class = object.tags.highway, direction = object.tags.direction,
                          traffic_signals_direction = object.tags['traffic_signals:direction'],

@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, shaded, single, with_arrow)
+from style import (ARC, ASPHALT, AXIS, BLOCK, CONTROL, HAND, IMPLAUSIBLE, ISLAND, JUNCTION, KERB, LIMIT, PAINT, PATH, REPORT, STRIP, WALK, fill, line, point, rules, shaded, single, turned, with_arrow)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,6 +47,9 @@ def roadway():
                  (f'intersection, level {level}', f"{at} AND kind = 'intersection'", fill(JUNCTION, JUNCTION, 0.02, 'MapUnit')),
                  (f'paint, level {level}', f"{at} AND kind IN ('lane_separator', 'marking')", fill(PAINT))]
     return rules(*rows)
+
+
+OBJECT_LINES = 'SELECT * FROM @.street_object WHERE ST_Dimension(geom) = 1'
 
 
 def bridge():
@@ -106,6 +109,14 @@ def roundabout():
                  ('accepted', 'confirmed IS NULL AND accepted', line(ARC, 0.8)), ('not accepted', 'ELSE', line(LIMIT, 0.4, dash='2;2')))
 
 
+def street_object():
+    """Symbols turned as the objects stand."""
+    return rules(*((kind, f"type = '{kind}'", turned(point(shape, colour, size), 'angle')) for kind, shape, colour, size in (
+        ('lamp', 'star', '#f59f00', 3), ('tree', 'circle', '#4d7c0f', 4), ('sign', 'triangle', REPORT, 3), ('traffic_light', 'diamond', '#1a9641', 3),
+        ('bench', 'rectangle', '#7c4a1e', 3), ('bollard', 'circle', AXIS, 1.4), ('bus_stop', 'square', LIMIT, 3), ('arrow', 'arrow', PAINT, 4))),
+        ('other', 'ELSE', turned(point('diamond', HAND, 2.4), 'angle')))
+
+
 def by_hand(relation, *columns):
     """What users decided; here also that which fits nowhere can be seen and deleted."""
     return Layer('overrides', relation, f'{relation}_id', 'geom', lambda: single(point('star', HAND, 3)), columns)
@@ -120,6 +131,8 @@ LAYERS = (
     Layer('edit', 'controller_editing', 'controller_id', 'geom', handle('circle', 3, '#c92a2a'), ('program', 'cycle', 'start_offset', 'durations', 'by_hand'), scale=5000),
     Layer('edit', 'overpass_editing', 'overpass_id', 'geom', handle('triangle', 2.4, AXIS), ('axis_above', 'clearance', 'by_hand'), scale=5000),
     Layer('edit', 'height_editing', 'height_id', 'geom', lambda: single(point('triangle', HAND, 2.2)), ('axis_id', 'height'), scale=5000),
+    Layer('edit', 'street_object_editing', 'street_object_id', 'geom', street_object, ('type', 'placement', 'axis_id', 'abscissa', 'side', 'axis_offset', 'orientation', 'orientation_kind'), scale=2500),
+    Layer('edit', 'pedestrian_crossing_editing', 'street_object_id', 'geom', lambda: single(point('square', HAND, 2.4)), ('axis_id', 'abscissa', 'width', 'angle'), scale=2500),
     Layer('edit', 'roundabout_editing', 'roundabout_id', 'geom', roundabout, ('confirmed',), scale=10000),
     Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
     Layer('edit', 'sidewalk_editing', 'sidewalk_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('width', 'by_hand'), scale=2500),
@@ -148,6 +161,8 @@ LAYERS = (
     by_hand('height_override', 'axis_id', 'abscissa', 'height'),
     by_hand('roundabout_override', 'confirmed'),
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
+    Layer('input', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
+    Layer('input', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'density', 'active')),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
     Layer('input', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),
     Layer('input', 'setting', 'name'),
@@ -170,6 +185,8 @@ LAYERS = (
     Layer('streets', 'signal_head', 'lane_id', 'geom', lambda: single(point('circle', '#c92a2a', 1.6)), scale=2500),
     Layer('streets', 'overpass', 'overpass_id', 'geom', lambda: single(point('triangle', AXIS, 2)), scale=10000),
     Layer('streets', 'roundabout', 'roundabout_id', 'geom', roundabout, scale=10000),
+    Layer('traffic', 'pedestrian_crossing', 'street_object_id', 'stripes', lambda: single(fill(PAINT)), scale=2500),
+    Layer('streets', 'street_object', 'street_object_id', 'geom', lambda: single(line(HAND, 0.5)), query=OBJECT_LINES, kind='LineString', scale=5000),
     Layer('streets', 'bridge', 'bridge_id', 'surface', bridge, query=BRIDGE_ROWS, kind='MultiPolygon', scale=10000),
     Layer('streets', 'tunnel', 'tunnel_id', 'surface', lambda: single(fill('#00000000', LIMIT, 0.4)), scale=10000),
     Layer('streets', 'roadway', 'roadway_id', 'surface', roadway, query=' UNION ALL '.join(ROADWAY.values()), kind='MultiPolygon', shown=True),

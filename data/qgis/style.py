@@ -48,6 +48,12 @@ def point(shape, colour, size):
     return QgsMarkerSymbol.createSimple({'name': shape, 'color': colour, 'size': str(size), 'outline_color': '#ffffff', 'outline_width': '0.3'})
 
 
+def turned(symbol, angle):
+    """A marker turned by an expression (degrees clockwise from the north)."""
+    symbol.symbolLayer(0).setDataDefinedProperty(QgsSymbolLayer.PropertyAngle, QgsProperty.fromExpression(angle))
+    return symbol
+
+
 def with_arrow(symbol, colour, size, angle='0'):
     """An arrow in the middle of the line, turned by an expression (degrees; NULL: none)."""
     arrow = QgsMarkerSymbol.createSimple({'name': 'filled_arrowhead', 'color': colour, 'size': str(size), 'outline_style': 'no'})

@@ -7,7 +7,7 @@ rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 floors=(
   'support'
   'geometry'
-  'network mesh virtual_city'
+  'network mesh object virtual_city'
   'alignment'
   'roadway roundabout'
   'ownership'

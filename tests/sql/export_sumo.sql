@@ -61,6 +61,21 @@ SELECT 'its movements are the connections', pg_temp.found('//connection', pg_tem
 INSERT INTO wide.junction_override (axis_id, geom, kind) VALUES (6, 'SRID=2154;POINT(650100 6860000)', 'signals');
 SELECT 'signals are traffic lights, one for all nodes of a junction', (SELECT count(*) > 0 FROM wide.junction WHERE kind = 'signals') AND pg_temp.found('//node[@type="traffic_light"]', pg_temp.file('wide', 'nodes')) = 2
   AND pg_temp.found('//node[@type="traffic_light" and @tl = preceding-sibling::node/@tl]', pg_temp.file('wide', 'nodes')) = 1;
+SELECT FROM streetgen.switch_subject('wide', 'signal', true);
+SELECT 'each connection at signals has green in some phase', bool_and(green) AND count(*) > 10 FROM (SELECT bool_or(substr(state::text, i, 1) IN ('G', 'g')) AS green
+  FROM unnest(xpath('//tlLogic/phase/@state', pg_temp.file('wide', 'tlLogics'))) state, generate_series(1, length(state::text)) i GROUP BY i) s;
+SELECT 'and is in the program once', (SELECT count(*) = count(DISTINCT n::text) AND count(*) = max(n::text::integer) + 1 FROM unnest(xpath('//connection/@linkIndex', pg_temp.file('wide', 'tlLogics'))) n);
+-- Roundabouts, and bus lanes that cars cross.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ring', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right');
+  INSERT INTO ring.axis (axis_id, geom, width, lane_count, importance) SELECT 1, ST_SetSRID(ST_Reverse(ST_ExteriorRing(ST_ForceRHR(ST_Buffer(ST_MakePoint(650000, 6860000), 18, 6)))), 2154), 7, 2, 3
+    UNION ALL SELECT 2 + a, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 18 * cos(radians(90 * a)), 6860000 + 18 * sin(radians(90 * a))), ST_MakePoint(650000 + 118 * cos(radians(90 * a)), 6860000 + 118 * sin(radians(90 * a)))), 2154), 6, 2, 4 FROM generate_series(0, 3) a;
+  INSERT INTO ring.axis (axis_id, geom, width, direction, kind_forward) VALUES (6, 'SRID=2154;LINESTRING(650300 6860000,650400 6860000)', 10.5, 'direct', 'general|bus|general'), (7, 'SRID=2154;LINESTRING(650300 6860100,650400 6860100)', 10.5, 'direct', 'general|general|bus');
+END $$;
+SELECT 'a ring is a roundabout of its edges and nodes', (SELECT array_agg(x ORDER BY x) FROM regexp_split_to_table((xpath('string(//roundabout/@edges)', f))[1]::text, ' ') x) = (SELECT array_agg(name ORDER BY name) FROM ring.roundabout r JOIN ring.roundabout_edge e USING (roundabout_id), streetgen._lane_group_text(e.edge_id, e.along_axis, 1) name WHERE accepted)
+  AND (SELECT count(DISTINCT x) = 4 AND bool_and(x IN (SELECT from_node::text FROM ring.edge WHERE axis_id = 1)) FROM regexp_split_to_table((xpath('string(//roundabout/@nodes)', f))[1]::text, ' ') x) FROM pg_temp.file('ring', 'edges') f;
+SELECT 'a part of it is none', pg_temp.found('//roundabout', pg_temp.file('ring', 'edges', '{"extent": [650010, 6860001, 650020, 6860012]}')) = 0;
+SELECT 'cars may cross a bus lane between theirs, and no other', (SELECT array_agg(pg_temp.found('//edge[@id="' || edge_id || '"]/lane[@allow]', f) ORDER BY axis_id) = '{0,1}' FROM ring.edge WHERE axis_id > 5) FROM pg_temp.file('ring', 'edges') f;
 -- What is stale is written with a warning that counts.
 SELECT FROM streetgen.live('town', false);
 UPDATE town.axis SET width = 13 WHERE axis_id = 1;

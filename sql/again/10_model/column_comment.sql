@@ -461,7 +461,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     UNION ALL SELECT relation, attribute, description FROM streetgen._signal_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._block_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column()
-    UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column() $$;
+    UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._object_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';
 
 CREATE OR REPLACE FUNCTION streetgen._comment_model(model name) RETURNS void

@@ -41,6 +41,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_table()
     (56, 'profile', 'height', 'edge_id', NULL, 'edge', 1),
     (57, 'bridge', 'bridge', 'bridge_id', 'edge_id, start_abscissa', 'bridge', 1),
     (58, 'tunnel', 'bridge', 'tunnel_id', 'edge_id, start_abscissa', 'tunnel', 1),
+    (70, 'object_edge', 'object', 'street_object_id', NULL, 'object_edge', 1),
     (99, 'report', 'network', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._computed_table() IS
     'The tables that generate writes, in the order in which their rows are given. subject: the part of a model that '
@@ -83,7 +84,9 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
     (15, 'height', '{overpass}'::text[], false, false, 'little',
         'heights along edges, with clearances and grades where roads pass over and under each other'),
     (17, 'bridge', '{overpass}'::text[], false, false, 'little',
-        'bridges and tunnels: stretches of edges over others, or off the ground by their level') $$;
+        'bridges and tunnels: stretches of edges over others, or off the ground by their level'),
+    (18, 'object', '{network}', false, false, 'by the number of objects',
+        'what stands at streets: objects that follow their axes, and the edge at which each stands') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '

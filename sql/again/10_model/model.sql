@@ -383,6 +383,8 @@ COMMENT ON FUNCTION streetgen._take_back(name, name) IS
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    relation name;
 BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('role', role, 'kind', kind);
     IF kind NOT IN ('reader', 'editor') THEN
@@ -398,6 +400,10 @@ BEGIN
             '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
             '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);
+        FOR relation IN SELECT r FROM unnest(streetgen._object_table()) r
+            WHERE to_regclass(format('%I.%I', model, r)) IS NOT NULL LOOP
+            EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);
+        END LOOP;
     END IF;
     PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);
 END $$;

@@ -155,6 +155,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),
+    ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL),
     ('link_factor', '27.5', 'km', 'of a design: what a utilisation of 1 (thousands of people squared per km2) and a km '
         'saved are worth, in km of road', 0, 1000000, NULL),
     ('benefit', 'paper', NULL, 'trips that a link of a design is judged by: those between its ends (paper) or all '

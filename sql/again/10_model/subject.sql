@@ -20,6 +20,18 @@ COMMENT ON FUNCTION streetgen.subject(name) IS
     'The subjects that a model can compute, a row each: is it computed now (wanted), which subjects it needs and which '
     'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_subject(model name, subject text) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF subject <> ALL (streetgen._subjects(model)) THEN
+        RAISE EXCEPTION 'model "%" does not compute subject "%"', model, subject USING ERRCODE = '55000',
+            HINT = format('SELECT * FROM streetgen.switch_subject(%L, %L, true) takes it in.', model, subject);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_subject(name, text) IS
+    'Raises 55000 for a model that does not compute a subject.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_subject_tables(model name, srid integer, subjects text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -61,7 +73,8 @@ BEGIN
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
             AND (privilege_type = 'SELECT'
-                OR made.relname LIKE '%\_override' AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
+                OR (made.relname LIKE '%\_override' OR made.relname = ANY (streetgen._object_table()))
+                    AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege_type, model, held.relation, held.role);
     END LOOP;

@@ -1,5 +1,5 @@
--- The nearest by true distance. An order of the index by <-> is not exact to the last digit, and PostgreSQL then refuses
--- it; the nearest box bounds the distance, and the exact distance decides within it.
+-- The nearest by true distance. An order of the index by <-> is not exact to the last digit, and PostgreSQL then
+-- refuses it; the nearest box bounds the distance, and the exact distance decides within it.
 
 CREATE OR REPLACE FUNCTION streetgen._nearest_axis(model name, place geometry) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

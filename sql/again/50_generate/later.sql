@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._later_subjects() RETURNS text[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT '{block,junction,signal,bridge}'::text[] $$;
+    AS $$ SELECT '{block,junction,signal,bridge,object}'::text[] $$;
 COMMENT ON FUNCTION streetgen._later_subjects() IS
     'The subjects that no part of the one statement writes: statements of their own follow it.';
 
@@ -20,6 +20,7 @@ BEGIN
         RETURN QUERY EXECUTE format('SELECT * FROM %I._renew_blocks($1, $2)', model) USING blocks, axes;
     END IF;
     RETURN QUERY SELECT * FROM streetgen._update_bridges(model, axes, edges);
+    RETURN QUERY SELECT * FROM streetgen._update_objects(model, axes);
     IF 'junction' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;

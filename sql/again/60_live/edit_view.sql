@@ -98,6 +98,21 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         'back',
         ARRAY['key', 'the axis: the nearest one where left out', 'height, metres', 'the place on the axis'],
         $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height'),
+    ('street_object_editing', 'Edit layer: drop, drag or turn an object; type where it stands. It follows its axis',
+        ARRAY['key; NULL for a new object', 'what it is', 'where it stands', 'absolute, axis or border; NULL for a new '
+            'one: by the place', 'the axis; NULL: the nearest', 'metres along the axis', 'left or right, of a '
+            'placement by the border', 'metres to the left of the axis, or away '
+            'from the border', 'degrees clockwise from the axis, or from the north', 'axis or absolute',
+            'direction, degrees clockwise from the north', 'absolute, relative or orphaned'],
+        $sql$SELECT street_object_id, type, geom::geometry(Point, %2$s) AS geom, placement, axis_id, abscissa, side,
+            axis_offset, orientation, orientation_kind, angle, method
+        FROM %1$I.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
+    ('pedestrian_crossing_editing', 'Edit layer: drop or drag a pedestrian crossing; type its width and its angle',
+        ARRAY['key; NULL for a new crossing', 'its middle on the axis', 'the axis; NULL: the nearest',
+            'metres along the axis', 'metres along the street', 'degrees counter-clockwise from the axis to the way '
+            'across'],
+        $sql$SELECT c.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, c.width, c.angle
+        FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
     ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
         'come first; DELETE takes back what was decided by hand',
         ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',

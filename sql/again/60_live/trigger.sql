@@ -275,6 +275,7 @@ BEGIN
         streetgen._make_chain_keys(model), streetgen._make_reach(model),
         streetgen._make_upsert(model), streetgen._make_update_signals(model),
         streetgen._make_update_junctions(model), streetgen._make_renew_bridges(model),
+        streetgen._make_object_triggers(model), streetgen._make_object_functions(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model);
 END $$;

@@ -473,7 +473,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_statement(model name) RETURNS text
     SELECT format('WITH ' || string_agg(query, ',' ORDER BY place) FILTER (WHERE kind = 'with')
         || string_agg(query, E'\nUNION ALL' ORDER BY place) FILTER (WHERE kind = 'rule'), model)
     FROM (SELECT * FROM (SELECT * FROM streetgen._check_part() UNION ALL SELECT * FROM streetgen._height_check_part()
-                UNION ALL SELECT * FROM streetgen._signal_check_part())
+                UNION ALL SELECT * FROM streetgen._signal_check_part()
+                UNION ALL SELECT * FROM streetgen._object_check_part())
             part WHERE subject = ANY (streetgen._subjects(model))
         UNION ALL SELECT 1000, 'design', 'rule', streetgen._design_check() WHERE streetgen._has_design(model)) p $$;
 COMMENT ON FUNCTION streetgen._check_statement(name) IS

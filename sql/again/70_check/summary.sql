@@ -72,6 +72,10 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
         GROUP BY 1 ORDER BY 1)$part$),
     (23, 'height', $part$
     (SELECT 'profiles, ' || method, count(*), NULL FROM %1$I.profile GROUP BY method ORDER BY method)$part$),
+    (70, 'object', $part$
+    (SELECT 'objects, ' || type, count(*), NULL FROM %1$I.street_object GROUP BY type ORDER BY type)$part$),
+    (71, 'object', $part$
+    (SELECT 'objects, ' || method, count(*), NULL FROM %1$I.street_object GROUP BY method ORDER BY method)$part$),
     (40, 'junction', $part$
     (SELECT 'junctions, ' || kind, count(*), NULL FROM %1$I.junction GROUP BY kind ORDER BY kind)$part$),
     (41, 'junction', $part$

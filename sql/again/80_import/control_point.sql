@@ -1,48 +1,5 @@
 -- Control points from a table of points: of OpenStreetMap, or of anybody's layer by a mapping.
 
-CREATE OR REPLACE FUNCTION streetgen._control_point_query(source regclass, mapping jsonb) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    target text;
-    entry jsonb;
-    expressions text[] := '{}';
-BEGIN
-    IF jsonb_typeof(mapping) <> 'object' THEN
-        RAISE EXCEPTION 'the mapping is a %, expected an object', jsonb_typeof(mapping) USING ERRCODE = '22023',
-            HINT = 'For example {"geom": "the_geom", "kind": "sign", "source_ref": "id"}.';
-    END IF;
-    FOR target IN SELECT key FROM jsonb_object_keys(mapping) key
-        WHERE key NOT IN ('geom', 'kind', 'direction', 'source_ref') LOOP
-        RAISE EXCEPTION 'the mapping names "%", which is no column of control_point to fill', target
-            USING ERRCODE = '22023', HINT = 'geom, kind, direction or source_ref';
-    END LOOP;
-    FOREACH target IN ARRAY ARRAY['geom', 'kind', 'direction', 'source_ref'] LOOP
-        entry := coalesce(mapping -> target, CASE target WHEN 'geom' THEN '"geom"'::jsonb
-            WHEN 'kind' THEN '"kind"' END);
-        IF jsonb_typeof(entry) = 'string' THEN
-            IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = entry #>> '{}'
-                AND attnum > 0 AND NOT attisdropped) THEN
-                RAISE EXCEPTION 'table % has no column "%"', source, entry #>> '{}' USING ERRCODE = '42703',
-                    HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source
-                        AND attnum > 0 AND NOT attisdropped) || '.';
-            END IF;
-            expressions := expressions || format('%I%s AS %I', entry #>> '{}', CASE target WHEN 'geom' THEN ''
-                ELSE '::text' END, target);
-        ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' AND target <> 'geom' THEN
-            expressions := expressions || format('%L::text AS %I', entry ->> 'value', target);
-        ELSIF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
-            expressions := expressions || format('NULL::text AS %I', target);
-        ELSE
-            RAISE EXCEPTION 'the mapping of "%" is %, expected a column name or {"value": …}', target, entry
-                USING ERRCODE = '22023', HINT = 'SQL is never evaluated.';
-        END IF;
-    END LOOP;
-    RETURN format('SELECT %s FROM %s', array_to_string(expressions, ', '), source);
-END $$;
-COMMENT ON FUNCTION streetgen._control_point_query(regclass, jsonb) IS
-    'The control points of a source by a checked mapping, as SQL: geom, kind, direction, source_ref.';
-
 CREATE OR REPLACE FUNCTION streetgen._check_control_points() RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -124,7 +81,8 @@ BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     PERFORM streetgen._pause();
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, source::text,
-        streetgen._control_point_query(source, mapping), only_on_axes => false);
+        streetgen._point_query('control_point', '{geom,kind,direction,source_ref}', '{geom,kind}', source,
+            mapping), only_on_axes => false);
     RETURN QUERY SELECT 'generate is due', NULL::text, streetgen._stale_axes(model), NULL::text[]
         WHERE streetgen._stale_axes(model) > 0;
 END $$;

@@ -68,7 +68,14 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
     (57, 'bridges', 'MULTIPOLYGON', false, 'bridge_id AS id, edge_id, start_abscissa AS at_start, '
         'end_abscissa AS at_end, method', 'surface', 'bridge'),
     (58, 'tunnels', 'MULTIPOLYGON', false, 'tunnel_id AS id, edge_id, start_abscissa AS at_start, '
-        'end_abscissa AS at_end, method', 'surface', 'tunnel')
+        'end_abscissa AS at_end, method', 'surface', 'tunnel'),
+    (70, 'objects', 'POINT', false, 'street_object_id AS id, type, angle, placement, axis_id, abscissa, side, '
+        'axis_offset AS aside, edge_id, placed_by, source, source_ref, method', 'geom',
+        'object_edge RIGHT JOIN %1$I.street_object USING (street_object_id) WHERE ST_Dimension(geom) = 0'),
+    (72, 'crossings', 'POLYGON', false, 'street_object_id AS id, width, angle', 'surface', 'pedestrian_crossing'),
+    (71, 'objects_line', 'LINESTRING', false, 'street_object_id AS id, type, placement, axis_id, abscissa, '
+        'abscissa_end AS at_end, side, axis_offset AS aside, placed_by, source, source_ref, method', 'geom',
+        'object_edge RIGHT JOIN %1$I.street_object USING (street_object_id) WHERE ST_Dimension(geom) = 1')
     $$;
 COMMENT ON FUNCTION streetgen._export_layer() IS
     'The layers that a model is exchanged in: fields and geometry as SQL over a relation of the model %1$I; of_axes: '

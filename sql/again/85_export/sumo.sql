@@ -70,16 +70,39 @@ line AS (
 COMMENT ON FUNCTION streetgen._sumo_nodes() IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the nodes.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_edges() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_rings(computed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN computed THEN $part$,
+ring_line AS (
+    SELECT 2 AS turn, roundabout_id AS id, xmlelement(name roundabout, xmlattributes(
+        string_agg(comes_from, ' ' ORDER BY ordinality) AS nodes,
+        string_agg(s.name, ' ' ORDER BY ordinality) AS edges)) AS element
+    FROM %1$I.roundabout r JOIN %1$I.roundabout_edge e USING (roundabout_id)
+        LEFT JOIN sumo_edge s ON s.edge_id = e.edge_id AND s.along_axis = e.along_axis
+    WHERE accepted GROUP BY roundabout_id
+    -- A part of a ring goes round nothing.
+    HAVING count(DISTINCT comes_from) = count(*))$part$
+    ELSE $part$, ring_line AS (SELECT 2 AS turn, 0::bigint AS id, NULL::xml AS element WHERE false)$part$ END $$;
+COMMENT ON FUNCTION streetgen._sumo_rings(boolean) IS
+    'Query ring_line of the files of SUMO over a model, after sumo_edge: the accepted roundabouts all of whose edges '
+    'are written; nothing of a model that computes none.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_edges(rings boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge(
-        'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', 'true') || $part$,
+        'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', 'true')
+    || streetgen._sumo_rings(rings) || $part$,
 lane_line AS MATERIALIZED (
     SELECT name, i, c.allow, c.disallow, l.width,
         CASE WHEN until - since < 1 THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
-    FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i)
-    JOIN %1$I.lane l USING (lane_id) JOIN streetgen._sumo_lane_class() c USING (kind),
-    LATERAL (SELECT CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven) d),
+    FROM (SELECT name, i, since, until, width,
+            CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven,
+            -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
+            CASE WHEN kind = 'bus' AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i)
+                AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i DESC) THEN 'general' ELSE kind END
+                AS kind
+        FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)) l
+    JOIN streetgen._sumo_lane_class() c USING (kind)),
 lane_element AS (
     SELECT name, xmlagg(xmlelement(name lane, xmlattributes(i - 1 AS index, allow, disallow,
         round(width::numeric, digits) AS width, streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y,
@@ -93,9 +116,11 @@ line AS (
             0.01) AS shape), elements) AS element
     FROM origin, sumo_edge s JOIN lane_element USING (name)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
-    LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id))$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_edges() IS
-    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes.';
+    LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
+    UNION ALL SELECT * FROM ring_line)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_edges(boolean) IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes, and the '
+    'roundabouts of a model that computes them. A bus lane between lanes for all is written as one of these.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_going_on() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -140,13 +165,14 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_types() RETURNS text
 COMMENT ON FUNCTION streetgen._sumo_types() IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the kinds of streets.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_part() RETURNS TABLE(part text, query text)
+CREATE OR REPLACE FUNCTION streetgen._sumo_part(subjects text[]) RETURNS TABLE(part text, query text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES ('nodes', streetgen._sumo_nodes()), ('edges', streetgen._sumo_edges()),
-        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()), ('tlLogics', NULL) $$;
-COMMENT ON FUNCTION streetgen._sumo_part() IS
-    'The plain files of SUMO: the part, which is the name of its root element, and the queries of its lines; '
-    'NULL: streetgen._sumo_signals gives them.';
+    AS $$ VALUES ('nodes', streetgen._sumo_nodes()), ('edges', streetgen._sumo_edges('roundabout' = ANY (subjects))),
+        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()),
+        ('tlLogics', streetgen._sumo_signals('signal' = ANY (subjects))) $$;
+COMMENT ON FUNCTION streetgen._sumo_part(text[]) IS
+    'The plain files of SUMO of a model that computes these subjects: the part, which is the name of its root element, '
+    'and the queries of its lines.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_sumo(model name, part text, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
@@ -158,13 +184,12 @@ DECLARE
     file record;
 BEGIN
     PERFORM streetgen._check_given('part', part);
-    SELECT * INTO file FROM streetgen._sumo_part() p WHERE p.part = export_sumo.part;
+    SELECT * INTO file FROM streetgen._sumo_part(streetgen._subjects(model)) p WHERE p.part = export_sumo.part;
     IF file.part IS NULL THEN
         RAISE EXCEPTION 'format sumo has no part "%"', part USING ERRCODE = '22023',
-            HINT = 'Its parts are ' || (SELECT string_agg(p.part, ', ') FROM streetgen._sumo_part() p) || '.';
+            HINT = 'Its parts are ' || (SELECT string_agg(p.part, ', ') FROM streetgen._sumo_part('{}') p) || '.';
     END IF;
-    RETURN QUERY EXECUTE streetgen._export_lines(model, known, coalesce(file.query, streetgen._sumo_signals(
-            'signal' = ANY (streetgen._subjects(model)))),
+    RETURN QUERY EXECUTE streetgen._export_lines(model, known, file.query,
         format('<%s xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation='
             '"http://sumo.dlr.de/xsd/%s_file.xsd">', file.part,
             CASE file.part WHEN 'tlLogics' THEN 'tllogic' ELSE file.part END), format('</%s>', file.part)) USING known;
@@ -178,7 +203,8 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'since netconvert invents what is not said. A node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
-    'one. Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists '
+    'one. With subject roundabout, accepted rings are roundabouts (edges). '
+    'Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists '
     'them: an unknown one, another '
     'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
     'interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a warning.';

@@ -1,0 +1,28 @@
+// Places beside an axis: what stands at a street is found by metres along the axis and beside it.
+#pragma once
+
+#include "streetgen/geometry.hpp"
+
+namespace streetgen {
+
+struct PlaceBeside {
+  double abscissa = 0;  // metres along the axis, from 0 to its length
+  double offset = 0;    // metres beside it, positive to the left
+};
+
+struct StandingPlace {
+  Point point;
+  double direction = 0;  // of the axis there, radians clockwise from the y axis, 0 to 2 pi
+};
+
+// The place `offset` from the axis along its normal at an abscissa, which is clamped to the axis.
+// At a vertex, within a nanometre, the normal halves the angle between those of both segments. The
+// axis has at least two different points.
+StandingPlace place_beside(const Line& axis, const PlaceBeside& beside);
+
+// The nearest place of the axis, the first of equal ones, and how far to the left of it the point
+// lies. place_beside gives the point back, but for points that are nearest to a vertex or an end:
+// these come to lie on the normal there, as far from the axis.
+PlaceBeside beside_axis(const Line& axis, const Point& point);
+
+}  // namespace streetgen

@@ -1,0 +1,81 @@
+-- Places beside an axis, usable alone.
+
+CREATE OR REPLACE FUNCTION streetgen._place_on(bytea, float8, float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_place_on';
+COMMENT ON FUNCTION streetgen._place_on(bytea, float8, float8) IS
+    'The place (EWKB) at an abscissa of an axis (EWKB), so many metres to its left';
+
+CREATE OR REPLACE FUNCTION streetgen._direction_on(bytea, float8) RETURNS float8
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_direction_on';
+COMMENT ON FUNCTION streetgen._direction_on(bytea, float8) IS
+    'Direction of an axis (EWKB) at an abscissa, degrees clockwise from the north; at a vertex between those of both '
+    'segments';
+
+CREATE OR REPLACE FUNCTION streetgen._locate_on(bytea, bytea) RETURNS float8[]
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_locate_on';
+COMMENT ON FUNCTION streetgen._locate_on(bytea, bytea) IS
+    'Abscissa of an axis (EWKB) nearest to a place (EWKB), and how many metres to the left of it the place lies';
+
+CREATE OR REPLACE FUNCTION streetgen._border_offset(width float8, axis_offset float8, side text,
+    roadway_offset float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE side WHEN 'left' THEN roadway_offset + width / 2 + axis_offset
+        WHEN 'right' THEN roadway_offset - width / 2 - axis_offset ELSE axis_offset END $$;
+COMMENT ON FUNCTION streetgen._border_offset(float8, float8, text, float8) IS
+    'Metres to the left of an axis: of a distance from its left or right border, away from the roadway; side NULL: '
+    'the offset itself.';
+
+CREATE OR REPLACE FUNCTION streetgen.place_on(axis geometry, width float8, abscissa float8, axis_offset float8,
+    side text DEFAULT NULL, roadway_offset float8 DEFAULT 0) RETURNS geometry
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE COST 200 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF num_nulls(axis, width, abscissa, axis_offset, roadway_offset) > 0 THEN
+        RETURN NULL;
+    ELSIF side NOT IN ('left', 'right') THEN
+        RAISE EXCEPTION 'side is "%", expected left or right', side USING ERRCODE = '22023',
+            HINT = 'NULL measures axis_offset from the axis.';
+    ELSIF width NOT BETWEEN 0.001 AND 200 THEN
+        RAISE EXCEPTION 'width is %, expected 0.001 to 200', width USING ERRCODE = '22023';
+    ELSIF roadway_offset NOT BETWEEN -100 AND 100 THEN
+        RAISE EXCEPTION 'roadway_offset is %, expected -100 to 100', roadway_offset USING ERRCODE = '22023';
+    ELSIF abscissa NOT BETWEEN 0 AND ST_Length2D(axis) + 1e-6 THEN
+        RAISE EXCEPTION 'abscissa is %, expected 0 to %', abscissa, ST_Length2D(axis) USING ERRCODE = '22023',
+            HINT = 'The axis is no longer.';
+    END IF;
+    RETURN streetgen._place_on(axis::bytea, abscissa,
+        streetgen._border_offset(width, axis_offset, side, roadway_offset))::geometry;
+END $$;
+COMMENT ON FUNCTION streetgen.place_on(geometry, float8, float8, float8, text, float8) IS
+    'The place (POINT) beside an axis (LINESTRING, metres) at an abscissa, metres along it. side NULL: axis_offset '
+    'metres from the axis along its normal, positive to the left. side left or right: axis_offset metres from that '
+    'border of the roadway, positive away from it; the roadway is width metres wide, its middle roadway_offset to the '
+    'left of the axis. At a vertex the normal halves the angle of both. An abscissa beyond the axis, a place over '
+    '1000 m away, other bad numbers or words: 22023. StreetGen paper, 2.9. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen.locate_on(axis geometry, width float8, place geometry,
+    roadway_offset float8 DEFAULT 0)
+    RETURNS TABLE(abscissa float8, side text, axis_offset float8, border_offset float8)
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE COST 200 ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    found constant float8[] := streetgen._locate_on(axis::bytea, place::bytea);
+BEGIN
+    IF width NOT BETWEEN 0.001 AND 200 THEN
+        RAISE EXCEPTION 'width is %, expected 0.001 to 200', width USING ERRCODE = '22023';
+    ELSIF roadway_offset NOT BETWEEN -100 AND 100 THEN
+        RAISE EXCEPTION 'roadway_offset is %, expected -100 to 100', roadway_offset USING ERRCODE = '22023';
+    END IF;
+    abscissa := found[1];
+    axis_offset := found[2];
+    side := CASE WHEN axis_offset >= roadway_offset THEN 'left' ELSE 'right' END;
+    border_offset := abs(axis_offset - roadway_offset) - width / 2;
+    RETURN NEXT;
+END $$;
+COMMENT ON FUNCTION streetgen.locate_on(geometry, float8, geometry, float8) IS
+    'Where a place (POINT) lies beside an axis (LINESTRING, metres): abscissa, metres along it, of the nearest place '
+    'of the axis, the first of equal ones; side of the middle of the roadway, left or right; axis_offset, metres from '
+    'the axis, positive to the left; border_offset, metres from the border of that side, positive away from the '
+    'roadway. The inverse of streetgen.place_on, with side and border_offset or with NULL and axis_offset, but for '
+    'places nearest to a vertex or an end. Bad geometry or numbers, different SRIDs: 22023. StreetGen paper, 2.9. NULL '
+    'for NULL: no row.';

@@ -1,0 +1,19 @@
+-- What check_model says of objects.
+CREATE OR REPLACE FUNCTION streetgen._object_check_part()
+    RETURNS TABLE(place integer, subject text, kind text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (80, 'object', 'rule', $part$
+SELECT 'warning', 'object whose axis is gone', 'street_object', o.street_object_id, NULL::float8, o.geom
+    FROM %1$I.street_object o WHERE o.method = 'orphaned'$part$),
+    (80, 'object', 'rule', $part$
+SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
+    ST_Distance(o.geom, g.geom), o.geom
+    FROM %1$I.street_object o JOIN %1$I.axis_used a USING (axis_id), LATERAL (SELECT streetgen._object_geometry(
+        ST_Force2D(a.geom), a.width, a.width_end, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom) g
+    WHERE o.method = 'relative' AND ST_Distance(o.geom, g.geom) > 1e-3$part$),
+    (80, 'object', 'rule', $part$
+SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8, o.geom
+    FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a
+        WHERE a.axis_id = o.axis_id)$part$) $$;
+COMMENT ON FUNCTION streetgen._object_check_part() IS 'The parts of streetgen._check_part() for objects.';

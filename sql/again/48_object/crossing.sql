@@ -1,0 +1,118 @@
+-- Pedestrian crossings: their ground between the borders of the roadway, and their stripes.
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8, abscissa float8,
+    crossing_width float8, angle float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- The borders alone that are near: a long axis has many bends elsewhere.
+    SELECT streetgen.crossing_surface(near, streetgen.offset_line(near, from_half, to_half),
+        streetgen.offset_line(near, -from_half, -to_half), abscissa - low, crossing_width, angle)
+    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end) * 3 + 2 * crossing_width AS about) l,
+        LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r,
+        LATERAL (SELECT ST_LineSubstring(axis, low / length, high / length) AS near,
+            (width + (width_end - width) * low / length) / 2 AS from_half,
+            (width + (width_end - width) * high / length) / 2 AS to_half) n $$;
+COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8, float8) IS
+    'The roadway (POLYGON) under a crossing at an abscissa of an axis between its borders; NULL where it meets none.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width float8, abscissa float8,
+    crossing_width float8, angle float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- Half a metre of paint, half a metre of roadway, from the middle outwards, and a quarter of a metre free at kerbs.
+    SELECT ST_Multi(ST_Collect(ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1])) ORDER BY o))
+    FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last, ST_Length2D(axis) AS length) n,
+        generate_series(-last, last) o,
+        LATERAL (SELECT o - 0.25 AS a, o + 0.25 AS b, 1 / tan(radians(angle)) AS slope) s,
+        LATERAL (SELECT abscissa - crossing_width / 2 AS low, abscissa + crossing_width / 2 AS high) r,
+        LATERAL (SELECT streetgen._place_on(axis::bytea, low + a * slope, a)::geometry AS p1,
+            streetgen._place_on(axis::bytea, high + a * slope, a)::geometry AS p2,
+            streetgen._place_on(axis::bytea, high + b * slope, b)::geometry AS p3,
+            streetgen._place_on(axis::bytea, low + b * slope, b)::geometry AS p4) q
+    WHERE low + least(a * slope, b * slope) > 0 AND high + greatest(a * slope, b * slope) < length $$;
+COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8) IS
+    'The stripes (MULTIPOLYGON) of a crossing, along the axis; NULL where the axis ends before they do.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._crossing_types() RETURNS text[]
+    LANGUAGE sql STABLE SET search_path FROM CURRENT
+    AS $body$
+    WITH RECURSIVE below AS (SELECT type FROM %1$I.object_type WHERE type = 'crossing'
+        UNION SELECT t.type FROM below b JOIN %1$I.object_type t ON t.parent = b.type)
+    SELECT array_agg(type) FROM below $body$;
+CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
+    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+    WITH new AS (
+        SELECT c.street_object_id, g.ground, CASE WHEN g.ground IS NOT NULL THEN streetgen._crossing_stripes(a.line,
+            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), o.abscissa, c.width, c.angle) END
+            AS stripes
+        FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
+            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end FROM %1$I.axis_used
+                OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, o.abscissa, c.width,
+                c.angle) AS ground) g ON true
+        WHERE c.street_object_id = ANY (objects))
+    UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
+    WHERE n.street_object_id = c.street_object_id
+        AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
+CREATE OR REPLACE FUNCTION %1$I.redraw_crossings() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        DELETE FROM %1$I.street_object o USING old_crossing c WHERE o.street_object_id = c.street_object_id;
+    ELSE
+        PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_crossing));
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON %1$I.pedestrian_crossing REFERENCING NEW TABLE AS new_crossing
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.redraw_crossings();
+CREATE OR REPLACE TRIGGER redraw_delete AFTER DELETE ON %1$I.pedestrian_crossing REFERENCING OLD TABLE AS old_crossing
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.redraw_crossings();
+COMMENT ON TRIGGER redraw_update ON %1$I.pedestrian_crossing IS 'Draws ground and stripes anew';
+COMMENT ON TRIGGER redraw_delete ON %1$I.pedestrian_crossing IS 'The object goes with its crossing'
+$sql$, model);
+    PERFORM streetgen._own_function(model, '_crossing_types()', 'Type crossing and those below it'),
+        streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
+        streetgen._own_function(model, 'redraw_crossings()', 'After an edit of crossings: their ground follows');
+END $$;
+COMMENT ON FUNCTION streetgen._make_crossing_functions(name) IS
+    'Makes the functions and triggers of a model by which crossings follow their objects.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_pedestrian_crossing() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new crossing' ELSE 'crossing ' || OLD.street_object_id END;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id;
+        RETURN OLD;
+    END IF;
+    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.5, 20, 'm', 'Four is usual.'),
+        streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees', '90 is square.');
+    IF TG_OP = 'INSERT' THEN
+        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, placement, axis_id, abscissa)
+            VALUES (''crossing'', $1, ''axis'', $2, $3) RETURNING street_object_id', TG_TABLE_SCHEMA)
+            INTO NEW.street_object_id USING NEW.geom, NEW.axis_id, NEW.abscissa;
+    ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
+        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2, axis_id = $3, abscissa = $4
+            WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id, NEW.geom, NEW.axis_id, NEW.abscissa;
+    END IF;
+    EXECUTE format('UPDATE %I.pedestrian_crossing SET width = coalesce($2, width), angle = coalesce($3, angle)
+        WHERE street_object_id = $1 AND (width, angle) IS DISTINCT FROM (coalesce($2, width), coalesce($3, angle))',
+        TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.width, NEW.angle;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_pedestrian_crossing() IS
+    'Trigger of pedestrian_crossing_editing: writes the object and its crossing.';

@@ -1,0 +1,108 @@
+-- The edit view of objects.
+
+CREATE OR REPLACE FUNCTION streetgen._snapped_axis(model name, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    axis bigint;
+BEGIN
+    EXECUTE format('SELECT axis_id FROM %1$I.axis WHERE ST_DWithin(geom, $1, (SELECT value::float8 FROM %1$I.setting
+        WHERE name = ''object_snap'')) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 1', model) INTO axis USING place;
+    RETURN axis;
+END $$;
+COMMENT ON FUNCTION streetgen._snapped_axis(name, geometry) IS
+    'The nearest axis within setting object_snap of a place; NULL where there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_street_object() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Where it was dropped.
+    dropped geometry;
+    axis record;
+    at record;
+    held bigint;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id;
+        RETURN OLD;
+    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
+        RETURN NEW;
+    ELSIF TG_OP = 'UPDATE' AND NEW.street_object_id IS DISTINCT FROM OLD.street_object_id THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key', 'Delete the object and place another.');
+    END IF;
+    IF TG_OP = 'INSERT' AND NEW.geom IS NOT NULL AND NEW.abscissa IS NULL
+        OR TG_OP = 'UPDATE' AND NEW.geom IS DISTINCT FROM OLD.geom THEN
+        dropped := NEW.geom;
+        PERFORM streetgen._check_edit_geometry(CASE TG_OP WHEN 'INSERT' THEN 'the new object'
+            ELSE 'object ' || OLD.street_object_id END, dropped);
+    END IF;
+    IF dropped IS NOT NULL AND NEW.placement IS DISTINCT FROM 'absolute' THEN
+        -- Its own axis, else the nearest one.
+        IF NEW.axis_id IS NULL OR TG_OP = 'UPDATE' AND NEW.axis_id IS NOT DISTINCT FROM OLD.axis_id THEN
+            NEW.axis_id := coalesce((SELECT axis_id FROM streetgen._own_axis_near(TG_TABLE_SCHEMA, NEW.axis_id,
+                dropped) axis_id), streetgen._snapped_axis(TG_TABLE_SCHEMA, dropped));
+        END IF;
+        IF NEW.axis_id IS NULL THEN
+            NEW.placement := 'absolute';
+        ELSE
+            axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id);
+            SELECT l.* INTO at FROM (SELECT ST_Length2D(axis.line) AS length) s,
+                LATERAL (SELECT streetgen._locate_on(axis.line::bytea, dropped::bytea) AS place) f,
+                LATERAL streetgen.locate_on(axis.line, axis.width + (axis.width_end - axis.width) * place[1] / length,
+                    dropped) l;
+            NEW.placement := coalesce(NEW.placement, CASE WHEN at.border_offset > 0 THEN 'border' ELSE 'axis' END);
+            NEW.abscissa := at.abscissa;
+            NEW.side := CASE NEW.placement WHEN 'border' THEN at.side END;
+            NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN at.border_offset ELSE at.axis_offset END;
+        END IF;
+    ELSIF TG_OP = 'UPDATE' AND NEW.placement IN ('axis', 'border') AND NEW.placement IS DISTINCT FROM OLD.placement
+        AND (NEW.abscissa, NEW.axis_offset) IS NOT DISTINCT FROM (OLD.abscissa, OLD.axis_offset) THEN
+        -- It stays where it is, and is measured from another line.
+        NEW.axis_id := coalesce(NEW.axis_id, streetgen._snapped_axis(TG_TABLE_SCHEMA, OLD.geom));
+        NEW.abscissa := NULL;
+    END IF;
+    IF TG_OP = 'INSERT' THEN
+        EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, side, '
+            'axis_offset, orientation, orientation_kind) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) '
+            'RETURNING street_object_id, geom, angle, method', TG_TABLE_SCHEMA)
+            INTO NEW.street_object_id, NEW.geom, NEW.angle, NEW.method USING NEW.type, NEW.geom,
+            coalesce(NEW.placement, 'axis'), NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset,
+            coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
+        RETURN NEW;
+    END IF;
+    IF NEW.axis_id IS NOT NULL AND NEW.placement <> 'absolute' THEN
+        -- The axis before the object, as who moves the axis holds them.
+        EXECUTE format('SELECT axis_id FROM %I.axis WHERE axis_id = $1 FOR SHARE', TG_TABLE_SCHEMA) INTO held
+            USING NEW.axis_id;
+    END IF;
+    EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
+        'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
+        'WHEN $11 THEN ''absolute'' ELSE method END, placed_by = CASE placed_by WHEN ''rule'' THEN ''user'' ELSE '
+        'placed_by END WHERE street_object_id = $1 RETURNING street_object_id', TG_TABLE_SCHEMA)
+        INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
+        NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
+    IF held IS NULL THEN
+        RAISE EXCEPTION 'object % is gone', OLD.street_object_id USING ERRCODE = '22023',
+            DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_street_object() IS
+    'Trigger of street_object_editing: a point that is dropped or dragged gets the abscissa and offset of the place '
+    'at its axis, or at the nearest one within setting object_snap, on the roadway from the axis and beside it from '
+    'the border; farther away it stands absolute. Typed values count as they are.';
+
+CREATE OR REPLACE FUNCTION streetgen._own_axis_near(model name, axis bigint, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    near bigint;
+BEGIN
+    EXECUTE format('SELECT axis_id FROM %1$I.axis WHERE axis_id = $1 AND ST_DWithin(geom, $2, (SELECT value::float8
+        FROM %1$I.setting WHERE name = ''object_snap''))', model) INTO near USING axis, place;
+    RETURN near;
+END $$;
+COMMENT ON FUNCTION streetgen._own_axis_near(name, bigint, geometry) IS
+    'An axis that is still within setting object_snap of a place; else NULL.';

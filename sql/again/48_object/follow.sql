@@ -1,0 +1,231 @@
+-- Objects follow their axes: what moves with them, and what finds another axis, or none.
+
+CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+DECLARE
+    followed record;
+BEGIN
+    IF 'object' <> ALL (streetgen._subjects(model)) THEN
+        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._place_objects(bigint[]), %1$I._carry_objects(bigint[], '
+            'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
+            '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
+            '%1$I._renew_crossings(bigint[]), %1$I._crossing_types(), %1$I.free_places(), %1$I.apply_rules(), '
+            '%1$I.redraw_crossings() CASCADE', model);
+        RETURN;
+    END IF;
+    PERFORM streetgen._make_rule_functions(model), streetgen._make_crossing_functions(model);
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
+    AS $body$
+#variable_conflict use_column
+BEGIN
+    PERFORM %1$I._renew_rule_objects(axes);
+    UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
+    FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end, o.abscissa,
+                o.abscissa_end, o.side, o.axis_offset) AS geom,
+            streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
+        FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end
+            FROM %1$I.axis_used WHERE axes IS NULL OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
+        WHERE o.method = 'relative' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
+    WHERE o.street_object_id = n.street_object_id
+        AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+    PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
+        JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
+    RETURN QUERY WITH there AS MATERIALIZED (
+        SELECT s.street_object_id, s.axis_id, s.abscissa FROM %1$I.street_object s
+        WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
+    new AS MATERIALIZED (
+        SELECT DISTINCT ON (t.street_object_id) t.street_object_id, e.edge_id
+        FROM there t JOIN %1$I.edge e ON e.axis_id = t.axis_id
+            AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+        ORDER BY t.street_object_id, e.start_abscissa),
+    compared AS MATERIALIZED (
+        SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN %1$I.object_edge o USING (street_object_id)),
+    -- Of what stands there no more, and of objects whose axes are gone.
+    gone AS (
+        DELETE FROM %1$I.object_edge o WHERE o.street_object_id NOT IN (SELECT street_object_id FROM new)
+            AND (axes IS NULL OR o.street_object_id IN (SELECT street_object_id FROM there)) RETURNING 1),
+    -- A first run has no keys yet.
+    put AS (
+        INSERT INTO %1$I.object_edge (street_object_id, edge_id)
+        SELECT street_object_id, edge_id FROM compared WHERE before IS NULL ORDER BY street_object_id),
+    moved AS (
+        UPDATE %1$I.object_edge o SET edge_id = c.edge_id FROM compared c
+        WHERE o.street_object_id = c.street_object_id AND c.before <> c.edge_id)
+    SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
+        (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I.join_objects() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+#variable_conflict use_column
+BEGIN
+    DELETE FROM %1$I.object_edge o USING new_object n WHERE o.street_object_id = n.street_object_id
+        AND n.method <> 'relative';
+    INSERT INTO %1$I.object_edge AS o (street_object_id, edge_id)
+        SELECT DISTINCT ON (n.street_object_id) n.street_object_id, e.edge_id
+        FROM new_object n JOIN %1$I.edge e ON e.axis_id = n.axis_id
+            AND n.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+        WHERE n.method = 'relative' ORDER BY n.street_object_id, e.start_abscissa
+        ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id WHERE o.edge_id <> excluded.edge_id;
+    INSERT INTO %1$I.pedestrian_crossing (street_object_id)
+        SELECT street_object_id FROM new_object WHERE type = ANY (%1$I._crossing_types()) ON CONFLICT DO NOTHING;
+    DELETE FROM %1$I.pedestrian_crossing c USING new_object n WHERE c.street_object_id = n.street_object_id
+        AND n.type <> ALL (%1$I._crossing_types());
+    PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object));
+    -- What rules placed gives way.
+    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
+        PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM new_object n
+            JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I._carry_objects(axes bigint[], before geometry[], after geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+    AS $body$
+#variable_conflict use_column
+DECLARE
+    tolerance constant float8 := streetgen._tolerance(%2$L);
+BEGIN
+    -- Those of changed axes, with the place of the old axis at which they stood.
+    WITH changed AS MATERIALIZED (
+        SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now,
+            c.was IS NOT NULL AND c.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(ST_Force2D(c.was),
+                ST_Force2D(c.now), tolerance) AS moved
+        FROM unnest(axes, before, after) c(axis_id, was, now)),
+    standing AS MATERIALIZED (
+        SELECT o.*, c.was, c.now, c.moved, f.foot, coalesce(ST_DWithin(c.now, f.foot, tolerance), false) AS stays,
+            CASE WHEN o.abscissa_end IS NOT NULL THEN ST_LineInterpolatePoint(c.was,
+                least(1, o.abscissa_end / ST_Length2D(c.was))) END AS foot_end
+        FROM changed c JOIN %1$I.street_object o USING (axis_id),
+            LATERAL (SELECT ST_LineInterpolatePoint(c.was, least(1, o.abscissa / ST_Length2D(c.was))) AS foot) f
+        WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND c.was IS NOT NULL),
+    inherited AS MATERIALIZED (
+        SELECT s.*, h.axis_id AS heir, h.line FROM standing s LEFT JOIN LATERAL (
+            SELECT s.axis_id, s.now AS line, 1 AS turn WHERE s.stays
+            -- Another axis took the ground over: it runs there as this one did.
+            UNION ALL SELECT x.axis_id, ST_Force2D(x.geom), 2 FROM %1$I.axis x
+            WHERE NOT s.stays AND x.axis_id <> s.axis_id
+                AND ST_DWithin(x.geom, s.foot, tolerance)
+                AND abs(cos(streetgen._heading(s.was, s.foot) - streetgen._heading(ST_Force2D(x.geom), s.foot))) > 0.9
+            -- It moved, and is not only cut back.
+            UNION ALL SELECT s.axis_id, s.now, 3
+            WHERE NOT s.stays AND s.moved
+            ORDER BY turn, axis_id LIMIT 1) h ON true),
+    new AS (
+        SELECT street_object_id, heir, at.abscissa, at.abscissa_end, turned,
+            heir IS NULL OR coalesce(at.abscissa_end - at.abscissa < (i.abscissa_end - i.abscissa) / 2, false)
+                AS lost,
+            CASE WHEN turned THEN orientation + CASE WHEN orientation > 0 THEN -180 ELSE 180 END ELSE orientation END
+                AS orientation
+        FROM inherited i, LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
+                (streetgen._locate_on(line::bytea, foot_end::bytea))[1] AS b) l,
+            LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa)
+                - streetgen._direction_on(line::bytea, a)) < 0, false) AS turned) t,
+            LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
+                AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
+                THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
+    UPDATE %1$I.street_object o SET method = CASE WHEN lost THEN 'orphaned' ELSE 'relative' END,
+        axis_id = CASE WHEN lost THEN o.axis_id ELSE n.heir END,
+        abscissa = CASE WHEN lost THEN o.abscissa ELSE n.abscissa END,
+        abscissa_end = CASE WHEN lost THEN o.abscissa_end ELSE n.abscissa_end END,
+        axis_offset = CASE WHEN n.turned AND o.side IS NULL AND NOT lost THEN -o.axis_offset ELSE o.axis_offset END,
+        side = CASE WHEN n.turned AND NOT lost THEN CASE o.side WHEN 'left' THEN 'right' WHEN 'right' THEN 'left' END
+            ELSE o.side END,
+        orientation = CASE WHEN o.orientation_kind = 'axis' AND NOT lost THEN n.orientation ELSE o.orientation END
+    FROM new n
+    WHERE o.street_object_id = n.street_object_id AND (lost OR turned OR (o.axis_id, o.abscissa, o.abscissa_end)
+        IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end));
+    DELETE FROM %1$I.object_edge e USING %1$I.street_object o WHERE o.street_object_id = e.street_object_id
+        AND o.axis_id = ANY (axes) AND o.method = 'orphaned';
+    -- An orphan takes an axis that comes by where it stood at its own.
+    WITH changed AS MATERIALIZED (SELECT c.axis_id FROM unnest(axes, after) c(axis_id, now) WHERE now IS NOT NULL),
+    found AS (
+        SELECT DISTINCT ON (o.street_object_id) o.street_object_id, u.axis_id, p.at[1] AS abscissa, p.at[2] AS beside,
+            CASE WHEN o.abscissa_end IS NOT NULL THEN p.at[1] + (o.abscissa_end - o.abscissa) END AS abscissa_end
+        FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end FROM %1$I.axis_used) u
+                USING (axis_id)
+            JOIN %1$I.street_object o ON o.method = 'orphaned' AND o.geom && ST_Expand(u.line, 400)
+            CROSS JOIN LATERAL (SELECT streetgen._locate_on(u.line::bytea, CASE WHEN o.abscissa_end IS NULL
+                THEN o.geom ELSE ST_StartPoint(o.geom) END::bytea) AS at) p
+        WHERE abs(abs(p.at[2]) - abs(streetgen._border_offset(u.width + (u.width_end - u.width) * p.at[1]
+                / ST_Length2D(u.line), o.axis_offset, o.side, 0))) <= tolerance
+            AND ST_DWithin(u.line, o.geom, abs(p.at[2]) + tolerance)
+            AND p.at[1] + coalesce(o.abscissa_end - o.abscissa, 0) <= ST_Length2D(u.line) + 1e-6
+            -- Not beyond an end of it.
+            AND ST_DWithin(streetgen._place_on(u.line::bytea, p.at[1], p.at[2])::geometry, CASE
+                WHEN o.abscissa_end IS NULL THEN o.geom ELSE ST_StartPoint(o.geom) END, tolerance)
+        ORDER BY o.street_object_id, abs(p.at[2]), u.axis_id)
+    UPDATE %1$I.street_object o SET method = 'relative', axis_id = f.axis_id, abscissa = f.abscissa,
+        abscissa_end = f.abscissa_end,
+        side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= 0 THEN 'left' ELSE 'right' END END,
+        axis_offset = CASE WHEN o.side IS NULL THEN beside ELSE o.axis_offset END,
+        orientation = CASE WHEN o.orientation_kind = 'axis' THEN round((o.angle - streetgen._direction_on(
+            (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa))::numeric, 9)
+            ELSE o.orientation END
+    FROM found f WHERE o.street_object_id = f.street_object_id;
+    -- Streets that follow take their objects along.
+    IF NOT streetgen._live(%2$L) OR streetgen._setting_changed(%2$L) THEN
+        PERFORM FROM %1$I._place_objects(axes);
+    END IF;
+END $body$ $sql$, model, model);
+    PERFORM streetgen._own_function(model, '_place_objects(bigint[])',
+        'Brings the places of the objects of axes (NULL: of all), and their edges, up to date; a row per table'),
+        streetgen._own_function(model, '_carry_objects(bigint[], geometry[], geometry[])',
+        'Puts the objects of changed axes on the axis that they stand at now: axes with their lines before and after');
+    PERFORM streetgen._own_function(model, 'join_objects()',
+        'After objects were put or changed: the edge at which each stands');
+    FOR followed IN SELECT * FROM unnest('{insert,update}'::text[]) event LOOP
+        EXECUTE format($sql$
+CREATE OR REPLACE TRIGGER join_objects_%2$s AFTER %2$s ON %1$I.street_object REFERENCING NEW TABLE AS new_object
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.join_objects();
+COMMENT ON TRIGGER join_objects_%2$s ON %1$I.street_object IS 'Finds the edges at which objects stand'
+$sql$, model, followed.event);
+    END LOOP;
+    FOR followed IN SELECT * FROM (VALUES
+        ('insert', 'REFERENCING NEW TABLE AS after',
+            'SELECT axis_id, NULL::geometry AS was, geom AS now FROM after'),
+        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
+            'SELECT axis_id, b.geom AS was, a.geom AS now FROM before b FULL JOIN after a USING (axis_id) WHERE '
+                'b.geom IS DISTINCT FROM a.geom'),
+        ('delete', 'REFERENCING OLD TABLE AS before',
+            'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, tables, changed)
+    LOOP
+        EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF EXISTS (SELECT FROM %1$I.street_object) THEN
+        PERFORM %1$I._carry_objects(array_agg(axis_id ORDER BY axis_id), array_agg(was ORDER BY axis_id),
+            array_agg(now ORDER BY axis_id)) FROM (%3$s) c HAVING count(*) > 0;
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER %2$I AFTER %4$s ON %1$I.axis %5$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I();
+COMMENT ON TRIGGER %2$I ON %1$I.axis IS 'Objects stay at the piece of road where they stand'
+$sql$, model, 'carry_objects_' || followed.event, followed.changed, upper(followed.event), followed.tables);
+        PERFORM streetgen._own_function(model, format('%I()', 'carry_objects_' || followed.event),
+            'After an edit of axes: objects stay at the piece of road where they stand');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_object_functions(name) IS
+    'Makes the functions and triggers of a model by which objects follow its axes, or drops them where it computes '
+    'none.';
+
+CREATE OR REPLACE FUNCTION streetgen._update_objects(model name, axes bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF 'object' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY EXECUTE format('SELECT * FROM %I._place_objects($1)', model) USING axes;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._update_objects(name, bigint[]) IS
+    'After the one statement wrote rows of axes (NULL: of all): brings the places of objects up to date.';

@@ -1,0 +1,124 @@
+-- Where an object stands that is placed by an axis, or by the border of its roadway.
+
+CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8, abscissa float8,
+    abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa, at_start)::geometry
+        WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
+        ELSE streetgen.offset_line(stretch, at_start, at_end) END
+    FROM (SELECT ST_Length2D(axis) AS length) l,
+        LATERAL (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side, 0)
+                AS at_start,
+            streetgen._border_offset(width + (width_end - width) * abscissa_end / length, axis_offset, side, 0)
+                AS at_end,
+            CASE WHEN abscissa_end IS NOT NULL THEN ST_LineSubstring(axis, least(abscissa / length, 1),
+                least(abscissa_end / length, 1)) END AS stretch) o $$;
+COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8, text, float8) IS
+    'Where an object stands: a point at an abscissa, or a line from there to another one; side NULL: so many metres to '
+    'the left of the axis, else from that border. The width (m) changes linearly along the axis.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_angle(axis geometry, abscissa float8, abscissa_end float8,
+    orientation float8, orientation_kind text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN angle < 360 THEN angle ELSE 0 END
+    FROM (SELECT a - 360 * floor(a / 360) AS angle FROM (SELECT orientation + CASE WHEN orientation_kind = 'axis'
+        AND axis IS NOT NULL THEN streetgen._direction_on(axis::bytea,
+            coalesce((abscissa + abscissa_end) / 2, abscissa)) ELSE 0 END AS a) s) t $$;
+COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, text) IS
+    'The direction that an object faces, degrees clockwise from the north, 0 to 360: a stretch in its middle.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, OUT line geometry, OUT width float8,
+    OUT width_end float8)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- Who moves the axis waits, and then finds the object there.
+    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = $1 FOR SHARE', model) USING axis;
+    EXECUTE format('SELECT ST_Force2D(geom), width, width_end FROM %I.axis_used WHERE axis_id = $1', model)
+        INTO line, width, width_end USING axis;
+END $$;
+COMMENT ON FUNCTION streetgen._object_axis(name, bigint) IS
+    'The line and widths (m) of an axis as the streets use them, held until the transaction ends; NULL for none.';
+
+CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject constant text := CASE TG_OP WHEN 'INSERT' THEN 'the new object' ELSE 'object ' || OLD.street_object_id END;
+    axis record;
+    place float8[];
+    known boolean;
+BEGIN
+    IF NEW.geom IS NOT NULL THEN
+        PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
+        NEW.geom := ST_Force2D(NEW.geom);
+    END IF;
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type WHERE type = $1)', TG_TABLE_SCHEMA) INTO known
+        USING NEW.type;
+    IF NOT known THEN
+        RAISE EXCEPTION 'there is no object type "%"', NEW.type USING ERRCODE = '22023',
+            HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA);
+    ELSIF NEW.side NOT IN ('left', 'right') THEN
+        RAISE EXCEPTION 'the side of % cannot be "%"', subject, NEW.side USING ERRCODE = '22023',
+            HINT = 'It is left or right.';
+    ELSIF NEW.placement NOT IN ('absolute', 'axis', 'border') THEN
+        RAISE EXCEPTION 'the placement of % cannot be "%"', subject, NEW.placement USING ERRCODE = '22023',
+            HINT = 'It is absolute, axis or border.';
+    END IF;
+    PERFORM streetgen._check_edit_number('the abscissa of ' || subject, NEW.abscissa, 0, 1e7, 'm', 'Drag it instead.'),
+        streetgen._check_edit_number('the end of ' || subject, NEW.abscissa_end, 0, 1e7, 'm', 'Empty for a point.'),
+        streetgen._check_edit_number('the offset of ' || subject, NEW.axis_offset, -200, 200, 'm', 'Drag it instead.'),
+        streetgen._check_edit_number('the orientation of ' || subject, NEW.orientation, -360, 360, 'degrees',
+            'They are counted clockwise.');
+    IF NEW.axis_id IS NULL OR NEW.placement = 'absolute' THEN
+        IF NEW.geom IS NULL THEN
+            RAISE EXCEPTION '% has no place', subject USING ERRCODE = '22023',
+                DETAIL = 'It has neither a geometry nor an axis.', HINT = 'Give geom, or axis_id and abscissa.';
+        END IF;
+        NEW.placement := 'absolute';
+        NEW.method := 'absolute';
+        NEW.angle := streetgen._object_angle(NULL, NULL, NULL, NEW.orientation, 'absolute');
+        RETURN NEW;
+    END IF;
+    IF TG_OP = 'UPDATE' AND NEW.method = 'orphaned' AND (NEW.axis_id, NEW.abscissa) = (OLD.axis_id, OLD.abscissa) THEN
+        NEW.angle := streetgen._object_angle(NULL, NULL, NULL, NEW.orientation
+            + coalesce(OLD.angle - OLD.orientation, 0), 'absolute');
+        RETURN NEW;
+    END IF;
+    axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id);
+    IF axis.line IS NULL THEN
+        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
+            DETAIL = format('There is no axis %s.', NEW.axis_id),
+            HINT = 'Leave axis_id empty to put it where its geometry lies.';
+    END IF;
+    IF NEW.abscissa IS NULL AND NEW.geom IS NOT NULL THEN
+        place := streetgen._locate_on(axis.line::bytea, CASE ST_Dimension(NEW.geom) WHEN 0 THEN NEW.geom
+            ELSE ST_StartPoint(NEW.geom) END::bytea);
+        NEW.abscissa := place[1];
+        NEW.side := CASE WHEN NEW.placement = 'border' THEN CASE WHEN place[2] >= 0 THEN 'left' ELSE 'right' END END;
+        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN abs(place[2]) - (axis.width + (axis.width_end
+            - axis.width) * place[1] / ST_Length2D(axis.line)) / 2 ELSE place[2] END;
+    END IF;
+    IF NEW.abscissa IS NULL OR greatest(NEW.abscissa, NEW.abscissa_end) > ST_Length2D(axis.line) + 1e-6 THEN
+        RAISE EXCEPTION 'the abscissa of % cannot be %', subject, coalesce(greatest(NEW.abscissa,
+            NEW.abscissa_end)::text, 'NULL') USING ERRCODE = '22023', DETAIL = format('Axis %s is %s m long.',
+            NEW.axis_id, round(ST_Length2D(axis.line)::numeric, 3)), HINT = 'Drag it instead.';
+    ELSIF NEW.placement = 'border' AND NEW.side IS NULL THEN
+        RAISE EXCEPTION 'the side of % is missing', subject USING ERRCODE = '22023',
+            DETAIL = 'It is placed by a border of the roadway.', HINT = 'It is left or right.';
+    END IF;
+    NEW.side := CASE NEW.placement WHEN 'border' THEN NEW.side END;
+    NEW.axis_offset := coalesce(NEW.axis_offset, 0);
+    NEW.method := 'relative';
+    NEW.geom := streetgen._object_geometry(axis.line, axis.width, axis.width_end, NEW.abscissa, NEW.abscissa_end,
+        NEW.side, NEW.axis_offset);
+    NEW.angle := streetgen._object_angle(axis.line, NEW.abscissa, NEW.abscissa_end, NEW.orientation,
+        NEW.orientation_kind);
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._place_object() IS
+    'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
+    'without an axis it stands where its geometry lies. An abscissa beyond the axis, an axis or a type that is not '
+    'there, a side that is missing, a number that is none: 22023.';

@@ -1,0 +1,153 @@
+-- Objects that rules place: where, and which of them stand.
+
+CREATE OR REPLACE FUNCTION streetgen._check_placement_rule() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject constant text := CASE TG_OP WHEN 'INSERT' THEN 'the new rule' ELSE 'rule ' || OLD.rule_id END;
+    length float8;
+BEGIN
+    IF NEW.every < 0.5 THEN
+        EXECUTE format('SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM %I.axis', TG_TABLE_SCHEMA) INTO length;
+        RAISE EXCEPTION '% cannot place an object every % m', subject, NEW.every USING ERRCODE = '22023',
+            DETAIL = CASE WHEN NEW.every > 0 THEN format('It would place up to %s objects.',
+                ceil(2 * length / NEW.every)) ELSE 'It would never end.' END,
+            HINT = 'At least 0.5 m lie between two objects of a rule.';
+    END IF;
+    PERFORM streetgen._check_edit_number('the distance between objects of ' || subject, NEW.every, 0.5, 10000, 'm',
+            'At most ten kilometres.'),
+        streetgen._check_edit_number('the phase of ' || subject, NEW.phase, 0, 10000, 'm', '0 begins with the axis.'),
+        streetgen._check_edit_number('the density of ' || subject, NEW.density, 0, 1, NULL, '1 takes all places.'),
+        streetgen._check_edit_number('the offset of ' || subject, NEW.axis_offset, -200, 200, 'm', 'Try 1 m.');
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._check_placement_rule() IS
+    'Trigger of placement_rule: a distance under 0.5 m, or a number out of its range, 22023, with the number of '
+    'objects that it would place.';
+
+CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place integer, density float8)
+    RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+        SELECT density >= 1
+            OR ((hashint8extended(axis, rule) # hashint4extended(place, rule)) & 1048575) < density * 1048576;
+    END;
+COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
+    'Whether a rule takes a place along an axis: the same share of all places, and the same places each time.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_rule_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    event text;
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+    AS $body$
+#variable_conflict use_column
+BEGIN
+    WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM %1$I.placement_rule r
+        JOIN %1$I.object_type t USING (type) WHERE r.active),
+    street AS MATERIALIZED (
+        SELECT e.axis_id, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance, x.kind,
+            ST_Force2D(u.geom) AS line, u.width, u.width_end, e.start_abscissa + l.abscissa AS low,
+            e.start_abscissa + h.abscissa AS high
+        FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
+            JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
+            JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
+        WHERE (axes IS NULL OR e.axis_id = ANY (axes)) AND EXISTS (SELECT FROM rule)),
+    ruled AS (
+        SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
+            AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
+            AND (r.kind IS NULL OR s.kind = ANY (r.kind))),
+    place AS (
+        SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
+            (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
+            r.axis_offset AS aside
+        FROM ruled r, LATERAL generate_series(greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
+                floor((high - distance_from_limit - phase) / every)::bigint) k,
+            LATERAL (VALUES ('left'), ('right')) v(side)
+        WHERE r.along <> 'arm' AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
+            WHEN r.side = 'alternating' THEN v.side = CASE k %% 2 WHEN 0 THEN 'left' ELSE 'right' END
+            ELSE r.side IN (v.side, 'both') END
+        UNION ALL
+        -- An arm is seen as one comes to its node. Its places have negative numbers, by decimetres along the axis.
+        SELECT r.*, CASE WHEN v.side <> 'middle' THEN CASE WHEN w.at_start THEN CASE v.side WHEN 'left' THEN 'right'
+                ELSE 'left' END ELSE v.side END END,
+            CASE WHEN w.at_start THEN low + distance_from_limit ELSE high - distance_from_limit END,
+            (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
+                + w.at_start::integer) - (v.side = 'right')::integer)::integer,
+            r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
+            CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
+        FROM ruled r, LATERAL (VALUES (true, r.from_node), (false, r.to_node)) w(at_start, node),
+            LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
+        WHERE r.along = 'arm' AND high - low > 2 * distance_from_limit
+            AND CASE r.side WHEN 'both' THEN v.side <> 'middle' WHEN 'alternating' THEN v.side = 'middle'
+                ELSE v.side = r.side END
+            AND (SELECT count(*) FROM (SELECT FROM %1$I.edge b WHERE b.from_node = w.node
+                UNION ALL SELECT FROM %1$I.edge b WHERE b.to_node = w.node) d) >= 3),
+    taken AS MATERIALIZED (
+        SELECT *, streetgen._object_geometry(line, width, width_end, abscissa, NULL, at_side, aside) AS geom,
+            streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
+        FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
+    free AS MATERIALIZED (
+        SELECT * FROM taken t WHERE distance_least = 0 OR NOT EXISTS (SELECT FROM %1$I.street_object o
+                WHERE o.placed_by <> 'rule' AND ST_DWithin(o.geom, t.geom, t.distance_least))
+            AND NOT EXISTS (SELECT FROM taken b WHERE b.axis_id = t.axis_id AND b.rule_id < t.rule_id
+                AND b.at_side IS NOT DISTINCT FROM t.at_side AND abs(b.abscissa - t.abscissa) < t.distance_least)),
+    gone AS (
+        DELETE FROM %1$I.street_object o WHERE o.placed_by = 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))
+            AND NOT EXISTS (SELECT FROM free f
+                WHERE (f.rule_id, f.axis_id, f.rule_place) = (o.rule_id, o.axis_id, o.rule_place)))
+    INSERT INTO %1$I.street_object AS o (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
+        orientation, placed_by, rule_id, rule_place, method)
+    SELECT type, geom, angle, CASE WHEN at_side IS NULL THEN 'axis' ELSE 'border' END, axis_id, abscissa, at_side,
+        aside, turned, 'rule', rule_id, rule_place, 'relative'
+    FROM free ORDER BY rule_id, axis_id, rule_place
+    ON CONFLICT (rule_id, axis_id, rule_place) DO UPDATE SET type = excluded.type, geom = excluded.geom,
+        angle = excluded.angle, placement = excluded.placement, abscissa = excluded.abscissa, side = excluded.side,
+        axis_offset = excluded.axis_offset, orientation = excluded.orientation, method = excluded.method
+    WHERE o.placed_by = 'rule' AND (o.type, o.geom::bytea, o.angle, o.placement, o.abscissa, o.side, o.axis_offset,
+        o.orientation, o.method) IS DISTINCT FROM (excluded.type, excluded.geom::bytea, excluded.angle,
+        excluded.placement, excluded.abscissa, excluded.side, excluded.axis_offset, excluded.orientation,
+        excluded.method);
+    INSERT INTO %1$I.pedestrian_crossing (street_object_id)
+        SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
+            AND o.type = ANY (%1$I._crossing_types()) AND (axes IS NULL OR o.axis_id = ANY (axes))
+        ON CONFLICT DO NOTHING;
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+BEGIN
+    IF streetgen._live(%2$L) THEN
+        PERFORM FROM %1$I._place_objects(NULL);
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER apply_rules AFTER INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.apply_rules();
+COMMENT ON TRIGGER apply_rules ON %1$I.placement_rule IS 'The objects follow their rules';
+CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+BEGIN
+    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
+        PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM old_object n
+            JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS old_object
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.free_places();
+COMMENT ON TRIGGER free_places ON %1$I.street_object IS 'Rules take the places of objects that are gone'
+$sql$, model, model);
+    PERFORM streetgen._own_function(model, '_renew_rule_objects(bigint[])',
+        'Brings the objects that rules place along axes (NULL: along all) up to date'),
+        streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
+        streetgen._own_function(model, 'free_places()', 'After objects were deleted: rules take their places');
+END $$;
+COMMENT ON FUNCTION streetgen._make_rule_functions(name) IS
+    'Makes the functions and triggers of a model by which rules place objects.';

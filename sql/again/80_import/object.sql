@@ -1,0 +1,154 @@
+-- What stands at streets from a table of points: of OpenStreetMap, or of anybody's layer by a mapping.
+
+CREATE OR REPLACE FUNCTION streetgen._check_objects(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    bad record;
+BEGIN
+    EXECUTE format($sql$
+SELECT label, CASE WHEN type IS NULL THEN 'no type'
+        WHEN NOT EXISTS (SELECT FROM %1$I.object_type t WHERE t.type = o.type) THEN format('type "%%s"', type)
+        WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %%s as geom', GeometryType(geom))
+        WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %%s', ST_SRID(geom))
+        WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
+            THEN 'a coordinate that is not finite'
+        WHEN orientation IS NOT NULL AND NOT (orientation ~ '^-?\d{1,3}(\.\d+)?$'
+            AND orientation::numeric BETWEEN -360 AND 360) THEN format('orientation "%%s"', orientation) END AS has
+FROM pg_temp._import_object o WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom)$sql$, model)
+        || $sql$ AND NOT coalesce(EXISTS (SELECT FROM $sql$ || format('%I', model) || $sql$.object_type t
+            WHERE t.type = o.type) AND GeometryType(geom) IN ('POINT', 'POINTM')
+        AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
+        AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12
+        AND (orientation IS NULL OR orientation ~ '^-?\d{1,3}(\.\d+)?$'
+            AND orientation::numeric BETWEEN -360 AND 360), false) LIMIT 1$sql$ INTO bad;
+    IF bad.label IS NOT NULL THEN
+        RAISE EXCEPTION 'source row % has %', bad.label, bad.has USING ERRCODE = '22023',
+            HINT = format('type is one of %I.object_type; geom is a point with a known SRID; orientation is in '
+                'degrees, -360 to 360.', model);
+    END IF;
+    SELECT source_ref AS label INTO bad FROM pg_temp._import_object WHERE source_ref IS NOT NULL
+        GROUP BY source_ref HAVING count(*) > 1 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source_ref "%" stands in more than one row', bad.label USING ERRCODE = '22023',
+            HINT = 'Map source_ref to a column of distinct values.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_objects(name) IS
+    'Raises 22023 for the first object of the import of an unknown type, with a bad orientation or without a sound '
+    'place, and for a source_ref that comes twice.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, query text)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    touched bigint[];
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _import_object ON COMMIT DROP AS SELECT *, coalesce(source_ref, '
+        '''number '' || row_number() OVER ()) AS label FROM (%s) q', query);
+    PERFORM streetgen._check_objects(model);
+    RETURN QUERY SELECT 'object without geometry, left out', o.type, count(*), array_agg(o.label)
+        FROM pg_temp._import_object o WHERE o.geom IS NULL OR ST_IsEmpty(o.geom) GROUP BY o.type;
+    DELETE FROM pg_temp._import_object o WHERE o.geom IS NULL OR ST_IsEmpty(o.geom);
+    ALTER TABLE pg_temp._import_object ALTER COLUMN geom TYPE geometry, ADD axis_id bigint, ADD source_hash bigint;
+    UPDATE pg_temp._import_object o SET geom = ST_Transform(ST_Force2D(o.geom), m.srid),
+        source_hash = hash_record_extended(ROW(o.type, o.geom::bytea, o.orientation, o.name), 0)
+        FROM streetgen.model m WHERE m.name = model;
+    -- The nearest axis; one of its own name counts as half as far.
+    EXECUTE format($sql$
+UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom,
+        (SELECT value::float8 FROM %1$I.setting WHERE name = 'object_snap'))
+    ORDER BY ST_Distance(a.geom, o.geom) * CASE WHEN lower(a.name) = lower(o.name) THEN 0.5 ELSE 1 END, a.axis_id
+    LIMIT 1)$sql$, model);
+    RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
+        o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;
+    EXECUTE format($sql$
+WITH gone AS (
+    DELETE FROM %1$I.street_object p WHERE p.source = $1 AND p.source_ref IS NOT NULL AND NOT EXISTS (
+        SELECT FROM pg_temp._import_object o WHERE o.source_ref = p.source_ref)),
+placed AS (
+    SELECT o.*, a.line, a.width, a.width_end, p.place[1] AS abscissa, p.place[2] AS beside,
+        (a.width + (a.width_end - a.width) * p.place[1] / ST_Length2D(a.line)) / 2 AS half
+    FROM pg_temp._import_object o LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end
+            FROM %1$I.axis_used OFFSET 0) a USING (axis_id)
+        LEFT JOIN LATERAL (SELECT streetgen._locate_on(a.line::bytea, o.geom::bytea) AS place OFFSET 0) p ON true),
+stood AS (
+    SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN abs(beside) > half THEN 'border' ELSE 'axis' END
+            AS placement,
+        CASE WHEN abs(beside) > half THEN CASE WHEN beside > 0 THEN 'left' ELSE 'right' END END AS side,
+        CASE WHEN abs(beside) > half THEN abs(beside) - half ELSE beside END AS aside
+    FROM placed p)
+INSERT INTO %1$I.street_object AS p (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
+    orientation_kind, placed_by, source, source_ref, source_hash, method)
+SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry(line, width, width_end, abscissa,
+        NULL, side, aside) END,
+    streetgen._object_angle(line, abscissa, NULL, coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL
+        AND axis_id IS NOT NULL THEN 'axis' ELSE 'absolute' END), placement, axis_id, abscissa, side, aside,
+    coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL AND axis_id IS NOT NULL THEN 'axis'
+    ELSE 'absolute' END, 'import', $1, source_ref, source_hash, CASE WHEN axis_id IS NULL THEN 'absolute'
+    ELSE 'relative' END
+FROM stood ORDER BY source_ref, label
+ON CONFLICT (source, source_ref) DO UPDATE SET (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
+    orientation, orientation_kind, source_hash, method) = ROW (excluded.type, excluded.geom, excluded.angle,
+    excluded.placement, excluded.axis_id, excluded.abscissa, excluded.side, excluded.axis_offset,
+    excluded.orientation, excluded.orientation_kind, excluded.source_hash, excluded.method)
+WHERE p.source_hash IS DISTINCT FROM excluded.source_hash$sql$, model) USING source;
+    EXECUTE format('INSERT INTO %1$I.pedestrian_crossing (street_object_id) SELECT street_object_id '
+        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._crossing_types()) ON CONFLICT DO NOTHING',
+        model) USING source;
+    EXECUTE format('SELECT array_agg(DISTINCT axis_id) FROM %I.street_object WHERE source = $1', model) INTO touched
+        USING source;
+    PERFORM streetgen._update_objects(model, touched);
+    RETURN QUERY SELECT 'objects', o.type, count(*), NULL::text[] FROM pg_temp._import_object o GROUP BY o.type
+        ORDER BY o.type;
+    DROP TABLE pg_temp._import_object;
+END $$;
+COMMENT ON FUNCTION streetgen._import_objects(name, text, text) IS
+    'Upserts the objects of a prepared query by source and source_ref, each at the nearest axis within object_snap, '
+    'and reports how many; those off all axes stay where they lie and are listed (the first thousand). What was '
+    'edited by hand stays until its row of the source changes. Bad rows: 22023, and the model as it was.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_objects(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
+    PERFORM streetgen._require_subject(model, 'object');
+    RETURN QUERY SELECT * FROM streetgen._import_objects(model, source::text, streetgen._point_query('street_object',
+        '{geom,type,orientation,name,source_ref}', '{geom,type}', source, mapping));
+END $$;
+COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
+    'Imports a table of points as objects of subject object. mapping: geom, type, orientation (degrees clockwise from '
+    'the north), name (of the street), source_ref -> source column (string) or {"value": constant}; SQL is never '
+    'evaluated. Each stands at the nearest axis within setting object_snap, where one of the same name counts as half '
+    'as far: on the roadway from the axis, beside it from the border. With a source_ref, importing again follows the '
+    'source, and what was edited by hand stays until its row changes. Reports counts by type, and objects off all '
+    'axes, which stay where they lie. A missing column: 42703; a bad row or mapping: 22023; a model without the '
+    'subject: 55000; then the model stays as it was. Needs the rights of the owner (42501).';
+
+CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm')
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    points regclass;
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._check_given('prefix', prefix);
+    PERFORM streetgen._require_subject(model, 'object');
+    points := to_regclass(format('%I', prefix || '_object'));
+    IF points IS NULL THEN
+        RAISE EXCEPTION 'there is no table "%"', prefix || '_object' USING ERRCODE = '42P01',
+            HINT = 'Load the file again with data/osm2pgsql_flex.lua of this build, which makes it.';
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._import_objects(model, points::text, format($sql$
+SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' THEN 'traffic_light'
+        WHEN 'stop' THEN 'sign' WHEN 'give_way' THEN 'sign' ELSE class END AS type,
+    CASE WHEN direction ~ '^\d{1,3}(\.\d+)?$' AND direction::numeric <= 360 THEN direction END AS orientation,
+    NULL::text AS name, node_id::text AS source_ref FROM %s$sql$, points));
+END $$;
+COMMENT ON FUNCTION streetgen.import_osm_objects(name, text) IS
+    'Imports lamps, trees, benches, bollards, bus stops, crossings, signals and signs of an OSM file, from the table '
+    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects. No such table: 42P01; a model '
+    'without the subject: 55000. Needs the rights of the owner (42501).';

@@ -1,0 +1,57 @@
+// Places beside an axis, from SQL.  Geometries cross as EWKB.
+#include "streetgen/object.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "frame/argument.hpp"
+#include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
+#include "value/wkb.hpp"
+
+extern "C" {
+#include <catalog/pg_type.h>
+#include <utils/array.h>
+}
+
+using namespace streetgen;
+using namespace streetgen::pg;
+
+STREETGEN_FUNCTION(streetgen_place_on) {
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const double abscissa = PG_GETARG_FLOAT8(1), offset = PG_GETARG_FLOAT8(2);
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
+    const ReadLine read = read_line(axis, "axis");
+    const StandingPlace place = place_beside(
+        read.line, {finite(abscissa, "abscissa"), in_range(offset, -1000, 1000, "axis_offset")});
+    result = {true, write_point(place.point, {read.srid, false})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_direction_on) {
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const double abscissa = PG_GETARG_FLOAT8(1);
+  double degrees = 0;
+  const Outcome outcome = compute([&] {
+    const ReadLine read = read_line(axis, "axis");
+    degrees = place_beside(read.line, {finite(abscissa, "abscissa"), 0}).direction * 180 / M_PI;
+  });
+  report(outcome);
+  PG_RETURN_FLOAT8(degrees);
+}
+
+STREETGEN_FUNCTION(streetgen_locate_on) {
+  const std::string_view axis = take_bytes(fcinfo, 0), place = take_bytes(fcinfo, 1);
+  PlaceBeside found;
+  const Outcome outcome = compute([&] {
+    const ReadLine read = read_line(axis, "axis");
+    const ReadPoint point = read_point(place, "place");
+    if (point.srid != read.srid)
+      throw Error(ErrorKind::invalid_input, "place has SRID " + std::to_string(point.srid) +
+                                                ", axis " + std::to_string(read.srid));
+    found = beside_axis(read.line, point.point);
+  });
+  report(outcome);
+  Datum values[2] = {Float8GetDatum(found.abscissa), Float8GetDatum(found.offset)};
+  PG_RETURN_POINTER(construct_array(values, 2, FLOAT8OID, 8, true, 'd'));
+}
