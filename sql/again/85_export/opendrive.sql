@@ -47,6 +47,15 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_change(element text, place text,
 COMMENT ON FUNCTION streetgen._opendrive_change(text, text, float8[], float8[]) IS
     'Elements of polynomials that are straight from station to station; place is the attribute that says where.';
 
+-- Most roads are of one stretch, and a call of the function above costs more than its text.
+CREATE OR REPLACE FUNCTION streetgen._opendrive_step(element text, place text, length float8, "from" float8,
+    "to" float8) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN '<' || element || ' ' || place || '="0.0000000" a="' || streetgen._opendrive_number("from", 5)
+        || '" b="' || streetgen._opendrive_number(("to" - "from") / length, 9) || '" c="0" d="0"/>';
+COMMENT ON FUNCTION streetgen._opendrive_step(text, text, float8, float8, float8) IS
+    'The element of a polynomial that is straight over a whole road of that length.';
+
 CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(kind text, dashed boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN '<roadMark sOffset="0" type="' || CASE WHEN kind IS NULL THEN 'none' WHEN dashed THEN 'broken'
@@ -142,13 +151,6 @@ COMMENT ON FUNCTION streetgen._opendrive_heights(name) IS
     'Query raised of a file of OpenDRIVE, after streetgen._opendrive_roads(): the heights of roads, metres, at '
     'stations along them: of profiles where the model computes them, else of axes that have any.';
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_elevation(station float8[], heights float8[]) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce('<elevationProfile>' || streetgen._opendrive_change('elevation', 's', station, heights)
-        || '</elevationProfile>', '');
-COMMENT ON FUNCTION streetgen._opendrive_elevation(float8[], float8[]) IS
-    'The element elevationProfile of heights at stations; nothing where there are none.';
-
 CREATE OR REPLACE FUNCTION streetgen._opendrive_lines() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
@@ -156,8 +158,11 @@ crossroads AS MATERIALIZED (SELECT DISTINCT place_id, node_id FROM connecting JO
 lane_text AS (
     SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
         || '" type="' || types[i] || '" level="false">'
-        || streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
-            SELECT border[(i - 1) * stations + k] - border[i * stations + k] FROM generate_series(1, stations) k))
+        || CASE WHEN stations = 2 THEN streetgen._opendrive_step('width', 'sOffset', total,
+                border[2 * i - 1] - border[2 * i + 1], border[2 * i] - border[2 * i + 2])
+            ELSE streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
+                SELECT border[(i - 1) * stations + k] - border[i * stations + k]
+                FROM generate_series(1, stations) k)) END
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane>' AS text
     FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
         CROSS JOIN generate_series(1, cardinality(lanes)) i
@@ -184,7 +189,8 @@ line AS (
         || '<type s="0" type="unknown"><speed max="' || streetgen._opendrive_number(e.speed, 1)
         || '" unit="km/h"/></type>'
         || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, o.x, o.y, digits)
-        || streetgen._opendrive_elevation(h.station, h.heights)
+        || CASE WHEN h.station IS NULL THEN '' ELSE '<elevationProfile>' || streetgen._opendrive_change('elevation',
+            's', h.station, h.heights) || '</elevationProfile>' END
         || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', d.station,
             border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)])
         || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
@@ -196,29 +202,29 @@ line AS (
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
         LEFT JOIN raised h ON h.road_id = d.road_id
     UNION ALL
-    SELECT 3, c.road_id, '<road length="' || streetgen._opendrive_number(s[cardinality(s)] + length[cardinality(s)], 7)
+    SELECT 3, c.road_id, '<road length="' || streetgen._opendrive_number(total, 7)
         || '" id="' || c.road_id || '" junction="' || place_id || '" rule="' || rule
         || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
         || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
         || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
         || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, o.x, o.y, digits)
-        || streetgen._opendrive_elevation(ends, ARRAY[
+        || coalesce('<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
             a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
-            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]])
-        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', ends, ARRAY[half * width_in, half * width_out])
+            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>', '')
+        || '<lanes>' || streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out)
         || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
         || '<center><lane id="0" type="none" level="false"/></center>'
         || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
         || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
     FROM origin o, side, connecting c JOIN place USING (node_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
-        LATERAL (SELECT ARRAY[0, s[cardinality(s)] + length[cardinality(s)]] AS ends,
+        LATERAL (SELECT s[cardinality(s)] + length[cardinality(s)] AS total,
             CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
             CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
         LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
             || '" level="false">'
             || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
-            || streetgen._opendrive_change('width', 'sOffset', ends, ARRAY[width_in, width_out]) || '</lane>' AS lane) l
+            || streetgen._opendrive_step('width', 'sOffset', total, width_in, width_out) || '</lane>' AS lane) l
     UNION ALL
     SELECT 4, place_id, '<junction id="' || place_id || '">' || string_agg('<connection id="' || road_id
         || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'

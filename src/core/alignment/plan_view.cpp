@@ -92,7 +92,8 @@ class Chain {
       const double back = i + 2 < line_.size() ? tangent_at(i + 1) : 0;
       const Point to = line_[i + 1] - way * back;
       const double straight = dot(to - from, way);
-      if (straight > rounding) add(from, heading_of(side), straight, 0);
+      // What is shorter would be written as nothing.
+      if (straight > sides_touch) add(from, heading_of(side), straight, 0);
       from = to;
       if (back > 0) {
         const Point on = unit(line_[i + 2] - line_[i + 1]);

@@ -77,6 +77,13 @@ TEST(PlanView, HasTheHeadingsThatAreGiven) {
   }
 }
 
+// What is written has seven digits.
+TEST(PlanView, HasNoPieceOfNothing) {
+  for (const double beside : {1.0, 1e-3, 1e-6, 1e-8, 1e-9})
+    for (const PlanPiece& piece : plan_view({{0, 0}, {10, 0}, {10 + beside, 10}, {20, 10}}, 0.5))
+      EXPECT_GT(piece.length, 5e-8);
+}
+
 TEST(PlanView, OfAStraightLineIsALine) {
   const auto chain = plan_view({{3, 4}, {6, 8}, {9, 12}}, 0.05);
   ASSERT_EQ(chain.size(), 1u);
