@@ -19,7 +19,8 @@ local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_w
                'parking:left', 'parking:right', 'parking:both',
                'parking:lane:left', 'parking:lane:right', 'parking:lane:both',
                'sidewalk', 'sidewalk:left', 'sidewalk:right', 'sidewalk:both',
-               'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width' }
+               'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width',
+               'placement', 'placement:forward', 'placement:backward' }
 
 local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do

@@ -15,7 +15,8 @@ struct CornerArc {
   Point centre;
   double radius = 0;
   Arc arc;                // from the left border of a to the right border of b
-  double abscissa_a = 0;  // of the centre's closest point on a, metres from the node
+  double abscissa_a = 0;  // of the centre's closest point on a, metres from the node; negative
+                          // where a roadway beside its axis has its corner behind the node
   double abscissa_b = 0;
 };
 

@@ -42,6 +42,7 @@ struct StreetAxis {
   double radius = 0;     // wanted corner radius, metres; 0: no arc
   int importance = 99;   // 1 is the highest
   double speed = 50;     // km/h
+  double roadway_offset = 0;  // metres from the axis to the middle of the roadway, left positive
   bool changed = true;   // false: as it was when the streets about it were computed
   bool outer = false;    // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
@@ -172,6 +173,7 @@ struct Roadway {
   double width = 0;  // kerb to kerb at the start of the edge, metres
   double width_end = 0;
   int importance = 99;
+  double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
   WidthProfile profile{};  // where a change of width goes on within the section
 };
 

@@ -10,8 +10,9 @@
 namespace streetgen {
 
 // The line across the axis at `abscissa` (clamped to the axis), normal to the local
-// substring at +-0.1 m, from the left kerb to the right kerb.
-Line border_line(const Line& axis, double abscissa, double width);
+// substring at +-0.1 m, from the left kerb to the right kerb.  roadway_offset: metres from the
+// axis to the middle of the roadway, left positive.
+Line border_line(const Line& axis, double abscissa, double width, double roadway_offset = 0);
 
 // The roadway of the axis between two abscissas, with flat ends and round outer bends.
 MultiPolygon section_surface(const Line& axis, double width, double start_abscissa,

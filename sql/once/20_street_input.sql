@@ -1,7 +1,7 @@
 -- The rows that streetgen._streets computes streets from.
 CREATE TYPE streetgen.street_axis AS (
-    axis_id bigint, geom bytea, level integer, width float8, width_end float8, radius float8, importance integer,
-        speed float8,
+    axis_id bigint, geom bytea, level integer, width float8, width_end float8, roadway_offset float8, radius float8,
+        importance integer, speed float8,
     lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
     lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
     changed boolean, outer_axis boolean
@@ -12,6 +12,8 @@ COMMENT ON COLUMN streetgen.street_axis.geom IS 'LINESTRING, EWKB';
 COMMENT ON COLUMN streetgen.street_axis.level IS 'axes of other levels do not meet it';
 COMMENT ON COLUMN streetgen.street_axis.width IS 'width kerb to kerb at its start, m';
 COMMENT ON COLUMN streetgen.street_axis.width_end IS 'width kerb to kerb at its end, m';
+COMMENT ON COLUMN streetgen.street_axis.roadway_offset IS
+    'from the axis to the middle of the roadway, m, left positive';
 COMMENT ON COLUMN streetgen.street_axis.radius IS 'radius that its corners want, m';
 COMMENT ON COLUMN streetgen.street_axis.importance IS '1 highest';
 COMMENT ON COLUMN streetgen.street_axis.speed IS 'km/h';

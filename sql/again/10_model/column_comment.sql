@@ -21,6 +21,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'NULL over one put by hand: that of the source'),
     ('axis', 'width_end', 'width kerb to kerb at the end, metres, reached linearly; NULL: as at the start. Believed '
         'as width is'),
+    ('axis', 'roadway_offset', 'metres from the axis to the middle of the roadway, left of geom positive; at most half '
+        'of the width, as far as leaves the axis on the roadway; NULL: 0'),
     ('axis', 'lane_count', 'number of general and bus lanes of both directions; NULL: estimated'),
     ('axis', 'direction', 'traffic flows in both directions, direct (that of geom) or reverse'),
     ('axis', 'speed', 'speed of the traffic, km/h; NULL: estimated'),
@@ -193,6 +195,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('edge', 'curve', 'the arc road of which geom is chords; NULL: the edge is straight, or not smoothed'),
     ('edge', 'width', 'width of the axis at its start that was used, metres'),
     ('edge', 'width_end', 'width of the axis at its end that was used, metres'),
+    ('edge', 'roadway_offset', 'metres from geom to the middle of the roadway that were used, left positive'),
     ('edge', 'lane_count', 'number of general and bus lanes that was used, the sum of the next three'),
     ('edge', 'lanes_forward', 'general and bus lanes along the axis that were used'),
     ('edge', 'lanes_backward', 'general and bus lanes against the axis that were used'),
@@ -412,6 +415,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('axis_used', 'level', 'level of the axis'),
     ('axis_used', 'width', 'width kerb to kerb at the start, metres'),
     ('axis_used', 'width_end', 'width kerb to kerb at the end, metres'),
+    ('axis_used', 'roadway_offset', 'metres from the axis to the middle of the roadway, left positive'),
     ('axis_used', 'lane_count', 'number of general and bus lanes of both directions'),
     ('axis_used', 'lanes_forward', 'general and bus lanes along the axis'),
     ('axis_used', 'lanes_backward', 'general and bus lanes against the axis'),

@@ -167,6 +167,29 @@ END $$;
 COMMENT ON FUNCTION streetgen._add_sidewalks(name) IS
     'Adds the columns of axis and edge that say how wide sidewalks are, where a model was made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_roadway_offset(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'roadway_offset') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %1$I.axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100)',
+        model);
+    EXECUTE format('ALTER TABLE %1$I.edge ADD roadway_offset float8 NOT NULL DEFAULT 0', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ALTER roadway_offset DROP DEFAULT', model);
+    EXECUTE format('CREATE INDEX axis_roadway_offset ON %1$I.axis (roadway_offset) WHERE roadway_offset <> 0', model);
+    EXECUTE format('DROP INDEX IF EXISTS %1$I.edge_width', model);
+    EXECUTE format('CREATE INDEX edge_reach ON %1$I.edge ((greatest(width, width_end) + 2 * abs(roadway_offset)))',
+        model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_roadway_offset(name) IS
+    'Adds the columns of axis and edge that say how far the roadway lies beside the axis, '
+    'where a model was made before '
+    'them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -194,7 +217,7 @@ BEGIN
         streetgen._make_controller_override_table(model, srid),
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
-        streetgen._add_both_ways(model), streetgen._add_sidewalks(model),
+        streetgen._add_both_ways(model), streetgen._add_sidewalks(model), streetgen._add_roadway_offset(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     PERFORM streetgen._give_to_owner(model, before);

@@ -9,6 +9,7 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
         'Draw it again, or undo the edit.'),
     ('axis', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
     ('axis', 'width_end', '0.001 to 200 m', 'Leave it empty where the width stays the same.'),
+    ('axis', 'roadway_offset', '-100 to 100 m', 'Leave it empty where the axis runs along the middle.'),
     ('axis', 'lane_count', '1 to 30', 'Leave it empty to have it estimated.'),
     ('axis', 'direction', 'both, direct (that of the line) or reverse', 'Leave it out for both.'),
     ('axis', 'speed', '0.001 to 400 km/h', 'Leave it empty to have it estimated.'),

@@ -91,9 +91,13 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            -- Sidewalks and flows are the seed, so that it stays the same where nothing is said of them.
            CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
-           # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END) AS input_hash,
+           # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
+           # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END)
+           AS input_hash,
        setting_hash, coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
-       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right
+       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right,
+       streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
+           AS roadway_offset
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance FROM %1$I.axis_class) c USING (kind)
 LEFT JOIN %1$I.setting_used ON true

@@ -8,6 +8,15 @@ COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS
     'A source width in metres, or NULL where it exceeds the bound per stated lane. A NULL bound or lane count '
     'believes all. An argument that is NULL is unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen.believed_roadway_offset(roadway_offset float8, width float8,
+    width_end float8 DEFAULT NULL) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN roadway_offset IS NULL OR roadway_offset = 0 THEN 0
+        ELSE greatest(-least(width, width_end) / 2, least(roadway_offset, least(width, width_end) / 2)) END;
+COMMENT ON FUNCTION streetgen.believed_roadway_offset(float8, float8, float8) IS
+    'How far the middle of a roadway lies beside its axis, metres, left positive: at most as far as leaves the axis on '
+    'the roadway, half of its least width (metres). NULL, unknown: 0. A width_end of NULL is that of the start.';
+
 CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8,
     width_default float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -26,6 +26,7 @@ BEGIN
                     AND ST_3DLength(geom) < 'Infinity'
                 AND ST_IsValid(geom) AND (ST_XMin(geom) < ST_XMax(geom) OR ST_YMin(geom) < ST_YMax(geom))),
             width float8 CHECK (width BETWEEN 0.001 AND 200), width_end float8 CHECK (width_end BETWEEN 0.001 AND 200),
+            roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100),
             lane_count integer CHECK (lane_count BETWEEN 1 AND 30),
             direction text NOT NULL DEFAULT 'both' CHECK (direction IN ('both', 'direct', 'reverse')),
             speed float8 CHECK (speed BETWEEN 0.001 AND 400), importance integer CHECK (importance BETWEEN 1 AND 99),
@@ -44,6 +45,7 @@ BEGIN
             roundabout_tag text, source text, source_ref text, source_geom geometry,
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$, $t$CREATE INDEX axis_width ON %1$I.axis (width)$t$,
+        $t$CREATE INDEX axis_roadway_offset ON %1$I.axis (roadway_offset) WHERE roadway_offset <> 0$t$,
         $t$COMMENT ON TABLE %1$I.axis
             IS 'Input: road axes. Only geom is obligatory. width, width_end, radius in metres (width kerb to kerb), '
             'speed km/h, importance 1 highest, direction along the line; sidewalks in metres; what is known of single '
@@ -61,12 +63,13 @@ BEGIN
             level integer NOT NULL, start_abscissa float8 NOT NULL, end_abscissa float8 NOT NULL
                 CHECK (end_abscissa > start_abscissa),
             geom geometry(LineString%2$s, %3$s) NOT NULL, curve geometry(CompoundCurve, %3$s),
-            width float8 NOT NULL, width_end float8 NOT NULL, lane_count integer NOT NULL,
+            width float8 NOT NULL, width_end float8 NOT NULL, roadway_offset float8 NOT NULL,
+                lane_count integer NOT NULL,
                 lanes_forward integer NOT NULL, lanes_backward integer NOT NULL, lanes_both integer NOT NULL,
             sidewalk_left float8 NOT NULL, sidewalk_right float8 NOT NULL,
             speed float8 NOT NULL, importance integer NOT NULL,
             estimated text[] NOT NULL, input_hash bigint NOT NULL, setting_hash bigint NOT NULL)$t$,
-        $t$CREATE INDEX edge_width ON %1$I.edge ((greatest(width, width_end)))$t$,
+        $t$CREATE INDEX edge_reach ON %1$I.edge ((greatest(width, width_end) + 2 * abs(roadway_offset)))$t$,
         $t$CREATE INDEX edge_axis ON %1$I.edge (axis_id)$t$, $t$CREATE INDEX edge_from_node ON %1$I.edge (from_node)$t$,
         $t$CREATE INDEX edge_to_node ON %1$I.edge (to_node)$t$, $t$CREATE INDEX edge_geom ON %1$I.edge
             USING gist (geom)$t$,

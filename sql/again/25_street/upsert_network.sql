@@ -62,17 +62,17 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
     JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa))$part$, places),
     streetgen._upsert_rows(places || streetgen._ring_places(places), 'edge', named => true,
         columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, curve, '
-            'width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left, '
+            'width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left, '
             'sidewalk_right, speed, importance, estimated, '
                 'input_hash, setting_hash',
         rows => $part$
         SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, kerbs_affected, axis_id,
                (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
                level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
-               width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left,
+               width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left,
                sidewalk_right, speed, importance, estimated,
                    input_hash, setting_hash
-        FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.lane_count, {lanes_of_edge},
+        FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
             u.sidewalk_left, u.sidewalk_right, u.speed, u.importance,
                      u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
               FROM written_edge e JOIN used u USING (axis_id) {edge_circulation} LEFT JOIN (

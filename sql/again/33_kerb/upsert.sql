@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_neighbour(places jsonb) RETURNS tex
             -- An intersection may reach farther than its axes.
             WITH box AS MATERIALIZED (
                 SELECT ST_Expand(geom, greatest((v ->> 'reach')::float8, (v ->> 'max_arc_distance')::float8)
-                    + greatest(width, width_end) / 2) AS box
+                    + greatest(width, width_end) / 2 + abs(roadway_offset)) AS box
                 FROM used, setting WHERE axis_id IN (SELECT unnest($1))
                 UNION ALL SELECT surface FROM former_node),
             beside_section AS MATERIALIZED (

@@ -1,36 +1,39 @@
 -- Pedestrian crossings: their ground between the borders of the roadway, and their stripes.
 
-CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8, abscissa float8,
-    crossing_width float8, angle float8) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8,
+    roadway_offset float8, abscissa float8, crossing_width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     -- The borders alone that are near: a long axis has many bends elsewhere.
-    SELECT streetgen.crossing_surface(near, streetgen.offset_line(near, from_half, to_half),
-        streetgen.offset_line(near, -from_half, -to_half), abscissa - low, crossing_width, angle)
+    SELECT streetgen.crossing_surface(near, streetgen.offset_line(near, roadway_offset + from_half,
+        roadway_offset + to_half),
+        streetgen.offset_line(near, roadway_offset - from_half, roadway_offset - to_half), abscissa - low,
+            crossing_width, angle)
     FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end) * 3 + 2 * crossing_width AS about) l,
         LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r,
         LATERAL (SELECT ST_LineSubstring(axis, low / length, high / length) AS near,
             (width + (width_end - width) * low / length) / 2 AS from_half,
             (width + (width_end - width) * high / length) / 2 AS to_half) n $$;
-COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8, float8) IS
+COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8, float8, float8) IS
     'The roadway (POLYGON) under a crossing at an abscissa of an axis between its borders; NULL where it meets none.';
 
-CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width float8, abscissa float8,
-    crossing_width float8, angle float8) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width float8, roadway_offset float8,
+    abscissa float8, crossing_width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     -- Half a metre of paint, half a metre of roadway, from the middle outwards, and a quarter of a metre free at kerbs.
     SELECT ST_Multi(ST_Collect(ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1])) ORDER BY o))
     FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last, ST_Length2D(axis) AS length) n,
         generate_series(-last, last) o,
-        LATERAL (SELECT o - 0.25 AS a, o + 0.25 AS b, 1 / tan(radians(angle)) AS slope) s,
+        LATERAL (SELECT roadway_offset + o - 0.25 AS a, roadway_offset + o + 0.25 AS b,
+            1 / tan(radians(angle)) AS slope) s,
         LATERAL (SELECT abscissa - crossing_width / 2 AS low, abscissa + crossing_width / 2 AS high) r,
         LATERAL (SELECT streetgen._place_on(axis::bytea, low + a * slope, a)::geometry AS p1,
             streetgen._place_on(axis::bytea, high + a * slope, a)::geometry AS p2,
             streetgen._place_on(axis::bytea, high + b * slope, b)::geometry AS p3,
             streetgen._place_on(axis::bytea, low + b * slope, b)::geometry AS p4) q
     WHERE low + least(a * slope, b * slope) > 0 AND high + greatest(a * slope, b * slope) < length $$;
-COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8) IS
+COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8, float8) IS
     'The stripes (MULTIPOLYGON) of a crossing, along the axis; NULL where the axis ends before they do.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURNS void
@@ -49,13 +52,14 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     AS $body$
     WITH new AS (
         SELECT c.street_object_id, g.ground, CASE WHEN g.ground IS NOT NULL THEN streetgen._crossing_stripes(a.line,
-            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), o.abscissa, c.width, c.angle) END
+            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), a.roadway_offset, o.abscissa,
+            c.width, c.angle) END
             AS stripes
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end FROM %1$I.axis_used
-                OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
-            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, o.abscissa, c.width,
-                c.angle) AS ground) g ON true
+            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
+                FROM %1$I.axis_used OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, a.roadway_offset,
+                o.abscissa, c.width, c.angle) AS ground) g ON true
         WHERE c.street_object_id = ANY (objects))
     UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
     WHERE n.street_object_id = c.street_object_id

@@ -35,11 +35,12 @@ BEGIN
         PERFORM %1$I._renew_rule_objects(axes);
     END IF;
     UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
-    FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end, o.abscissa,
-                o.abscissa_end, o.side, o.axis_offset) AS geom,
+    FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
+                a.roadway_offset, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
             streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
-        FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end
-            FROM %1$I.axis_used WHERE axes IS NULL OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
+        FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
+                roadway_offset FROM %1$I.axis_used WHERE axes IS NULL
+                    OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
         -- Those of rules are new.
         WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
     WHERE o.street_object_id = n.street_object_id
@@ -160,12 +161,15 @@ BEGIN
     found AS (
         SELECT DISTINCT ON (o.street_object_id) o.street_object_id, u.axis_id, p.at[1] AS abscissa, p.at[2] AS beside,
             CASE WHEN o.abscissa_end IS NOT NULL THEN p.at[1] + (o.abscissa_end - o.abscissa) END AS abscissa_end
-        FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end FROM %1$I.axis_used) u
+        FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
+            FROM %1$I.axis_used) u
                 USING (axis_id)
             JOIN %1$I.street_object o ON o.method = 'orphaned' AND o.geom && ST_Expand(u.line, 400)
             CROSS JOIN LATERAL (SELECT streetgen._locate_on(u.line::bytea, CASE WHEN o.abscissa_end IS NULL
                 THEN o.geom ELSE ST_StartPoint(o.geom) END::bytea) AS at) p
-        WHERE abs(abs(p.at[2]) - abs(streetgen._border_offset(u.width + (u.width_end - u.width) * p.at[1]
+            CROSS JOIN LATERAL (SELECT CASE WHEN o.side IS NULL THEN 0 ELSE u.roadway_offset END AS middle) s
+        -- On either side, since the axis may run the other way.
+        WHERE abs(abs(p.at[2] - s.middle) - abs(streetgen._border_offset(u.width + (u.width_end - u.width) * p.at[1]
                 / ST_Length2D(u.line), o.axis_offset, o.side, 0))) <= tolerance
             AND ST_DWithin(u.line, o.geom, abs(p.at[2]) + tolerance)
             AND p.at[1] + coalesce(o.abscissa_end - o.abscissa, 0) <= ST_Length2D(u.line) + 1e-6

@@ -1,33 +1,36 @@
 -- Where an object stands that is placed by an axis, or by the border of its roadway.
 
 CREATE OR REPLACE FUNCTION streetgen._object_stretch(axis geometry, length float8, width float8, width_end float8,
-    abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+    roadway_offset float8, abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
         ELSE streetgen.offset_line(stretch, at_start, at_end) END
-    FROM (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side, 0)
+    FROM (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side,
+                roadway_offset)
                 AS at_start,
-            streetgen._border_offset(width + (width_end - width) * abscissa_end / length, axis_offset, side, 0)
+            streetgen._border_offset(width + (width_end - width) * abscissa_end / length, axis_offset, side,
+                roadway_offset)
                 AS at_end,
             ST_LineSubstring(axis, least(abscissa / length, 1), least(abscissa_end / length, 1)) AS stretch) o $$;
-COMMENT ON FUNCTION streetgen._object_stretch(geometry, float8, float8, float8, float8, float8, text, float8) IS
-    'Where a stretch lies, as _object_geometry, of an axis of a length (m).';
+COMMENT ON FUNCTION streetgen._object_stretch(geometry, float8, float8, float8, float8, float8, float8, text, float8)
+    IS 'Where a stretch lies, as _object_geometry, of an axis of a length (m).';
 
-CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8, abscissa float8,
-    abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8,
+    roadway_offset float8, abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- Bound when made, and thus inlined.
     BEGIN ATOMIC
         SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa,
                 streetgen._border_offset(width + (width_end - width) * abscissa / ST_Length2D(axis), axis_offset, side,
-                    0::float8))::geometry
-            ELSE streetgen._object_stretch(axis, ST_Length2D(axis), width, width_end, abscissa, abscissa_end, side,
-                axis_offset) END;
+                    roadway_offset))::geometry
+            ELSE streetgen._object_stretch(axis, ST_Length2D(axis), width, width_end, roadway_offset, abscissa,
+                abscissa_end, side, axis_offset) END;
     END;
-COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8, text, float8) IS
+COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8, float8, text, float8) IS
     'Where an object stands: a point at an abscissa, or a line from there to another one; side NULL: so many metres to '
-    'the left of the axis, else from that border. The width (m) changes linearly along the axis.';
+    'the left of the axis, else from that border. The width (m) changes linearly along the axis; the '
+    'middle of the roadway lies roadway_offset (m) to the left of the axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_angle(axis geometry, abscissa float8, abscissa_end float8,
     orientation float8, orientation_kind text) RETURNS float8
@@ -42,17 +45,18 @@ COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, te
     'middle.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, OUT line geometry, OUT width float8,
-    OUT width_end float8)
+    OUT width_end float8, OUT roadway_offset float8)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     -- Who moves the axis waits, and then finds the object there.
     EXECUTE format('SELECT FROM %I.axis WHERE axis_id = $1 FOR SHARE', model) USING axis;
-    EXECUTE format('SELECT ST_Force2D(geom), width, width_end FROM %I.axis_used WHERE axis_id = $1', model)
-        INTO line, width, width_end USING axis;
+    EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
+        model) INTO line, width, width_end, roadway_offset USING axis;
 END $$;
 COMMENT ON FUNCTION streetgen._object_axis(name, bigint) IS
-    'The line and widths (m) of an axis as the streets use them, held until the transaction ends; NULL for none.';
+    'The line, widths and roadway_offset (m) of an axis as the streets use them, '
+    'held until the transaction ends; NULL for none.';
 
 CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -109,8 +113,10 @@ BEGIN
         place := streetgen._locate_on(axis.line::bytea, CASE ST_Dimension(NEW.geom) WHEN 0 THEN NEW.geom
             ELSE ST_StartPoint(NEW.geom) END::bytea);
         NEW.abscissa := place[1];
-        NEW.side := CASE WHEN NEW.placement = 'border' THEN CASE WHEN place[2] >= 0 THEN 'left' ELSE 'right' END END;
-        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN abs(place[2]) - (axis.width + (axis.width_end
+        NEW.side := CASE WHEN NEW.placement = 'border' THEN CASE WHEN place[2] >= axis.roadway_offset
+            THEN 'left' ELSE 'right' END END;
+        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN abs(place[2] - axis.roadway_offset) - (axis.width +
+            (axis.width_end
             - axis.width) * place[1] / ST_Length2D(axis.line)) / 2 ELSE place[2] END;
     END IF;
     IF NEW.abscissa IS NULL OR greatest(NEW.abscissa, NEW.abscissa_end) > ST_Length2D(axis.line) + 1e-6 THEN
@@ -124,8 +130,8 @@ BEGIN
     NEW.side := CASE NEW.placement WHEN 'border' THEN NEW.side END;
     NEW.axis_offset := coalesce(NEW.axis_offset, 0);
     NEW.method := 'relative';
-    NEW.geom := streetgen._object_geometry(axis.line, axis.width, axis.width_end, NEW.abscissa, NEW.abscissa_end,
-        NEW.side, NEW.axis_offset);
+    NEW.geom := streetgen._object_geometry(axis.line, axis.width, axis.width_end, axis.roadway_offset, NEW.abscissa,
+        NEW.abscissa_end, NEW.side, NEW.axis_offset);
     NEW.angle := streetgen._object_angle(axis.line, NEW.abscissa, NEW.abscissa_end, NEW.orientation,
         NEW.orientation_kind);
     RETURN NEW;

@@ -52,7 +52,7 @@ BEGIN
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
         SELECT e.axis_id, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance, x.kind,
-            ST_Force2D(u.geom) AS line, u.width, u.width_end, e.start_abscissa + l.abscissa AS low,
+            ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, e.start_abscissa + l.abscissa AS low,
             e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
@@ -89,7 +89,8 @@ BEGIN
             AND (SELECT count(*) FROM (SELECT FROM %1$I.edge b WHERE b.from_node = w.node
                 UNION ALL SELECT FROM %1$I.edge b WHERE b.to_node = w.node) d) >= 3),
     taken AS MATERIALIZED (
-        SELECT *, streetgen._object_geometry(line, width, width_end, abscissa, NULL, at_side, aside) AS geom,
+        SELECT *, streetgen._object_geometry(line, width, width_end, roadway_offset, abscissa, NULL, at_side,
+            aside) AS geom,
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     free AS MATERIALIZED (

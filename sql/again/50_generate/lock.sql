@@ -213,7 +213,8 @@ BEGIN
     EXECUTE format($sql$
 WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
 far AS (
-    SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end)) FROM %1$I.axis_used), 0) AS far
+    SELECT max(value::float8) + coalesce((SELECT max(greatest(width, width_end) + 2 * abs(roadway_offset))
+        FROM %1$I.axis_used), 0) AS far
     FROM %1$I.setting WHERE name IN ('reach', 'max_arc_distance')),
 stale AS MATERIALIZED (
     SELECT axis_id, geom FROM %1$I.axis_used u

@@ -56,24 +56,30 @@ BEGIN
         FILTER (WHERE name = 'cell_size'),
            max(value::float8) FILTER (WHERE name = 'tolerance'),
            greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
-               (SELECT max(greatest(e.width, e.width_end)) FROM %1$I.edge e), (SELECT max(a.width) FROM %1$I.axis a),
+               (SELECT max(greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset)) FROM %1$I.edge e),
+               (SELECT max(a.width) FROM %1$I.axis a),
                (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
+               + coalesce((SELECT 2 * greatest(max(roadway_offset), -min(roadway_offset)) FROM %1$I.axis
+                   WHERE roadway_offset <> 0), 0)
         INTO reach, size, tolerance, widest FROM %1$I.setting
             WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default',
             %3$s);
-    SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)) INTO present, widths FROM %1$I.axis_used u
+    SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)
+        + 2 * abs(u.roadway_offset)) INTO present, widths FROM %1$I.axis_used u
         WHERE u.axis_id = ANY (requested);
     -- What the requested axes can change: along the network, and by their roadway.
     written := ARRAY(
         WITH line AS MATERIALIZED (
             SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-            UNION ALL SELECT geom, greatest(width, width_end) FROM %1$I.edge WHERE axis_id = ANY (requested)
+            UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
+                WHERE axis_id = ANY (requested)
             -- Too short for an edge, it joined others.
             UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
         near AS MATERIALIZED (
             SELECT e.*, distance <= 3 * tolerance AS met
             FROM line l, LATERAL (
-                SELECT edge_id, axis_id, from_node, to_node, e.geom, greatest(e.width, width_end) AS width,
+                SELECT edge_id, axis_id, from_node, to_node, e.geom,
+                    greatest(e.width, width_end) + 2 * abs(roadway_offset) AS width,
                     ST_Distance(e.geom, l.geom) AS distance
                 FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
                     3 * tolerance)) OFFSET 0) e
@@ -90,7 +96,8 @@ BEGIN
         UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
         UNION SELECT e.axis_id FROM reaching l
             JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
-            AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2)
+            AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
+                + abs(e.roadway_offset))
         -- What joined its ends may part them.
         UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
             WHERE issue = 'collapsed_axis'
@@ -103,7 +110,8 @@ BEGIN
         RETURN;
     END IF;
     WITH own AS MATERIALIZED (
-        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width, box3d(geom) AS extent
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width,
+            box3d(geom) AS extent
             FROM %1$I.edge WHERE axis_id = ANY (written)),
     line AS MATERIALIZED (
         SELECT axis_id, geom, floor(ST_XMin(extent) / size) AS x, floor(ST_YMin(extent) / size) AS y, extent,
@@ -117,8 +125,8 @@ BEGIN
         SELECT x, y, a.axis_id, a.geom FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b
             JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(written))),
     edge_around AS MATERIALIZED (
-        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) AS width FROM %1$I.edge
-            WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
+        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width
+            FROM %1$I.edge WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
     beside AS MATERIALIZED (
         SELECT DISTINCT axis_id FROM around b LEFT JOIN (SELECT axis_id, max(width) AS width FROM edge_around
             GROUP BY axis_id) e USING (axis_id)

@@ -30,7 +30,8 @@ setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.
 -- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
 -- axis by axis.
 used AS MATERIALIZED (
-    SELECT axis_id, geom, level, width, width_end, lane_count, lanes_forward, lanes_backward, lanes_both, kind_forward,
+    SELECT axis_id, geom, level, width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward,
+        lanes_both, kind_forward,
         kind_backward,
            lane_width_forward, lane_width_backward, turn_forward, turn_backward, sidewalk_left, sidewalk_right, speed,
            importance, radius, direction, estimated,
@@ -45,7 +46,7 @@ computed AS MATERIALIZED (
                 ELSE 'bezier' END) FROM setting),
         axes => (
             SELECT array_agg(ROW (
-                axis_id, ST_Force2D(geom)::bytea, level, width, width_end, radius, importance, speed,
+                axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, radius, importance, speed,
                 lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
                     lane_width_backward, turn_forward, turn_backward,
                 {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL

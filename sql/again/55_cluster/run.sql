@@ -82,12 +82,14 @@ SELECT $1 || ARRAY(SELECT axis_id FROM around a WHERE (
         WHERE o.axis_id = ANY ($1) LIMIT 1))
 $sql$, model) INTO written USING axes, near;
     EXECUTE format($sql$
-WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used
+WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
+    FROM %1$I.axis_used
     WHERE axis_id = ANY ($1)),
 around AS MATERIALIZED (
     SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull,
         (SELECT max(half) FROM inside) AS most FROM %1$I.axis WHERE axis_id = ANY ($1)) h,
-        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 AS half FROM %1$I.axis_used u
+        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
+            FROM %1$I.axis_used u
             WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
     WHERE ST_DWithin(geom, hull, $2 + half + most)),
 beside AS MATERIALIZED (

@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._check_part() RETURNS TABLE(place integer, 
     AS $$ VALUES
     (1, 'network', 'with', $part$
 -- Without the radius, so that a predictor of the user's is not asked.
-used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, lane_count, lanes_forward, lanes_backward,
+used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward,
     input_hash, setting_hash FROM %1$I.axis_used)$part$),
     (2, 'surface', 'with', $part$
 invalid AS MATERIALIZED (
@@ -37,7 +37,8 @@ overlap AS MATERIALIZED (
     WHERE streetgen._share_ground(a::bytea, b::bytea) AND ST_Area(ST_Intersection(a, b)) > 1e-6)$part$),
     (6, 'network', 'with', $part$
 not_made AS MATERIALIZED (
-    SELECT geom, greatest(width, width_end) / 2 AS half FROM used u WHERE NOT EXISTS (SELECT FROM %1$I.edge e
+    SELECT geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half FROM used u
+        WHERE NOT EXISTS (SELECT FROM %1$I.edge e
         WHERE e.axis_id = u.axis_id))$part$),
     (7, 'surface', 'with', $part$
 -- What of an edge lies on neither its section nor its nodes' intersections, nor, where ground was contested, on other
@@ -229,7 +230,10 @@ SELECT 'warning', CASE metres WHEN 0 THEN 'looks like degrees'
     FROM streetgen._misplaced(format('SELECT axis_id AS label, geom FROM %%I.axis', %1$L))$part$),
     (43, 'network', 'rule', $part$
 SELECT 'notice', attribute || ' not believed, m', 'axis', axis_id, width, geom
-    FROM streetgen._unbelieved(%1$L)$part$),
+    FROM streetgen._unbelieved(%1$L)
+UNION ALL SELECT 'notice', 'roadway_offset beyond half of the width, m', 'axis', axis_id, a.roadway_offset, a.geom
+    FROM %1$I.axis a JOIN used u USING (axis_id) WHERE a.roadway_offset <> 0
+        AND a.roadway_offset <> u.roadway_offset$part$),
     (44, 'surface', 'rule', $part$
 SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM %1$I.section
     WHERE contested_area > 1 AND method <> 'crowded'$part$),

@@ -16,8 +16,8 @@ BEGIN
     FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
         ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
             ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
-            ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roundabout_tag', 'text'))
-            c(name, type)
+            ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roadway_offset', 'float8'),
+            ('roundabout_tag', 'text')) c(name, type)
         WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
     LOOP
         EXECUTE format('ALTER TABLE pg_temp._import ADD %I %s', missing.name, missing.type);
@@ -56,7 +56,7 @@ BEGIN
     END IF;
     SELECT i.label, v.name AS name, v.value AS value INTO bad FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400),
-            ('radius', i.radius, 0, 200),
+            ('roadway_offset', i.roadway_offset, -100, 100), ('radius', i.radius, 0, 200),
             ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30),
                 ('lanes_backward', i.lanes_backward, 0, 30), ('lanes_both', i.lanes_both, 0, 30),
                 ('importance', i.importance, 0, 99), ('sidewalk_left', i.sidewalk_left, 0, 50),
@@ -64,7 +64,8 @@ BEGIN
         WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023',
-            HINT = 'Widths and radii go up to 200 m, sidewalks up to 50 m, speeds up to 400 km/h, lane_count up to 30, '
+            HINT = 'Widths and radii go up to 200 m, roadway_offset up to 100 m to either side, sidewalks up to 50 m, '
+                'speeds up to 400 km/h, lane_count up to 30, '
             'importance up to 99; NULL is unknown.';
     END IF;
     SELECT i.label, v.name AS name, v.list AS list INTO bad FROM pg_temp._import i,
@@ -122,7 +123,9 @@ BEGIN
                 coalesce(i.lanes_both, 0) + coalesce(hashtextextended(i.roundabout_tag, 1), 0)
                 # CASE WHEN coalesce(i.sidewalk_left, i.sidewalk_right) IS NULL THEN 0
                     ELSE hash_record_extended(ROW(i.sidewalk_left, i.sidewalk_right), 0) END
-                # CASE WHEN i.flow IS NULL THEN 0 ELSE hashfloat8extended(i.flow, 1) END) AS hash
+                # CASE WHEN i.flow IS NULL THEN 0 ELSE hashfloat8extended(i.flow, 1) END
+                # CASE WHEN coalesce(i.roadway_offset, 0) = 0 THEN 0
+                    ELSE hashfloat8extended(i.roadway_offset, 2) END) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
             ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
@@ -197,11 +200,12 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
         ELSE a.width END, CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.lane_count,
         a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
         a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
-        a.turn_backward, a.roundabout_tag, a.flow, a.sidewalk_left, a.sidewalk_right)
+        a.turn_backward, a.roundabout_tag, a.flow, coalesce(a.roadway_offset, 0), a.sidewalk_left, a.sidewalk_right)
         IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance,
             p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
             p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward,
-            p.turn_backward, p.roundabout_tag, p.flow, coalesce(p.sidewalk_left, a.sidewalk_left),
+            p.turn_backward, p.roundabout_tag, p.flow, coalesce(p.roadway_offset, 0),
+            coalesce(p.sidewalk_left, a.sidewalk_left),
             coalesce(p.sidewalk_right, a.sidewalk_right))) $sql$, model) USING source;
     IF clean THEN
         number := streetgen._clean_parts(model, source);
@@ -209,12 +213,13 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
     EXECUTE format($sql$
 INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind,
     radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-    lane_width_backward, turn_forward, turn_backward, roundabout_tag, flow, sidewalk_left, sidewalk_right, source,
+    lane_width_backward, turn_forward, turn_backward, roundabout_tag, flow, roadway_offset, sidewalk_left,
+        sidewalk_right, source,
     source_ref, source_geom, source_hash)
 SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed,
     p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
     p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward,
-    p.roundabout_tag, p.flow, p.sidewalk_left, p.sidewalk_right, $1,
+    p.roundabout_tag, p.flow, p.roadway_offset, p.sidewalk_left, p.sidewalk_right, $1,
     p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET
     width = CASE WHEN a.width_by_hand THEN a.width ELSE excluded.width END, source_width = CASE WHEN a.width_by_hand
@@ -229,7 +234,7 @@ ON CONFLICT (source, source_ref) DO UPDATE SET
         (SELECT string_agg(format('%1$I = excluded.%1$I', attribute), ', ') FROM unnest(ARRAY['geom', 'lane_count',
             'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward',
             'lanes_both', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward',
-            'turn_forward', 'turn_backward', 'roundabout_tag', 'flow']) attribute)) USING source;
+            'turn_forward', 'turn_backward', 'roundabout_tag', 'flow', 'roadway_offset']) attribute)) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;

@@ -33,14 +33,17 @@ BEGIN
             HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
     END IF;
     SELECT key INTO column_name FROM jsonb_object_keys(mapping) key
-        WHERE key NOT IN ('geom', 'width', 'width_end', 'lane_count', 'direction', 'speed', 'importance', 'name',
-            'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both', 'kind_forward',
+        WHERE key NOT IN ('geom', 'width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed',
+            'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
+                'kind_forward',
             'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward',
             'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source_ref') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name
             USING ERRCODE = '22023',
-            HINT = 'geom, width, width_end, lane_count, direction, speed, importance, name, level, kind, radius, '
+            HINT = 'geom, width, width_end, roadway_offset, lane_count, direction, speed, importance, name, level, '
+                'kind, '
+                'radius, '
                 'lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, '
                 'lane_width_backward, turn_forward, turn_backward, sidewalk_left, sidewalk_right, flow, '
                 'roundabout_tag or source_ref';
@@ -50,7 +53,7 @@ BEGIN
         THEN format('coalesce(%I::text, ''number '' || row_number() OVER ())', mapping ->> 'source_ref')
         ELSE '''number '' || row_number() OVER ()' END;
     FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'),
-        ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
+        ('roadway_offset', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
             ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'),
                 ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('lanes_both', 'integer'),
                 ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),

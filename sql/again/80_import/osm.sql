@@ -62,6 +62,20 @@ COMMENT ON FUNCTION streetgen._osm_sidewalk(text, text, text, text) IS
     'Width in metres of the sidewalk on one side (left or right) of a way, from what its tags say of this side, of '
     'the way and of the width; 0: none; NULL: unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_roadway_offset(placement text, lanes_before integer, lanes_along integer,
+    lanes_total integer, lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN lane BETWEEN 1 AND lanes_along AND lanes_total <= 30
+        THEN (lanes_before + lane - CASE split_part(placement, ':', 1) WHEN 'left_of' THEN 1 WHEN 'middle_of' THEN 0.5
+            ELSE 0 END - lanes_total / 2.0) * lane_width END
+    FROM (SELECT CASE WHEN placement ~ '^(left_of|middle_of|right_of):\d{1,2}$'
+        THEN split_part(placement, ':', 2)::integer END AS lane) l $$;
+COMMENT ON FUNCTION streetgen._osm_roadway_offset(text, integer, integer, integer, float8) IS
+    'How far to the left of its way, seen along the lanes that a placement tag of OSM counts, the middle of all lanes '
+    'lies, metres: left_of, middle_of or right_of the lane of a number, from 1 to lanes_along, with so many lanes '
+    'before them on the left. NULL where the tag says nothing of the kind.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_beside(kerb text, way text, direction text, near text, far text)
     RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -83,7 +97,8 @@ COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS
     'The table PREFIX followed by the suffix, in the first of the schemas that has it or in the schema that the '
     'prefix names; NULL where there is none.';
 
-CREATE OR REPLACE FUNCTION streetgen._osm_query(source regclass, driving_side text) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._osm_query(source regclass, driving_side text, lane_width float8)
+    RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -95,7 +110,8 @@ DECLARE
             'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
         'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both',
             'parking_lane_left', 'parking_lane_right', 'parking_lane_both', 'sidewalk', 'sidewalk_left',
-        'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width', 'sidewalk_right_width', 'sidewalk_both_width'];
+        'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width', 'sidewalk_right_width', 'sidewalk_both_width',
+        'placement', 'placement_forward', 'placement_backward'];
     -- Tables written by an older flex file lack some.
     tags constant text := (
         SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
@@ -111,6 +127,7 @@ WITH line AS MATERIALIZED (
         bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
 meaning AS MATERIALIZED (
 SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end,
+    coalesce(offset_forward, -offset_backward) AS roadway_offset,
     coalesce(lanes_total, lanes_sum) AS lane_count,
     CASE WHEN tagged AND NOT stated THEN 'both' ELSE direction END AS direction,
     CASE WHEN tagged AND direction <> 'both' THEN junction END AS roundabout_tag,
@@ -156,7 +173,10 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 A
                               AND (streetgen._osm_metres(said_walk_left) <= 50) IS NOT TRUE
                               OR said_walk_right IS NOT NULL
                               AND (streetgen._osm_metres(said_walk_right) <= 50) IS NOT TRUE
-                              THEN 'sidewalk width' END], NULL) AS unread
+                              THEN 'sidewalk width' END,
+                          CASE WHEN coalesce(placement_forward, placement_backward, placement) NOT IN ('transition')
+                              AND coalesce(offset_forward, offset_backward) IS NULL THEN 'placement' END],
+                              NULL) AS unread
 FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
      streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
@@ -227,14 +247,29 @@ FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
      LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_one <= 1 THEN fewest
          ELSE coalesce((of_one + 1) / 2, 1) END WHEN 'direct' THEN 1 ELSE 0 END AS usual_forward,
                      CASE direction WHEN 'both' THEN CASE WHEN of_one <= 1 THEN fewest ELSE coalesce(of_one / 2, 1)
-                         END WHEN 'reverse' THEN 1 ELSE 0 END AS usual_backward) u)
+                         END WHEN 'reverse' THEN 1 ELSE 0 END AS usual_backward) u,
+     -- Where the line lies among the lanes; lanes of the other direction lie beyond the side where one drives.
+     LATERAL (SELECT coalesce(stated_forward, usual_forward) AS ahead, coalesce(stated_backward,
+         usual_backward) AS back,
+         coalesce(centre, 0) AS shared) k,
+     LATERAL (SELECT coalesce(CASE WHEN metres <= 200 THEN metres / nullif(ahead + back + shared, 0) END,
+         %6$s) AS lane_each) i,
+     LATERAL (SELECT streetgen._osm_roadway_offset(coalesce(placement_forward, CASE direction WHEN 'direct'
+             THEN placement END), CASE '%3$s' WHEN 'right' THEN back + shared ELSE 0 END, ahead,
+                 ahead + back + shared,
+             lane_each) AS offset_forward,
+         streetgen._osm_roadway_offset(coalesce(placement_backward, CASE direction WHEN 'reverse'
+             THEN placement END), CASE '%3$s' WHEN 'right' THEN ahead + shared ELSE 0 END, back,
+                 ahead + back + shared,
+             lane_each) AS offset_backward) placed)
 SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*, NULL::text AS left_out FROM line
     JOIN meaning USING (wording)$sql$,
         source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END,
-            array_to_string(named, ', '));
+            array_to_string(named, ', '), lane_width);
 END $$;
-COMMENT ON FUNCTION streetgen._osm_query(regclass, text) IS
-    'The query of the rows that import_osm takes of a table of lines, where one drives on a side, left or right.';
+COMMENT ON FUNCTION streetgen._osm_query(regclass, text, float8) IS
+    'The query of the rows that import_osm takes of a table of lines, where one drives on a side, left or right, and '
+    'lanes of unknown width have this one, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
     schemas name[] DEFAULT current_schemas(true))
@@ -244,6 +279,7 @@ CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 
 DECLARE
     source regclass := streetgen._osm_table('_line', prefix, schemas);
     driving_side text;
+    lane_width float8;
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
     IF source IS NULL THEN
@@ -252,12 +288,14 @@ BEGIN
                 'stands before the prefix: ''gis.osm''.';
     END IF;
     driving_side := streetgen._driving_side(model);
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, streetgen._osm_query(source, driving_side));
+    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''lane_width''', model) INTO lane_width;
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, streetgen._osm_query(source, driving_side,
+        lane_width));
     IF streetgen._driving_side(model) <> driving_side THEN
         -- The tags of kerbs mean other lanes where one drives on the other side.
         PERFORM streetgen._take_classes(model);
         PERFORM FROM streetgen._import(model, source::text, streetgen._osm_query(source,
-            streetgen._driving_side(model)));
+            streetgen._driving_side(model), lane_width));
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));

@@ -20,14 +20,17 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'roadway_id AS id, part, edge_id, node_id, axis_id, name, kind, importance, level, width, lane_count',
         'surface', 'roadway'),
     (2, 'axes', 'LINESTRING', true,
-        'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, u.lane_count, '
+        'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, '
+        'u.roadway_offset AS offset_m, '
+        'u.lane_count, '
         'u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.lanes_both, u.sidewalk_left AS walk_left, '
         'u.sidewalk_right AS walk_right, u.speed, '
         'array_to_string(estimated, '','') AS estimated, source, source_ref', 'u.geom',
         'axis_used u JOIN %1$I.axis a USING (axis_id)'),
     (3, 'edges', 'LINESTRING', true,
         'edge_id AS id, axis_id, from_node, to_node, importance, level, start_abscissa AS from_m, end_abscissa AS '
-        'to_m, width, width_end, lane_count, lanes_forward AS lanes_fwd, lanes_backward AS lanes_bwd, lanes_both, '
+        'to_m, width, width_end, roadway_offset AS offset_m, lane_count, lanes_forward AS lanes_fwd, '
+        'lanes_backward AS lanes_bwd, lanes_both, '
         'speed', 'geom', 'edge'),
     (4, 'nodes', 'POINT', true, 'node_id AS id', 'geom', 'node'),
     (5, 'lanes', 'LINESTRING', false,

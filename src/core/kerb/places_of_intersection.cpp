@@ -20,7 +20,8 @@ class NodeCorners {
         stubs_(junction_.ends.size()) {
     for (std::size_t i = 0; i < stubs_.size(); ++i) {
       const Arm& arm = layout.arm(junction_.ends[i]);
-      stubs_[i] = substring(arm.line, 0, arm.limit + std::max(arm.half_start, arm.half_end));
+      const double half = std::max(arm.half_start, arm.half_end) + std::abs(arm.roadway_offset);
+      stubs_[i] = substring(arm.line, 0, arm.limit + half);
     }
   }
 

@@ -16,7 +16,7 @@ constexpr double longest = 10;  // metres of axis in one box
 constexpr int nowhere = -1;
 
 void add_stretch(Extent& extent, const Arm& arm, double start, double end) {
-  const double reach = std::max({arm.half_start, arm.half_end, arm.widest}) + coordinate_margin;
+  const double reach = arm.reach() + coordinate_margin;
   const Line line = substring(arm.line, start, end);
   extent.add(box_of(line.front(), line.front()).grown(reach));
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -32,8 +32,8 @@ void add_stretch(Extent& extent, const Arm& arm, double start, double end) {
 // Between both axes and the arc.
 void add_fillet(Extent& extent, const Arm& a, const Arm& b, const CornerArc& corner) {
   Box box;
-  for (const Point& p : substring(a.line, 0, corner.abscissa_a)) box.add(p);
-  for (const Point& p : substring(b.line, 0, corner.abscissa_b)) box.add(p);
+  for (const Point& p : substring(a.line, 0, std::max(0.0, corner.abscissa_a))) box.add(p);
+  for (const Point& p : substring(b.line, 0, std::max(0.0, corner.abscissa_b))) box.add(p);
   const Point &from = corner.arc.start, &to = corner.arc.end;
   box.add(from);
   box.add(to);

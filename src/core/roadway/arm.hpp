@@ -14,6 +14,13 @@ struct Arm {
   double limit = 0;   // abscissa where the intersection ends
   Line border{};      // at the limit: left and right kerb, seen from the node
   double widest = 0;  // metres, of what a change of width adds within the section
+  double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
+
+  // From the line to the kerb on one side, metres; +1: left, seen from the node, -1: right.
+  double start_to(int side) const { return half_start + side * roadway_offset; }
+  double end_to(int side) const { return half_end + side * roadway_offset; }
+  // The farthest kerb.
+  double reach() const;
 };
 
 // Between arm i and the next one counter-clockwise.
@@ -26,7 +33,12 @@ struct Gap {
   Polygon beyond{};     // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
-double half_at(const Arm& arm, double abscissa);
+// From the line to the kerb on one side.
+double half_at(const Arm& arm, double abscissa, int side);
+// From the line to the kerb on the side of a place, at the arm's start.
+double half_towards(const Arm& arm, const Point& place);
+// Whether an arm goes on as the other with both kerbs in one line.
+bool as_wide(const Arm& a, const Arm& b);
 // Left and right kerb at `abscissa`, across the local direction.
 Line border_across(const Arm& arm, double abscissa);
 

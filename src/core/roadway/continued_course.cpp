@@ -15,6 +15,12 @@ bool same_half(double a, double b) { return std::abs(a - b) <= same_width; }
 
 bool widens(const Arm& arm) { return !same_half(arm.half_start, arm.half_end); }
 
+// Whether a street goes on from one arm's end as the other with both kerbs in one line.
+bool keeps_width(const Arm& last, const Arm& next) {
+  return same_half(next.start_to(+1), last.end_to(+1)) &&
+         same_half(next.start_to(-1), last.end_to(-1));
+}
+
 // The same street: of the axes of the same level and width the one that turns least.
 const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& junction) {
   const auto& edges = layout.streets.network.edges;
@@ -26,7 +32,7 @@ const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& 
     const Arm& on = layout.arm(other);
     const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
     if (other.edge == last.edge || edges[other.edge].level != edges[last.edge].level ||
-        !same_half(on.half_start, own.half_end) || widens(on) || cosine <= best)
+        !keeps_width(own, on) || widens(on) || cosine <= best)
       continue;
     best = cosine;
     next = &other;
@@ -85,8 +91,8 @@ void change_width(Course& course, const Arm& arm, const Taper& taper, int side) 
   node.insert(node.end(), behind.begin(), behind.end());
   last.line = substring(last.line, 0, before - taper.before);
   last.end = at - taper.before;
-  const CoursePiece next{substring(arm.line, taper.after, after), arm.half_start, at + taper.after,
-                         at + after};
+  const CoursePiece next{substring(arm.line, taper.after, after), arm.start_to(side),
+                         at + taper.after, at + after};
   const CoursePiece kerb{kerb_between(last, next, distinct(planar(node)), side), 0, last.end,
                          next.start};
   course.push_back(kerb);
@@ -99,7 +105,7 @@ Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
                         std::vector<int>& looked_at) {
   const auto& edges = layout.streets.network.edges;
   const Arm& own = layout.arm(end);
-  Course course = course_of(own);
+  Course course = course_of(own, side);
   if (widens(own)) return course;
   EdgeEnd last = end;
   bool unbroken = true;  // nothing left between, on the side of the kerb
@@ -113,7 +119,7 @@ Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
     if (next == nullptr) next = kerb;
     if (next == nullptr) break;
     const Arm& arm = layout.arm(*next);
-    if (same_half(layout.arm(last).half_start, arm.half_start)) {
+    if (same_half(layout.arm(last).start_to(side), arm.start_to(side))) {
       CoursePiece& street = course.back();
       street.line.insert(street.line.end(), arm.line.begin() + 1, arm.line.end());
       street.end += length(arm.line);

@@ -23,7 +23,9 @@ KerbLine kerb_of(const CoursePiece& piece, double from, double to, int side) {
 
 }  // namespace
 
-Course course_of(const Arm& arm) { return {{arm.line, arm.half_start, 0, length(arm.line)}}; }
+Course course_of(const Arm& arm, int side) {
+  return {{arm.line, arm.start_to(side), 0, length(arm.line)}};
+}
 
 Line walked(const Course& course, double until) {
   Line line;

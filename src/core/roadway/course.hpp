@@ -10,7 +10,7 @@
 
 namespace streetgen {
 
-// A line with half of its width; where the width changes, the kerb of one side, with none.
+// A line with its distance from the kerb of one side; where the width changes, that kerb, with none.
 struct CoursePiece {
   Line line;
   double half = 0;            // metres
@@ -19,8 +19,8 @@ struct CoursePiece {
 
 using Course = std::vector<CoursePiece>;  // starts at the node
 
-// Of an arm alone, as wide as at its node.
-Course course_of(const Arm& arm);
+// Of an arm alone, as wide on one side as at its node.
+Course course_of(const Arm& arm, int side);
 
 // As of two axes: the left border of a, the right one of b.
 std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius);

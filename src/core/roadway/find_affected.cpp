@@ -180,7 +180,8 @@ class Change {
                        &end = layout_.streets.limits[2 * e + 1];
     const auto [first, start_end] = std::minmax(before.start.abscissa, start.abscissa);
     const auto [end_start, last] = std::minmax(before.end.abscissa, end.abscissa);
-    const double margin = std::max(layout_.arms[2 * e].half_start, layout_.arms[2 * e].half_end);
+    const Arm& arm = layout_.arms[2 * e];
+    const double margin = std::max(arm.half_start, arm.half_end) + std::abs(arm.roadway_offset);
     bool moved = false, stays = false;
     double abscissa = 0;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {

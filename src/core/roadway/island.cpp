@@ -125,7 +125,7 @@ class Faces {
 
   double half_of(const FaceSide& side) const {
     const Arm& arm = layout_.arm(side.end);
-    return std::max(arm.half_start, arm.half_end);
+    return std::max(arm.start_to(+1), arm.end_to(+1));
   }
 
   bool is_small(const std::vector<FaceSide>& face) const {
@@ -144,8 +144,8 @@ class Faces {
       if (!gap.beyond.empty()) paved.push_back(gap.beyond);
       if (!gap.meets || gap.corner.radius <= 0) continue;
       const Junction& junction = layout_.junctions[side.corner.node];
-      const Course a = course_of(layout_.arm(side.end)),
-                   b = course_of(layout_.arm(junction.next(side.corner.gap)));
+      const Course a = course_of(layout_.arm(side.end), +1),
+                   b = course_of(layout_.arm(junction.next(side.corner.gap)), -1);
       const auto crossing = corner_arc(a, b, 0);
       if (!crossing) continue;
       Polygon ground = cusp(a, b, *crossing, gap.corner);

@@ -38,11 +38,13 @@ void Layout::add_arms(int e) {
     return (axis.width + (axis.width_end - axis.width) * share) / 2;
   };
   const double start = half(edge.start_abscissa), end = half(edge.end_abscissa);
-  streets.roadways.push_back({2 * start, 2 * end, axis.importance});
+  streets.roadways.push_back({2 * start, 2 * end, axis.importance, axis.roadway_offset});
   Line line = distinct(planar(edge.line));
   Line back = reversed(line);
-  arms.push_back({std::move(line), start, end, 0, {}});
-  arms.push_back({std::move(back), end, start, 0, {}});
+  arms.push_back({std::move(line), start, end});
+  arms.push_back({std::move(back), end, start});
+  arms[2 * e].roadway_offset = axis.roadway_offset;
+  arms[2 * e + 1].roadway_offset = -axis.roadway_offset;
   junctions[edge.from_node].ends.push_back({e, true});
   junctions[edge.to_node].ends.push_back({e, false});
 }

@@ -23,12 +23,30 @@ double heading(const Arm& arm, double abscissa) {
   return std::atan2(d.y, d.x);
 }
 
-// Each as wide as at its node.
+// The arm with a straight piece before its node.
+Line led_back(const Arm& arm, double by) {
+  Line line = arm.line;
+  line.front() = line[0] - unit(line[1] - line[0]) * by;
+  return line;
+}
+
+// Each as wide as at its node, on the side of the corner.  A kerb beside its axis may meet the other
+// one behind the node: the abscissa is negative there.
 std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
-  return corner_arc(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius);
+  const double width_a = 2 * a.start_to(+1), width_b = 2 * b.start_to(-1);
+  const auto found = corner_arc(a.line, b.line, width_a, width_b, radius);
+  const bool beside = a.roadway_offset != 0 || b.roadway_offset != 0;
+  const bool at_node = found && (found->abscissa_a == 0 || found->abscissa_b == 0);
+  if (!beside || !at_node || cross(a.line[1] - a.line[0], b.line[1] - b.line[0]) <= 0) return found;
+  const double by = 4 * (a.reach() + b.reach() + radius);
+  auto behind = corner_arc(led_back(a, by), led_back(b, by), width_a, width_b, radius);
+  if (!behind) return found;
+  behind->abscissa_a -= by;
+  behind->abscissa_b -= by;
+  return behind;
 }
 std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radius_limit) {
-  return max_corner_radius(a.line, b.line, 2 * a.half_start, 2 * b.half_start, radius_limit);
+  return max_corner_radius(a.line, b.line, 2 * a.start_to(+1), 2 * b.start_to(-1), radius_limit);
 }
 
 }  // namespace
@@ -55,8 +73,8 @@ void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
   }
   const Point along_a = position_at(a.line, 0).direction,
               along_b = position_at(b.line, 0).direction;
-  solved.limit_b = std::max(0.0, dot(left_normal(along_a) * a.half_start, along_b));
-  solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.half_start, along_a));
+  solved.limit_b = std::max(0.0, dot(left_normal(along_a) * a.start_to(+1), along_b));
+  solved.limit_a = std::max(0.0, dot(left_normal(along_b) * -b.start_to(-1), along_a));
 }
 
 SolvedCorner without_arc(const Arm& a, const Arm& b, const CornerWish& wish) {
@@ -68,7 +86,7 @@ SolvedCorner without_arc(const Arm& a, const Arm& b, const CornerWish& wish) {
 }
 
 bool cuts(const CornerArc& arc, const Arm& arm) {
-  return distance_to_line(arc.centre, arm.line) < arm.half_start + arc.radius - 1e-3;
+  return distance_to_line(arc.centre, arm.line) < half_towards(arm, arc.centre) + arc.radius - 1e-3;
 }
 
 }  // namespace
@@ -208,25 +226,31 @@ double kerb_clear_limit(const Arm& arm, double limit) {
   const double total = length(arm.line);
   const auto clear = [&](double abscissa) {
     poll_cancel();
-    const double half = half_at(arm, abscissa), window = 4 * half;
+    const double window = 2 * (half_at(arm, abscissa, +1) + half_at(arm, abscissa, -1));
     const Line near =
         substring(arm.line, std::max(0.0, abscissa - window), std::min(total, abscissa + window));
     if (near.size() <= 2) return true;
     const double given = std::abs(arm.half_end - arm.half_start) / std::max(total, 1e-9) * window;
-    for (const Point& kerb : border_across(arm, abscissa))
-      if (comes_within(kerb, near, half - given - 1e-4)) return false;
-    return true;
+    const Line border = border_across(arm, abscissa);
+    const auto lies_behind = [&](int side) {
+      const double half = half_at(arm, abscissa, side);
+      return comes_within(border[side > 0 ? 0 : 1], near, half - given - 1e-4);
+    };
+    return !lies_behind(+1) && !lies_behind(-1);
   };
   if (limit >= total || clear(limit)) return limit;
+  const auto wider = [&](double abscissa) {
+    return std::max(half_at(arm, abscissa, +1), half_at(arm, abscissa, -1));
+  };
   std::vector<double> tries;
   double abscissa = 0;
   for (std::size_t i = 1; i + 1 < arm.line.size(); ++i) {
     abscissa += distance(arm.line[i - 1], arm.line[i]);
-    if (abscissa > limit + 4 * half_at(arm, limit) + 20) break;
+    if (abscissa > limit + 4 * wider(limit) + 20) break;
     const Point before = unit(arm.line[i] - arm.line[i - 1]);
     const Point after = unit(arm.line[i + 1] - arm.line[i]);
     const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
-    const double clear_by = half_at(arm, abscissa) * std::tan(std::min(turn, 3.0) / 2);
+    const double clear_by = wider(abscissa) * std::tan(std::min(turn, 3.0) / 2);
     tries.push_back(abscissa + std::max(clear_by, 0.1) + 1e-6);
   }
   for (double step = 0.25; step <= 20; step += 0.25) tries.push_back(limit + step);

@@ -65,10 +65,11 @@ class SectionTapers {
   void taper(const EdgeEnd& a, const EdgeEnd& b) {
     const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
     const double speed = std::max(layout_.axis_of(a.edge).speed, layout_.axis_of(b.edge).speed);
-    const double wanted = taper_length(arm_a, arm_b, speed, layout_.settings.taper_ratio);
+    const double wanted =
+        taper_length(sideways(arm_a, arm_b), speed, layout_.settings.taper_ratio);
     if (arm_a.limit + arm_b.limit >= wanted) return;
     const double reach_a = reach(a, wanted), reach_b = reach(b, wanted);
-    const double half_a = half_at(arm_a, reach_a), half_b = half_at(arm_b, reach_b);
+    const double half_a = half_at(arm_a, reach_a, +1), half_b = half_at(arm_b, reach_b, -1);
     const double slope = (half_b - half_a) / (reach_a + reach_b);
     add(a, +1, reach_a, half_a + slope * (reach_a - arm_a.limit), b);
     add(b, -1, reach_b, half_b - slope * (reach_b - arm_b.limit), a);
@@ -85,7 +86,7 @@ class SectionTapers {
   void add(const EdgeEnd& end, int side, double reach, double half, const EdgeEnd& beyond) {
     Arm& arm = layout_.arm(end);
     if (reach - arm.limit < coordinate_margin) return;
-    const double total = length(arm.line), own = half_at(arm, reach);
+    const double total = length(arm.line), own = half_at(arm, reach, side);
     const auto along_edge = [&](double from_node) {
       return end.at_start ? from_node : total - from_node;
     };
@@ -94,16 +95,17 @@ class SectionTapers {
          beyond});
     const Point foot = planar(position_at(arm.line, arm.limit).point);
     Point& kerb = arm.border[side > 0 ? 0 : 1];
-    kerb = foot + unit(kerb - foot) * half;
-    arm.widest = std::max(arm.widest, half);
+    kerb = foot + unit(kerb - arm.border[side > 0 ? 1 : 0]) * half;
+    const double widest = half - side * arm.roadway_offset;
+    arm.widest = std::max(arm.widest, widest);
     Arm& back = layout_.arm({end.edge, !end.at_start});
-    back.widest = std::max(back.widest, half);
+    back.widest = std::max(back.widest, widest);
   }
 
   double half_on(int e, int side, double abscissa) const {
     for (const KerbTaper& taper : by_edge_[e])
       if (taper.side == side && taper.covers(abscissa)) return taper.half_at(abscissa);
-    return half_at(layout_.arms[2 * e], abscissa);
+    return half_at(layout_.arms[2 * e], abscissa, side);
   }
 
   WidthProfile profile_of(int e) const {

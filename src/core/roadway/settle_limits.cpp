@@ -29,9 +29,10 @@ Line border_of(const Layout& layout, int e, bool at_start) {
   const EdgeEnd& first = junction.ends[0];
   const Arm &a = layout.arm(first), &b = layout.arm(junction.ends[1]);
   const Point along = unit(unit(a.line[1] - a.line[0]) - unit(b.line[1] - b.line[0]));
-  const Point node = planar(a.line.front()), across = left_normal(along) * a.half_start;
+  const Point node = planar(a.line.front()), across = left_normal(along);
+  const Point left = node + across * a.start_to(+1), right = node - across * a.start_to(-1);
   const bool is_first = slot(first) == slot({e, at_start});
-  return is_first ? Line{node + across, node - across} : Line{node - across, node + across};
+  return is_first ? Line{left, right} : Line{right, left};
 }
 
 void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {

@@ -56,7 +56,7 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
     if (followed && (!reduced || followed->gap.corner.radius >= radius))
       return ended(*followed, on_a, on_b);
   }
-  return ended(solved, course_of(arm_a), course_of(arm_b));
+  return ended(solved, course_of(arm_a, +1), course_of(arm_b, -1));
 }
 
 double wanted_at(const Layout& layout, const CornerPlace& at) {
@@ -94,11 +94,11 @@ void keep_islands(Layout& layout, SolvedCorners& solved) {
   }
 }
 
-// Whether a street goes on nearly straight with another width, on the side where none leaves.
+// Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
 bool tapers(const Arm& a, const Arm& b, double angle) {
   constexpr double nearly_straight = 20 * M_PI / 180;
   return std::abs(angle - M_PI) < nearly_straight &&
-         std::abs(a.half_start - b.half_start) > same_width;
+         sideways(a, b) > same_width;
 }
 
 // Where three edges and more meet, the kerb of such a street needs no arc.
@@ -164,7 +164,8 @@ void choose_transition(const Layout& layout, Junction& junction) {
   junction.transition_yields = true;
   const EdgeEnd &a = junction.ends[0], &b = junction.ends[1];
   junction.transition->length =
-      taper_length(layout.arm(a), layout.arm(b),
+      taper_length(std::max(sideways(layout.arm(a), layout.arm(b)),
+                            sideways(layout.arm(b), layout.arm(a))),
                    std::max(layout.axis_of(a.edge).speed, layout.axis_of(b.edge).speed),
                    layout.settings.taper_ratio);
 }
@@ -209,12 +210,13 @@ constexpr double least_intersection = 0.01;
 
 // Whether two arms of one width leave in nearly opposite directions, with no arc between.
 bool goes_straight_on(const Arm& a, const Arm& b, const std::vector<Gap>& gaps) {
-  if (std::abs(a.half_start - b.half_start) > same_width) return false;
+  if (!as_wide(a, b)) return false;
   if (gaps[0].corner.radius > 0 || gaps[1].corner.radius > 0) return false;
   const Point from = unit(a.line[1] - a.line[0]), to = unit(b.line[1] - b.line[0]);
   const double turn = std::abs(std::atan2(cross(from, to), -dot(from, to)));
   // Two wedges that end on the bisector, one on each side.
-  return a.half_start * a.half_start * turn < least_intersection;
+  const double wider = a.half_start + std::abs(a.roadway_offset);
+  return wider * wider * turn < least_intersection;
 }
 
 // The border lines of both edges are one, across the node.

@@ -14,7 +14,7 @@ namespace streetgen {
 
 namespace {
 
-Arm arm_of(const Line& axis, double width) { return {distinct(axis), width / 2, width / 2, 0, {}}; }
+Arm arm_of(const Line& axis, double width) { return {distinct(axis), width / 2, width / 2}; }
 
 struct Around {
   std::vector<Arm> arms;
@@ -50,8 +50,9 @@ Around around_node(const std::vector<Line>& axes, const std::vector<double>& wid
 
 }  // namespace
 
-Line border_line(const Line& axis, double abscissa, double width) {
-  const Arm arm = arm_of(axis, width);
+Line border_line(const Line& axis, double abscissa, double width, double roadway_offset) {
+  Arm arm = arm_of(axis, width);
+  arm.roadway_offset = roadway_offset;
   return border_across(arm, std::clamp(abscissa, 0.0, length(arm.line)));
 }
 

@@ -25,7 +25,8 @@ struct Outline {
 
   // The kerb's inner points: a border line or a corner already gave an end where one is left out.
   void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
-    follow(kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side), with_first, with_last);
+    follow(kerb_line(arm.line, u, v, arm.start_to(side), arm.end_to(side), side), with_first,
+           with_last);
   }
   void follow(const KerbLine& kerb, bool with_first, bool with_last) {
     whole = whole && kerb.whole;
@@ -41,7 +42,7 @@ struct Outline {
 };
 
 Point kerb_at_node(const Arm& arm, int side) {
-  return kerb_line(arm.line, 0, 0, arm.half_start, arm.half_end, side).line.front();
+  return kerb_line(arm.line, 0, 0, arm.start_to(side), arm.end_to(side), side).line.front();
 }
 
 // An arc that starts where a border line ends starts at that end.
@@ -64,10 +65,6 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
   if (cross(in, out) > 1e-9 || dot(in, out) < 0)
     append_arc(ring, node, from, to, true, join_quarter);
   ring.push_back(to);
-}
-
-bool as_wide(const Arm& a, const Arm& b) {
-  return std::abs(a.half_start - b.half_start) <= same_width;
 }
 
 // Whether the outside of a bend is round. Two streets of different width that leave within a right
@@ -110,13 +107,13 @@ void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
     return;
   }
   const CornerArc& corner = gap.corner;
-  outline.follow(a, a.limit, corner.abscissa_a, +1, false, false);
+  outline.follow(a, a.limit, std::max(0.0, corner.abscissa_a), +1, false, false);
   if (corner.abscissa_a == 0)
     append_round_end(outline.ring, node, kerb_at_node(a, +1), corner.arc.start);
   append_corner(outline.ring, corner);
   if (corner.abscissa_b == 0)
     append_round_end(outline.ring, node, corner.arc.end, kerb_at_node(b, -1));
-  outline.follow(b, corner.abscissa_b, b.limit, -1, false, false);
+  outline.follow(b, std::max(0.0, corner.abscissa_b), b.limit, -1, false, false);
 }
 
 Polygon fan(const Point& centre, const Point& from, const Point& to) {
@@ -128,11 +125,11 @@ Polygon fan(const Point& centre, const Point& from, const Point& to) {
 
 // Between the two axes and the arc: the ground that the corner adds.
 Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
-  Ring ring = planar(substring(a.line, 0, gap.corner.abscissa_a));
+  Ring ring = planar(substring(a.line, 0, std::max(0.0, gap.corner.abscissa_a)));
   if (gap.corner.abscissa_a == 0)
     append_round_end(ring, ring.front(), kerb_at_node(a, +1), gap.corner.arc.start);
   append_corner(ring, gap.corner);
-  const Line back = planar(substring(b.line, gap.corner.abscissa_b, 0));
+  const Line back = planar(substring(b.line, std::max(0.0, gap.corner.abscissa_b), 0));
   if (gap.corner.abscissa_b == 0)
     append_round_end(ring, back.back(), gap.corner.arc.end, kerb_at_node(b, -1));
   ring.insert(ring.end(), back.begin(), back.end());
@@ -181,6 +178,10 @@ Polygon disc(const Point& centre, double radius) {
   return {ring};
 }
 
+WidthProfile::Place place_at(const Arm& arm, double abscissa) {
+  return {abscissa, half_at(arm, abscissa, +1), half_at(arm, abscissa, -1)};
+}
+
 MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double start, double end,
                         const Line& from, const Line& to) {
   const Line part = distinct(planar(substring(arm.line, start, end)));
@@ -188,9 +189,7 @@ MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double star
   double abscissa = start;
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (i > 0) abscissa += distance(part[i - 1], part[i]);
-    const double half = half_at(arm, abscissa);
-    const WidthProfile::Place wide =
-        profile.empty() ? WidthProfile::Place{abscissa, half, half} : profile.at(abscissa);
+    const WidthProfile::Place wide = profile.empty() ? place_at(arm, abscissa) : profile.at(abscissa);
     left[i] = wide.left;
     right[i] = wide.right;
   }
@@ -292,13 +291,19 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
     return at != arm && next != arm && !goes_on(arms, gaps, arm, at) &&
            !goes_on(arms, gaps, arm, next);
   };
-  // In the place of a kerb that tapers the axis alone.
+  // In the place of a kerb that tapers the axis alone, and of one far beside the axis before its
+  // corner: the end of such an arm may lie beyond the other street.
   const auto lines_at = [&](std::size_t k, double abscissa) {
     const Line border = border_across(arms[k], abscissa);
     const Point across = unit(border[1] - border[0]) * inwards;
-    const Point axis = (border[0] + border[1]) * 0.5;
-    const bool left = gaps[k].tapers, right = gaps[(k + gaps.size() - 1) % gaps.size()].tapers;
-    return std::array{left ? axis : border[0] + across, axis, right ? axis : border[1] - across};
+    const double aside = arms[k].roadway_offset;
+    const Point axis = (border[0] + border[1]) * 0.5 + unit(border[1] - border[0]) * aside;
+    const auto stays_out = [&](const Gap& gap, double corner) {
+      return gap.tapers || (aside != 0 && gap.meets && abscissa < corner);
+    };
+    const Gap &left = gaps[k], &right = gaps[(k + gaps.size() - 1) % gaps.size()];
+    return std::array{stays_out(left, left.corner.abscissa_a) ? axis : border[0] + across, axis,
+                      stays_out(right, right.corner.abscissa_b) ? axis : border[1] - across};
   };
   // Inside a bend a kerb point before the limit may lie behind the border line, in the section.
   const auto behind_border = [](const Arm& arm, const Point& p) {
@@ -334,7 +339,7 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
 
 // The kerb of a section, stretch by stretch of its profile.
 KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v, int side) {
-  if (profile.empty()) return kerb_line(arm.line, u, v, arm.half_start, arm.half_end, side);
+  if (profile.empty()) return kerb_line(arm.line, u, v, arm.start_to(side), arm.end_to(side), side);
   KerbLine kerb;
   const double total = length(arm.line);
   profile.each_stretch(std::min(u, v), std::max(u, v), [&](const auto& from, const auto& to) {
@@ -353,8 +358,7 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
   const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
   const Arm& arm = arms[i];
   if (!gaps[i].tapers && !gaps[last].tapers) return {};
-  const double own = half_at(arm, 0), own_limit = half_at(arm, arm.limit);
-  WidthProfile::Place node{0, own, own}, limit{arm.limit, own_limit, own_limit};
+  WidthProfile::Place node = place_at(arm, 0), limit = place_at(arm, arm.limit);
   const auto taper = [&](double WidthProfile::Place::*side, const Point& end, const Arm& other,
                          const Point& other_end) {
     const double half = half_of_border(arm, end), other_half = half_of_border(other, other_end);

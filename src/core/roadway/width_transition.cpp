@@ -11,12 +11,14 @@
 namespace streetgen {
 
 bool changes_width(const Arm& a, const Arm& b) {
-  return std::abs(a.half_start - b.half_start) > same_width &&
-         std::abs(angle_between(a, b) - M_PI) < widest_bend;
+  return !as_wide(a, b) && std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
 
-double taper_length(const Arm& a, const Arm& b, double speed, const TaperRatio& ratio) {
-  const double sideways = std::abs(a.half_start - b.half_start);
+double sideways(const Arm& a, const Arm& b) {
+  return std::abs(a.start_to(+1) - b.start_to(-1));
+}
+
+double taper_length(double sideways, double speed, const TaperRatio& ratio) {
   if (ratio.empty()) return 10 * sideways;
   const auto after = ratio.upper_bound(speed);
   return sideways * (after == ratio.begin() ? after : std::prev(after))->second;
@@ -43,26 +45,30 @@ MultiPolygon build_transition(Geos& geos, const Arm& a, const Arm& b, Transition
     line = cut;
   }
   line = distinct(planar(line));
-  const double half_a = half_at(a, a.limit), half_b = half_at(b, b.limit);
-  std::vector<double> linear, stepped;
+  const bool left_steps = kind == TransitionKind::right, right_steps = kind == TransitionKind::left;
+  std::vector<double> left, right;
   double abscissa = 0;
+  // The line comes in along a, whose left is seen from the node.
+  const auto between = [&](int side, double share) {
+    const double before = half_at(a, a.limit, -side);
+    return before + (half_at(b, b.limit, side) - before) * share;
+  };
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (i > 0) abscissa += distance(line[i - 1], line[i]);
     const double t = total > 0 ? std::min(abscissa / total, 1.0) : 0;
-    linear.push_back(half_a + (half_b - half_a) * t);
     const double s = steps ? std::clamp((abscissa - a.limit) / step + 0.5, 0.0, 1.0) : t;
-    stepped.push_back(half_a + (half_b - half_a) * s);
+    left.push_back(between(+1, left_steps ? s : t));
+    right.push_back(between(-1, right_steps ? s : t));
   }
-  return build_between(geos, line, kind == TransitionKind::right ? stepped : linear,
-                       kind == TransitionKind::left ? stepped : linear, {a.border[1], a.border[0]},
-                       b.border);
+  return build_between(geos, line, left, right, {a.border[1], a.border[0]}, b.border);
 }
 
 MultiPolygon with_round_end(Geos& geos, const MultiPolygon& surface, const Arm& arm) {
-  const Point node = planar(arm.line.front());
+  const Point across = left_normal(local_direction(arm.line, 0));
+  const Point middle = planar(arm.line.front()) + across * arm.roadway_offset;
   const Line border = border_across(arm, 0);
   Ring half{border[0]};
-  append_arc(half, node, border[0], border[1], true, 8);
+  append_arc(half, middle, border[0], border[1], true, 8);
   half.push_back(border[1]);
   return geos.polygons(geos.unite({surface, {{closed(half)}}}).get());
 }

@@ -10,11 +10,14 @@ namespace streetgen {
 
 constexpr double widest_bend = M_PI / 3;  // beyond it no axis goes on from another
 
-// Two axes of different width that go on from one another.
+// Two axes of different width, or beside their roadways otherwise, that go on from one another.
 bool changes_width(const Arm& a, const Arm& b);
 
-// Metres that a change of width wants where its length is not said.
-double taper_length(const Arm& a, const Arm& b, double speed, const TaperRatio& ratio);
+// Metres that the kerb moves sideways which goes on from the left of a to the right of b.
+double sideways(const Arm& a, const Arm& b);
+
+// Metres that a kerb wants to move so far sideways where the length is not said.
+double taper_length(double sideways, double speed, const TaperRatio& ratio);
 
 // How far from its node a transition of that length is wanted to reach on an arm.
 double transition_limit(const Arm& arm, double length);

@@ -107,7 +107,8 @@ class Builder {
     const Line& axis = streets_.network.edges[lane.edge].line;
     const Roadway& roadway = streets_.roadways[lane.edge];
     const double total = length(axis), widening = (roadway.width_end - roadway.width) / total;
-    const double share = lane.axis_offset / (roadway.width + widening * end_abscissa(lane, true));
+    const double share = (lane.axis_offset - roadway.roadway_offset) /
+                         (roadway.width + widening * end_abscissa(lane, true));
     const Point along = position_at(axis, end_abscissa(lane, at_front)).direction;
     const Point direction = unit(along + left_normal(along) * (share * widening));
     const Point own = at_front ? leaving(lane.line.begin(), lane.line.end())
@@ -131,9 +132,8 @@ class Builder {
     const Lane& lane = lanes_[index];
     const Roadway& roadway = streets_.roadways[leg.edge];
     LaneToNode out{end, {}, border};
-    out.line = lane_to_node(streets_.network.edges[leg.edge].line, roadway.width / 2,
-                            roadway.width_end / 2, end_abscissa(lane, leg.at_start), end.place,
-                            leg.at_start);
+    out.line = lane_to_node(streets_.network.edges[leg.edge].line, roadway,
+                            end_abscissa(lane, leg.at_start), end.place, leg.at_start);
     if (!comes_in) out.end.direction = end.direction * -1;
     return out;
   }

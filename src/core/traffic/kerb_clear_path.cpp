@@ -56,14 +56,18 @@ Trajectory turn_at(const LaneToNode& in, const LaneToNode& out, double reach, Tr
 
 }  // namespace
 
-Line lane_to_node(const Line& axis, double half_start, double half_end, double abscissa,
-                  const Point& place, bool to_start) {
+Line lane_to_node(const Line& axis, const Roadway& roadway, double abscissa, const Point& place,
+                  bool to_start) {
   const double total = length(axis);
+  const double half_start = roadway.width / 2, half_end = roadway.width_end / 2;
   const Point foot = position_at(axis, abscissa).point;
   const double half = half_start + (half_end - half_start) * (abscissa / total);
-  const double share = dot(place - foot, left_normal(local_direction(axis, abscissa))) / half;
-  Line line = to_start ? offset_line(axis, 0, abscissa, share * half_start, share * half_end)
-                       : offset_line(axis, abscissa, total, share * half_start, share * half_end);
+  const Point left = left_normal(local_direction(axis, abscissa));
+  const double share = (dot(place - foot, left) - roadway.roadway_offset) / half;
+  const double start = share * half_start + roadway.roadway_offset,
+               end = share * half_end + roadway.roadway_offset;
+  Line line = to_start ? offset_line(axis, 0, abscissa, start, end)
+                       : offset_line(axis, abscissa, total, start, end);
   if (to_start) line = reversed(std::move(line));
   line.front() = place;
   if (line.size() < 2) line.push_back(place);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "streetgen/street.hpp"
 #include "streetgen/trajectory.hpp"
 #include "traffic/kerb_obstacle.hpp"
 #include "traffic/plausibility.hpp"
@@ -12,8 +13,8 @@ namespace streetgen {
 // The lane beyond its section: at its offset, from `place`, where it ends at `abscissa` of the
 // axis, to the node at the start or the end of the axis.  Its share of the roadway stays: half
 // widths are linear along the axis.
-Line lane_to_node(const Line& axis, double half_start, double half_end, double abscissa,
-                  const Point& place, bool to_start);
+Line lane_to_node(const Line& axis, const Roadway& roadway, double abscissa, const Point& place,
+                  bool to_start);
 
 // A lane at a node: where it ends, from there to the node, and the border line there as for Kerbs.
 struct LaneToNode {

@@ -31,7 +31,9 @@ LaneStrip strip_of(const Streets& streets, int e) {
                   start.abscissa,
                   end.abscissa,
                   start.border_line,
-                  end.border_line};
+                  end.border_line,
+                  {},
+                  roadway.roadway_offset};
   if (!limits_crossed(streets, e)) {
     strip.profile = roadway.profile;
     return strip;
@@ -42,8 +44,9 @@ LaneStrip strip_of(const Streets& streets, int e) {
     strip.from = std::max(0.0, (strip.from + strip.to - least_length) / 2);
     strip.to = std::min(total, strip.from + least_length);
   }
-  strip.from_border = border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from));
-  strip.to_border = border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to));
+  strip.from_border = border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from),
+                                  strip.roadway_offset);
+  strip.to_border = border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to), strip.roadway_offset);
   return strip;
 }
 
@@ -151,7 +154,8 @@ void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_sur
       nearest_abscissa(lane.line.back(), strip.axis))
     lane.line = reversed(std::move(lane.line));
   const Point &left = strip.from_border[0], &right = strip.from_border[1];
-  lane.axis_offset = dot(lane.line.front() - (left + right) * 0.5, unit(left - right));
+  lane.axis_offset =
+      dot(lane.line.front() - (left + right) * 0.5, unit(left - right)) + strip.roadway_offset;
   if (with_surface)
     lane.surface =
         variable_buffer(lane.line, std::vector<double>(lane.line.size(), lane.width / 2));

@@ -29,7 +29,7 @@ double LaneStrip::share_at(double abscissa, const LaneShares& shares) const {
 
 double LaneStrip::offset_at(double abscissa, const LaneShares& shares) const {
   const double share = share_at(abscissa, shares);
-  if (profile.empty()) return half_at(abscissa) * (1 - 2 * share);
+  if (profile.empty()) return half_at(abscissa) * (1 - 2 * share) + roadway_offset;
   const WidthProfile::Place wide = profile.at(abscissa);
   return wide.left - share * (wide.left + wide.right);
 }
@@ -98,8 +98,9 @@ void drop_behind(Line& line, const Line& border, double reach) {
 Line along(const LaneStrip& strip, const LaneShares& shares) {
   const double of_half = 1 - 2 * shares.front();
   if (strip.profile.empty())
-    return offset_line(strip.axis, strip.from, strip.to, of_half * strip.half_start,
-                       of_half * strip.half_end);
+    return offset_line(strip.axis, strip.from, strip.to,
+                       of_half * strip.half_start + strip.roadway_offset,
+                       of_half * strip.half_end + strip.roadway_offset);
   Line line;
   const double total = length(strip.axis);
   strip.profile.each_stretch(strip.from, strip.to, [&](const auto& from, const auto& to) {
@@ -124,7 +125,7 @@ Line line_at_shares(const LaneStrip& strip, const LaneShares& shares) {
   line.back() = on(strip.to_border, strip.to);
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   if (*most <= 0 || *least >= 1) return line;  // a kerb is that of the section
-  const double reach = strip.half_at(strip.from);
+  const double reach = strip.half_at(strip.from) + std::abs(strip.roadway_offset);
   drop_behind(line, strip.from_border, reach);
   line = reversed(std::move(line));
   drop_behind(line, reversed(strip.to_border), reach);

@@ -123,7 +123,8 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
   const double middle = length(strip.axis) / 2;
   for (const WidthProfile::Place& place : strip.profile.places) {
     const double half = strip.half_at(place.abscissa);
-    const double left = place.left - half, right = place.right - half;
+    const double left = place.left - half - strip.roadway_offset;
+    const double right = place.right - half + strip.roadway_offset;
     const ChangingLanes& end = place.abscissa < middle ? tapered.start : tapered.end;
     const std::vector<int>& lanes = left + right < 0 ? end.ending : end.beside;
     std::vector<double> widths = widths_at(own, 2 * half);

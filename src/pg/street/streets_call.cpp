@@ -65,6 +65,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column(axes, "level", INT4OID),
                 column(axes, "width", FLOAT8OID),
                 column(axes, "width_end", FLOAT8OID),
+                column(axes, "roadway_offset", FLOAT8OID),
                 column(axes, "radius", FLOAT8OID),
                 column(axes, "importance", INT4OID),
                 column(axes, "speed", FLOAT8OID),

@@ -1,5 +1,6 @@
 #include "street/streets_input.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -81,6 +82,8 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     };
     axis.width = measure(rows.width, 1e-3, 200, "width");
     axis.width_end = measure(rows.width_end, 1e-3, 200, "width_end");
+    const double farthest = std::min(axis.width, axis.width_end) / 2;
+    axis.roadway_offset = measure(rows.roadway_offset, -farthest, farthest, "roadway_offset");
     axis.radius = measure(rows.radius, 0, 1000, "radius");
     axis.importance = DatumGetInt32(rows.importance.values[i]);
     axis.level = DatumGetInt32(rows.level.values[i]);
