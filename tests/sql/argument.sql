@@ -25,7 +25,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('side', 'text', '''left'''),
     ('kerb', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_left', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_right', 'geometry', '''LINESTRING(0 -4,50 -4)'''), ('width_start', 'float8', '2'), ('width_end', 'float8', '2'),
     ('lines', 'geometry[]', 'ARRAY[''LINESTRING(0 0,50 0)'', ''LINESTRING(0 4,50 4)'']::geometry[]'), ('part', 'text', '''edges'''),
-    ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3'),
+    ('roadway_offset', 'float8', '1'), ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3'),
     ('on_circle', 'float8', '1'), ('fill', 'float8', '0.9'), ('one_way', 'float8', '1'), ('against', 'float8', '0'), ('arm_nodes', 'integer', '4'), ('single_arm', 'float8', '1'), ('inside', 'integer', '0'),
     ('names', 'text[]', '''{Ring}'''), ('patterns', 'text[]', '''{ring}'''), ('shape', 'float8', '1'), ('name', 'float8', '1'), ('network', 'float8', '1'), ('weights', 'float8[]', '''{1,1,1}'''),
     ('elements', 'streetgen.alignment_element[]', '(SELECT array_agg(e) FROM streetgen.horizontal_alignment(''LINESTRING(0 0,50 0)'', ''{0,0}'', ''{0,0}'') e)'), ('clothoids', 'float8[]', '''{0,0}'''),

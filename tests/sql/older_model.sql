@@ -14,11 +14,11 @@ CREATE FUNCTION pg_temp.columns() RETURNS SETOF text LANGUAGE sql AS $$
   WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped
   UNION ALL SELECT pg_get_constraintdef(oid) FROM pg_constraint WHERE connamespace = 'older'::regnamespace $$;
 CREATE TABLE wanted AS SELECT pg_temp.columns() AS column;
-ALTER TABLE older.axis DROP lanes_both CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
+ALTER TABLE older.axis DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
 ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out CASCADE;
-ALTER TABLE older.edge DROP lanes_both CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE;
+ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE;
 ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
 ALTER TABLE older.interconnection DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);

@@ -9,13 +9,14 @@ COMMENT ON FUNCTION streetgen.believed_width(float8, integer, float8) IS
     'believes all. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.believed_roadway_offset(roadway_offset float8, width float8,
-    width_end float8 DEFAULT NULL) RETURNS float8
+    width_end float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN roadway_offset IS NULL OR roadway_offset = 0 THEN 0
         ELSE greatest(-least(width, width_end) / 2, least(roadway_offset, least(width, width_end) / 2)) END;
 COMMENT ON FUNCTION streetgen.believed_roadway_offset(float8, float8, float8) IS
     'How far the middle of a roadway lies beside its axis, metres, left positive: at most as far as leaves the axis on '
-    'the roadway, half of its least width (metres). NULL, unknown: 0. A width_end of NULL is that of the start.';
+    'the roadway, half of the least of its widths at the start and the end (metres). An argument that is NULL is '
+    'unknown: an offset counts as 0.';
 
 CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8,
     width_default float8) RETURNS float8

@@ -100,7 +100,9 @@ TEST(Roads, RunAlongTheirSmallestEdge) {
           std::min_element(road.members.begin(), road.members.end(),
                            [](const auto& a, const auto& b) { return a.edge < b.edge; });
       EXPECT_TRUE(least->along);
-      if (road.closed) EXPECT_EQ(least, road.members.begin());
+      if (road.closed) {
+        EXPECT_EQ(least, road.members.begin());
+      }
     }
   }
 }

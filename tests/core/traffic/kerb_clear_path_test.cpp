@@ -47,17 +47,25 @@ TEST(Kerbs, StopAPathThatComesNearerThanItsClearance) {
 TEST(LaneToNode, KeepsItsShareOfTheRoadway) {
   // Half of the 6 m beside the axis at its middle: half of 4 m at its start, of 8 m at its end.
   const Line axis{{0, 0, 0}, {100, 0, 0}};
-  const Line to_end = lane_to_node(axis, 4, 8, 50, {50, -3, 0}, false);
-  const Line to_start = lane_to_node(axis, 4, 8, 50, {50, -3, 0}, true);
+  const Line to_end = lane_to_node(axis, {8, 16}, 50, {50, -3, 0}, false);
+  const Line to_start = lane_to_node(axis, {8, 16}, 50, {50, -3, 0}, true);
   EXPECT_NEAR(distance(to_end.back(), {100, -4, 0}), 0, 1e-9);
   EXPECT_NEAR(distance(to_start.back(), {0, -2, 0}), 0, 1e-9);
   for (const Line& line : {to_end, to_start}) EXPECT_EQ(distance(line.front(), {50, -3, 0}), 0);
 }
 
+TEST(LaneToNode, KeepsItsShareOfARoadwayBesideTheAxis) {
+  // The middle of the roadway lies 2 m to the left: the lane is a metre to its right, of 6 m.
+  const Line axis{{0, 0, 0}, {100, 0, 0}};
+  const Roadway beside{8, 16, 99, 2};
+  const Line to_end = lane_to_node(axis, beside, 50, {50, 1, 0}, false);
+  EXPECT_NEAR(distance(to_end.back(), {100, 2 - 8.0 / 6, 0}), 0, 1e-9);
+}
+
 TEST(LaneToNode, FollowsTheBendsOfItsAxis) {
   // 2 m right of both pieces: mitred where they meet.
   const Line line =
-      lane_to_node({{0, 0, 0}, {50, 0, 0}, {50, -50, 0}}, 3.5, 3.5, 20, {20, -2, 0}, false);
+      lane_to_node({{0, 0, 0}, {50, 0, 0}, {50, -50, 0}}, {7, 7}, 20, {20, -2, 0}, false);
   EXPECT_NEAR(distance_to_line({48, -2, 0}, line), 0, 1e-9);
   EXPECT_NEAR(distance(line.back(), {48, -50, 0}), 0, 1e-9);
 }
@@ -69,7 +77,7 @@ class Turn : public testing::TestWithParam<TrajectoryRule> {
     LaneToNode lane;
     lane.end.place = place;
     lane.end.direction = to_node;
-    lane.line = lane_to_node(street, 3.5, 3.5, 40, place, true);
+    lane.line = lane_to_node(street, {7, 7}, 40, place, true);
     lane.border = border;
     return lane;
   }
