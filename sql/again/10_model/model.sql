@@ -291,7 +291,10 @@ BEGIN
                 AND relkind = 'v'
             UNION ALL SELECT 2, 'TABLE', oid::regclass::text FROM pg_class WHERE relnamespace = schema
                 AND relkind IN ('r', 'p')
-            UNION ALL SELECT 3, 'ROUTINE', oid::regprocedure::text FROM pg_proc WHERE pronamespace = schema) p
+            -- Those of rows of a table have gone with it.
+            UNION ALL SELECT 3, 'ROUTINE', p.oid::regprocedure::text FROM pg_proc p WHERE pronamespace = schema
+                AND NOT EXISTS (SELECT FROM pg_type t WHERE t.typnamespace = schema
+                    AND (t.oid = prorettype OR t.oid = ANY (proargtypes)))) p
                 GROUP BY turn, kind ORDER BY turn
     LOOP
         EXECUTE part;

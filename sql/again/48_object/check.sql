@@ -14,7 +14,13 @@ SELECT 'error', 'object off the place that its axis gives, m', 'street_object', 
             o.axis_offset) AS geom) g
     WHERE o.method = 'relative' AND ST_Distance(o.geom, g.geom) > 1e-3$part$),
     (80, 'object', 'rule', $part$
-SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8, o.geom
+SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', b.street_object_id, NULL::float8,
+    b.surface FROM %1$I.parking_bay b JOIN %1$I.object_edge USING (street_object_id) JOIN %1$I.edge e USING (edge_id)
+    WHERE b.surface IS NOT NULL AND (NOT %1$I._bay_has_room(e.level, b.surface) OR EXISTS (
+        SELECT FROM %1$I.pedestrian_crossing c WHERE c.surface && b.surface
+            AND ST_Area(ST_Intersection(c.surface, b.surface)) > 0.01))
+UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
+    o.geom
     FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a
         WHERE a.axis_id = o.axis_id)$part$) $$;
 COMMENT ON FUNCTION streetgen._object_check_part() IS 'The parts of streetgen._check_part() for objects.';

@@ -41,12 +41,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURN
     AS $$
 BEGIN
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._crossing_types() RETURNS text[]
-    LANGUAGE sql STABLE SET search_path FROM CURRENT
-    AS $body$
-    WITH RECURSIVE below AS (SELECT type FROM %1$I.object_type WHERE type = 'crossing'
-        UNION SELECT t.type FROM below b JOIN %1$I.object_type t ON t.parent = b.type)
-    SELECT array_agg(type) FROM below $body$;
 CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
@@ -84,8 +78,7 @@ CREATE OR REPLACE TRIGGER redraw_delete AFTER DELETE ON %1$I.pedestrian_crossing
 COMMENT ON TRIGGER redraw_update ON %1$I.pedestrian_crossing IS 'Draws ground and stripes anew';
 COMMENT ON TRIGGER redraw_delete ON %1$I.pedestrian_crossing IS 'The object goes with its crossing'
 $sql$, model);
-    PERFORM streetgen._own_function(model, '_crossing_types()', 'Type crossing and those below it'),
-        streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
+    PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
         streetgen._own_function(model, 'redraw_crossings()', 'After an edit of crossings: their ground follows');
 END $$;
 COMMENT ON FUNCTION streetgen._make_crossing_functions(name) IS

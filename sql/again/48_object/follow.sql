@@ -11,11 +11,13 @@ BEGIN
         EXECUTE format('DROP FUNCTION IF EXISTS %1$I._place_objects(bigint[]), %1$I._carry_objects(bigint[], '
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
-            '%1$I._renew_crossings(bigint[]), %1$I._crossing_types(), %1$I.free_places(), %1$I.apply_rules(), '
-            '%1$I.redraw_crossings() CASCADE', model);
+            '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
+            '%1$I._bay_has_room(integer, geometry), %1$I.free_places(), %1$I.apply_rules(), '
+            '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
-    PERFORM streetgen._make_rule_functions(model), streetgen._make_crossing_functions(model);
+    PERFORM streetgen._make_type_function(model), streetgen._make_rule_functions(model),
+        streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
@@ -45,8 +47,11 @@ BEGIN
         WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
     WHERE o.street_object_id = n.street_object_id
         AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+    PERFORM streetgen._renew_specialised(%2$L, axes);
     PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
-        JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
+            JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes))),
+        %1$I._renew_bays(ARRAY(SELECT b.street_object_id FROM %1$I.parking_bay b
+            JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
     RETURN QUERY WITH there AS MATERIALIZED (
         SELECT s.street_object_id, s.axis_id, s.abscissa FROM %1$I.street_object s
         WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
@@ -87,10 +92,17 @@ BEGIN
         WHERE n.method = 'relative' ORDER BY n.street_object_id, e.start_abscissa
         ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id WHERE o.edge_id <> excluded.edge_id;
     INSERT INTO %1$I.pedestrian_crossing (street_object_id)
-        SELECT street_object_id FROM new_object WHERE type = ANY (%1$I._crossing_types()) ON CONFLICT DO NOTHING;
+        SELECT street_object_id FROM new_object WHERE type = ANY (%1$I._types_below('crossing')) ON CONFLICT DO NOTHING;
     DELETE FROM %1$I.pedestrian_crossing c USING new_object n WHERE c.street_object_id = n.street_object_id
-        AND n.type <> ALL (%1$I._crossing_types());
-    PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object));
+        AND n.type <> ALL (%1$I._types_below('crossing'));
+    INSERT INTO %1$I.parking_bay (street_object_id)
+        SELECT street_object_id FROM new_object
+            WHERE type = ANY (%1$I._types_below('parking_bay')) ON CONFLICT DO NOTHING;
+    DELETE FROM %1$I.parking_bay b USING new_object n WHERE b.street_object_id = n.street_object_id
+        AND n.type <> ALL (%1$I._types_below('parking_bay'));
+    PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
+        %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
+        streetgen._join_specialised(%2$L, ARRAY(SELECT street_object_id FROM new_object));
     -- What rules placed gives way.
     IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
         PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM new_object n

@@ -47,11 +47,15 @@ CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
     SET plan_cache_mode = force_custom_plan
     AS $body$
 #variable_conflict use_column
+DECLARE
+    bays constant text[] := %1$I._types_below('parking_bay');
+    crossings constant text[] := %1$I._types_below('crossing');
 BEGIN
     WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM %1$I.placement_rule r
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
-        SELECT e.axis_id, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance, x.kind,
+        SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
+            x.kind,
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, e.start_abscissa + l.abscissa AS low,
             e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
@@ -94,10 +98,16 @@ BEGIN
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     free AS MATERIALIZED (
-        SELECT * FROM taken t WHERE distance_least = 0 OR NOT EXISTS (SELECT FROM %1$I.street_object o
+        SELECT * FROM taken t WHERE (type <> ALL (bays) OR %1$I._bay_has_room(level, streetgen._bay_ground(line,
+                streetgen._border_offset(width + (width_end - width) * abscissa / ST_Length2D(line), aside, at_side,
+                    roadway_offset), at_side, abscissa, 5, 2.3, turned - 180 * floor(turned / 180)))
+            -- The crossings of rules are new.
+            AND NOT EXISTS (SELECT FROM taken c WHERE c.axis_id = t.axis_id AND c.type = ANY (crossings)
+                AND abs(c.abscissa - t.abscissa) < 5.5))
+            AND (distance_least = 0 OR NOT EXISTS (SELECT FROM %1$I.street_object o
                 WHERE o.placed_by <> 'rule' AND ST_DWithin(o.geom, t.geom, t.distance_least))
             AND NOT EXISTS (SELECT FROM taken b WHERE b.axis_id = t.axis_id AND b.rule_id < t.rule_id
-                AND b.at_side IS NOT DISTINCT FROM t.at_side AND abs(b.abscissa - t.abscissa) < t.distance_least)),
+                AND b.at_side IS NOT DISTINCT FROM t.at_side AND abs(b.abscissa - t.abscissa) < t.distance_least))),
     gone AS (
         DELETE FROM %1$I.street_object o WHERE o.placed_by = 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))
             AND NOT EXISTS (SELECT FROM free f
@@ -116,7 +126,13 @@ BEGIN
         excluded.method);
     INSERT INTO %1$I.pedestrian_crossing (street_object_id)
         SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
-            AND o.type = ANY (%1$I._crossing_types()) AND (axes IS NULL OR o.axis_id = ANY (axes))
+            AND o.type = ANY (%1$I._types_below('crossing')) AND (axes IS NULL OR o.axis_id = ANY (axes))
+        ON CONFLICT DO NOTHING;
+    -- A rule's orientation is the angle of its bays.
+    INSERT INTO %1$I.parking_bay (street_object_id, angle)
+        SELECT o.street_object_id, o.orientation - 180 * floor(o.orientation / 180) FROM %1$I.street_object o
+        WHERE o.placed_by = 'rule' AND o.type = ANY (%1$I._types_below('parking_bay'))
+            AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT DO NOTHING;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger

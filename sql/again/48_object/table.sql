@@ -2,13 +2,14 @@
 
 CREATE OR REPLACE FUNCTION streetgen._object_table() RETURNS name[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT '{object_type,placement_rule,street_object,pedestrian_crossing}'::name[] $$;
+    AS $$
+    SELECT '{object_type,placement_rule,street_object,pedestrian_crossing,parking_bay,specialised_type}'::name[] $$;
 COMMENT ON FUNCTION streetgen._object_table() IS
     'The tables of objects that users write: they stay where the subject is switched off.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     RETURNS TABLE(type text, category text, parent text, geometry text, symbol text, size float8, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 15 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 17 SET search_path = pg_catalog
     AS $$ VALUES
     ('crossing', 'traffic', NULL, 'point', 'crossing', 4, 'a pedestrian crossing'),
     ('pole', 'furniture', NULL, 'point', 'circle', 0.3, 'a pole that carries something'),
@@ -24,6 +25,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     ('bench', 'furniture', NULL, 'point', 'rectangle', 1.8, 'a bench'),
     ('kiosk', 'furniture', NULL, 'point', 'square', 3, 'a kiosk'),
     ('bus_stop', 'traffic', NULL, 'point', 'square', 1, 'where buses stop'),
+    ('parking_bay', 'traffic', NULL, 'point', 'bay', 5, 'a place where a car parks'),
     ('manhole', 'ground', NULL, 'point', 'circle', 0.7, 'a manhole'),
     ('runway_light', 'traffic', NULL, 'point', 'circle', 0.3, 'a light of a runway') $$;
 COMMENT ON FUNCTION streetgen._default_object_type() IS 'The types of objects that a model starts with.';
@@ -80,6 +82,16 @@ CREATE TABLE IF NOT EXISTS %1$I.pedestrian_crossing (
     angle float8 NOT NULL DEFAULT 90 CHECK (angle BETWEEN 20 AND 160),
     surface geometry(Polygon, %2$s), stripes geometry(MultiPolygon, %2$s));
 CREATE INDEX IF NOT EXISTS pedestrian_crossing_surface ON %1$I.pedestrian_crossing USING gist (surface);
+CREATE TABLE IF NOT EXISTS %1$I.parking_bay (
+    street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
+    length float8 NOT NULL DEFAULT 5 CHECK (length BETWEEN 1 AND 30),
+    width float8 NOT NULL DEFAULT 2.3 CHECK (width BETWEEN 1 AND 10),
+    angle float8 NOT NULL DEFAULT 0 CHECK (angle = 0 OR angle BETWEEN 20 AND 160),
+    surface geometry(Polygon, %2$s));
+CREATE INDEX IF NOT EXISTS parking_bay_surface ON %1$I.parking_bay USING gist (surface);
+CREATE TABLE IF NOT EXISTS %1$I.specialised_type (
+    type text PRIMARY KEY REFERENCES %1$I.object_type ON UPDATE CASCADE,
+    relation name NOT NULL UNIQUE, function text);
 CREATE TABLE %1$I.object_edge (
     street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
     edge_id bigint NOT NULL REFERENCES %1$I.edge ON DELETE CASCADE);
@@ -93,6 +105,10 @@ COMMENT ON TABLE %1$I.placement_rule
     IS 'Rules that place objects along borders, axes, or at each arm of a node';
 COMMENT ON TABLE %1$I.pedestrian_crossing
     IS 'Pedestrian crossings: objects of type crossing, or of a type below it, with their ground and stripes';
+COMMENT ON TABLE %1$I.parking_bay
+    IS 'Parking bays: objects of type parking_bay, or of a type below it, with their ground';
+COMMENT ON TABLE %1$I.specialised_type
+    IS 'Types of objects with a table of their own, as streetgen.specialise makes them';
 COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';$t$,
         model, srid);
     IF NOT there THEN
@@ -177,6 +193,15 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('pedestrian_crossing', 'angle', 'degrees counter-clockwise from the axis to the way across; 90 is square'),
     ('pedestrian_crossing', 'surface', 'the roadway under it; NULL: it lies on no street, or meets no kerb; computed'),
     ('pedestrian_crossing', 'stripes', 'its paint; computed'),
+    ('parking_bay', 'street_object_id', 'key: that of the object'),
+    ('parking_bay', 'length', 'of the place for one car, metres'),
+    ('parking_bay', 'width', 'of that place, metres'),
+    ('parking_bay', 'angle', 'degrees between the border and the car: 0 parallel, 90 perpendicular; beyond 90 the car '
+        'leans against the traffic beside it'),
+    ('parking_bay', 'surface', 'the ground of the bay; NULL: its street ends before it, or it has none; computed'),
+    ('specialised_type', 'type', 'key: this type, and those below it'),
+    ('specialised_type', 'relation', 'the table, in the schema of the model'),
+    ('specialised_type', 'function', 'what computes its rows from their objects; NULL: nothing'),
     ('street_object', 'street_object_id', 'key'),
     ('street_object', 'type', 'what it is'),
     ('street_object', 'geom', 'where it stands: a point or a line. Computed for what an axis or a border places'),

@@ -113,6 +113,13 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             'across'],
         $sql$SELECT c.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, c.width, c.angle
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
+    ('parking_bay_editing', 'Edit layer: drop or drag a parking bay; type its size and its angle',
+        ARRAY['key; NULL for a new bay', 'the middle of its end at the border', 'the axis; NULL: the nearest',
+            'metres along the axis', 'left or right', 'metres away from the border; negative on the roadway',
+            'metres', 'metres', 'degrees: 0 parallel to the border, 90 perpendicular'],
+        $sql$SELECT b.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, o.side,
+            o.axis_offset, b.length, b.width, b.angle
+        FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
     ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
         'come first; DELETE takes back what was decided by hand',
         ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',

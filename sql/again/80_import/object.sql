@@ -96,8 +96,11 @@ ON CONFLICT (source, source_ref) DO UPDATE SET (type, geom, angle, placement, ax
     excluded.orientation, excluded.orientation_kind, excluded.source_hash, excluded.method)
 WHERE p.source_hash IS DISTINCT FROM excluded.source_hash$sql$, model) USING source;
     EXECUTE format('INSERT INTO %1$I.pedestrian_crossing (street_object_id) SELECT street_object_id '
-        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._crossing_types()) ON CONFLICT DO NOTHING',
-        model) USING source;
+        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._types_below(''crossing'')) '
+        'ON CONFLICT DO NOTHING', model) USING source;
+    EXECUTE format('INSERT INTO %1$I.parking_bay (street_object_id) SELECT street_object_id '
+        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._types_below(''parking_bay'')) '
+        'ON CONFLICT DO NOTHING', model) USING source;
     EXECUTE format('SELECT array_agg(DISTINCT axis_id) FROM %I.street_object WHERE source = $1', model) INTO touched
         USING source;
     PERFORM streetgen._update_objects(model, touched);

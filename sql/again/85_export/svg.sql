@@ -26,6 +26,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
             (17, 'block', 'ground', 'city block'), (18, 'block island', 'ground', 'island'),
             (19, 'block strip', 'ground', 'strip between carriageways'), (20, 'kerb', 'ground', 'kerb stones'),
             (40, 'object', 'ground', 'object'), (41, 'object green', 'ground', 'tree or hedge'),
+            (42, 'bay', 'ground', 'parking bay'),
             (23, 'bridge', 'ground', 'bridge'), (24, 'tunnel', 'line', 'tunnel'),
             (21, 'ring', 'line', 'roundabout, bar: its score'), (22, 'ring refused', 'line', 'ring that is none'))
         l(place, style, form, said)
@@ -152,9 +153,11 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, ST_Dimension(o.geom) = 1,
         streetgen._object_symbol(o.geom, o.angle, t.symbol, greatest(t.size, 4 * pixel)), o.street_object_id
         FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size
-        WHERE pixel < 0.5 AND t.symbol <> 'crossing'$part$),
+        WHERE pixel < 0.5 AND t.symbol NOT IN ('crossing', 'bay')$part$),
     (55, 'object', $part$
-    SELECT 7, 'paint', false, stripes, street_object_id FROM %1$I.pedestrian_crossing, size WHERE pixel < 0.5$part$),
+    SELECT 7, 'paint', false, stripes, street_object_id FROM %1$I.pedestrian_crossing, size WHERE pixel < 0.5
+    UNION ALL SELECT 7, 'bay', false, surface, street_object_id FROM %1$I.parking_bay, size
+        WHERE pixel < 0.5$part$),
     (10, 'network', $part$
     SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$),
     (11, 'alignment', $part$
@@ -245,7 +248,8 @@ SELECT pixel, round(w::numeric, 3) AS w, round(h::numeric, 3) AS h,
     || round((pixel * 1.2)::numeric, 4) || '}.radius{stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}'
     || '.signal.head{fill:#c92a2a}.block{fill:#dfe6d3}.island{fill:#bcd3a5}.strip{fill:#cfdcb4}.kerb{fill:#8b8f96}'
     || '.object{fill:#7c3aed;stroke:#4c1d95;stroke-width:' || round((pixel * 0.8)::numeric, 4)
-    || '}.object.green{fill:#4d7c0f;fill-opacity:0.6;stroke:#3f6212}'
+    || '}.object.green{fill:#4d7c0f;fill-opacity:0.6;stroke:#3f6212}.bay{fill:#c9ccd1;stroke:#fff;stroke-width:'
+    || round((pixel * 1.2)::numeric, 4) || '}'
     || '.bridge{fill:#c9ccd1;stroke:#374151;stroke-width:' || round((pixel * 1.2)::numeric, 4)
     || '}.shadow{fill:#111827;fill-opacity:.3}.tunnel{stroke:#374151;stroke-dasharray:'
     || round((pixel * 5)::numeric, 4) || ';stroke-width:' || round((pixel * 1)::numeric, 4) || '}'

@@ -1,0 +1,132 @@
+-- Parking bays: their ground along a border of the roadway.
+
+CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, side text, abscissa float8,
+    length float8, width float8, angle float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]))
+    FROM (SELECT CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards,
+            CASE angle WHEN 0 THEN length ELSE width / sind(angle) END AS run,
+            CASE angle WHEN 0 THEN width ELSE length * sind(angle) END AS deep) d,
+        -- Who drives past on this side drives into it, and so the end at the border lies ahead.
+        LATERAL (SELECT CASE angle WHEN 0 THEN 0 ELSE length * cosd(angle) * outwards END AS lean,
+            abscissa - run / 2 AS low, abscissa + run / 2 AS high) r,
+        LATERAL (SELECT streetgen._place_on(axis::bytea, low, beside)::geometry AS p1,
+            streetgen._place_on(axis::bytea, high, beside)::geometry AS p2,
+            streetgen._place_on(axis::bytea, high + lean, beside - outwards * deep)::geometry AS p3,
+            streetgen._place_on(axis::bytea, low + lean, beside - outwards * deep)::geometry AS p4) q
+    WHERE low + least(lean, 0) >= 0 AND high + greatest(lean, 0) <= ST_Length2D(axis) $$;
+COMMENT ON FUNCTION streetgen._bay_ground(geometry, float8, text, float8, float8, float8, float8) IS
+    'The ground (POLYGON) of a bay whose end at the border lies so many metres to the left of an axis, about an '
+    'abscissa, and reaches from there towards the roadway; angle 0: beside the border. NULL where the axis ends before '
+    'the bay does.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_type_function(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._types_below(type text) RETURNS text[]
+    LANGUAGE sql STABLE SET search_path FROM CURRENT
+    AS $body$
+    WITH RECURSIVE below AS (SELECT t.type FROM %1$I.object_type t WHERE t.type = $1
+        UNION SELECT t.type FROM below b JOIN %1$I.object_type t ON t.parent = b.type)
+    SELECT coalesce(array_agg(b.type), '{}') FROM below b $body$
+$sql$, model);
+    PERFORM streetgen._own_function(model, '_types_below(text)', 'A type of objects and those below it');
+END $$;
+COMMENT ON FUNCTION streetgen._make_type_function(name) IS
+    'Makes the function of a model that walks through the hierarchy of types.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_bay_functions(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
+    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+    WITH new AS (
+        SELECT b.street_object_id, streetgen._bay_ground(a.line, streetgen._border_offset(
+            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), o.axis_offset, o.side,
+                a.roadway_offset),
+            coalesce(o.side, CASE WHEN o.axis_offset > a.roadway_offset THEN 'left' ELSE 'right' END), o.abscissa,
+            b.length, b.width, b.angle) AS ground
+        FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)
+            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
+                FROM %1$I.axis_used OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+        WHERE b.street_object_id = ANY (objects))
+    UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
+    WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
+CREATE OR REPLACE FUNCTION %1$I._bay_has_room(level integer, ground geometry) RETURNS boolean
+    LANGUAGE sql STABLE SET search_path FROM CURRENT
+    AS $body$
+    SELECT ground IS NOT NULL AND NOT EXISTS (SELECT FROM %1$I.pedestrian_crossing c
+            JOIN %1$I.street_object o USING (street_object_id)
+            WHERE o.placed_by <> 'rule' AND c.surface && ground AND ST_Area(ST_Intersection(c.surface, ground)) > 0.01)
+        AND NOT EXISTS (SELECT FROM %1$I.intersection i WHERE i.level = $1 AND i.surface && ground
+            AND ST_Intersects(i.surface, ground) AND ST_Area(ST_Intersection(i.surface, ground)) > 0.01) $body$;
+CREATE OR REPLACE FUNCTION %1$I.redraw_bays() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        DELETE FROM %1$I.street_object o USING old_bay b WHERE o.street_object_id = b.street_object_id;
+    ELSE
+        PERFORM %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay));
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON %1$I.parking_bay REFERENCING NEW TABLE AS new_bay
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.redraw_bays();
+CREATE OR REPLACE TRIGGER redraw_delete AFTER DELETE ON %1$I.parking_bay REFERENCING OLD TABLE AS old_bay
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.redraw_bays();
+COMMENT ON TRIGGER redraw_update ON %1$I.parking_bay IS 'Draws the ground anew';
+COMMENT ON TRIGGER redraw_delete ON %1$I.parking_bay IS 'The object goes with its bay'
+$sql$, model);
+    PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew'),
+        streetgen._own_function(model, '_bay_has_room(integer, geometry)',
+            'Whether the ground of a bay lies on no intersection of its level, and on no crossing but those of rules'),
+        streetgen._own_function(model, 'redraw_bays()', 'After an edit of parking bays: their ground follows');
+END $$;
+COMMENT ON FUNCTION streetgen._make_bay_functions(name) IS
+    'Makes the functions and triggers of a model by which parking bays follow their objects.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_parking_bay() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new bay' ELSE 'bay ' || OLD.street_object_id END;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id;
+        RETURN OLD;
+    END IF;
+    PERFORM streetgen._check_edit_number('the length of ' || subject, NEW.length, 1, 30, 'm', 'Five is usual.'),
+        streetgen._check_edit_number('the width of ' || subject, NEW.width, 1, 10, 'm', '2.3 is usual.');
+    IF NEW.angle <> 0 THEN
+        PERFORM streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees',
+            '0 is parallel to the border, 90 perpendicular.');
+    END IF;
+    IF TG_OP = 'INSERT' THEN
+        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, placement, axis_id, abscissa, side, '
+            'axis_offset) VALUES (''parking_bay'', $1, ''border'', $2, $3, $4, $5) RETURNING street_object_id',
+            TG_TABLE_SCHEMA)
+            INTO NEW.street_object_id USING NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset;
+    ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset)
+        IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa, OLD.side, OLD.axis_offset) THEN
+        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2, axis_id = $3, abscissa = $4, side = $5,
+            axis_offset = $6 WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id, NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset;
+    END IF;
+    EXECUTE format('UPDATE %I.parking_bay SET length = coalesce($2, length), width = coalesce($3, width),
+        angle = coalesce($4, angle) WHERE street_object_id = $1 AND (length, width, angle)
+            IS DISTINCT FROM (coalesce($2, length), coalesce($3, width), coalesce($4, angle))',
+        TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.length, NEW.width, NEW.angle;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_parking_bay() IS
+    'Trigger of parking_bay_editing: writes the object and its bay.';

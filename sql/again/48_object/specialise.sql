@@ -1,0 +1,235 @@
+-- Objects of a type with a table of its own: a row there for each of them, kept in step on both sides.
+
+CREATE OR REPLACE FUNCTION streetgen._hold_specialised(model name) RETURNS void
+    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT pg_advisory_xact_lock(hashtextextended('streetgen specialised objects of ' || model, 0)) $$;
+COMMENT ON FUNCTION streetgen._hold_specialised(name) IS
+    'Who edits specialised objects of a model, on either side, waits here for who does: each side writes the other '
+    'one, so that two sessions would lock them in turn.';
+
+CREATE OR REPLACE FUNCTION streetgen._compute_specialised(model name, relation name, function text, objects bigint[])
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    attributes text;
+    has_geom boolean;
+BEGIN
+    SELECT string_agg(quote_ident(attname), ', ') FILTER (WHERE attname NOT IN ('street_object_id', 'geom')),
+            bool_or(attname = 'geom') INTO attributes, has_geom
+        FROM pg_attribute WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0
+            AND NOT attisdropped AND attgenerated = '';
+    IF has_geom THEN
+        EXECUTE format('UPDATE %1$I.%2$I r SET geom = o.geom FROM %1$I.street_object o
+            WHERE o.street_object_id = r.street_object_id AND r.street_object_id = ANY ($1)
+                AND r.geom::bytea IS DISTINCT FROM o.geom::bytea', model, relation) USING objects;
+    END IF;
+    IF function IS NOT NULL AND attributes IS NOT NULL THEN
+        EXECUTE format('UPDATE %1$I.%2$I r SET (%3$s) = (SELECT %3$s FROM (SELECT (n.new).*) v)
+            FROM (SELECT r.street_object_id, %4$s(r, o) AS new FROM %1$I.%2$I r
+                JOIN %1$I.street_object o USING (street_object_id) WHERE street_object_id = ANY ($1) OFFSET 0) n
+            WHERE n.street_object_id = r.street_object_id AND n.new::text IS DISTINCT FROM r::text',
+            model, relation, attributes, function) USING objects;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._compute_specialised(name, name, text, bigint[]) IS
+    'Computes the rows of a specialised table anew, as far as they changed.';
+
+CREATE OR REPLACE FUNCTION streetgen._join_specialised(model name, objects bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    special record;
+BEGIN
+    FOR special IN EXECUTE format('SELECT relation, function, %1$I._types_below(type) AS types '
+        'FROM %1$I.specialised_type ORDER BY type', model)
+    LOOP
+        -- A row that is just being written there brings its object.
+        IF current_setting('streetgen.specialises', true) IS DISTINCT FROM special.relation::text THEN
+            EXECUTE format('INSERT INTO %1$I.%2$I (street_object_id) SELECT street_object_id FROM %1$I.street_object
+                WHERE street_object_id = ANY ($1) AND type = ANY ($2) ORDER BY street_object_id
+                ON CONFLICT (street_object_id) DO NOTHING', model, special.relation) USING objects, special.types;
+        END IF;
+        EXECUTE format('DELETE FROM %1$I.%2$I r USING %1$I.street_object o
+            WHERE o.street_object_id = r.street_object_id AND o.street_object_id = ANY ($1) AND o.type <> ALL ($2)',
+            model, special.relation) USING objects, special.types;
+        PERFORM streetgen._compute_specialised(model, special.relation, special.function, objects);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._join_specialised(name, bigint[]) IS
+    'Gives objects their rows of specialised tables, takes away those of other types, and computes them.';
+
+CREATE OR REPLACE FUNCTION streetgen._renew_specialised(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    special record;
+    objects bigint[];
+BEGIN
+    FOR special IN EXECUTE format('SELECT relation FROM %I.specialised_type', model) LOOP
+        EXECUTE format('SELECT array_agg(street_object_id) FROM %1$I.%2$I JOIN %1$I.street_object o
+            USING (street_object_id) WHERE $1 IS NULL OR o.axis_id = ANY ($1)', model, special.relation)
+            INTO objects USING axes;
+        PERFORM streetgen._hold_specialised(model), streetgen._join_specialised(model, objects);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._renew_specialised(name, bigint[]) IS
+    'Computes the specialised rows of objects of axes (NULL: of all) anew.';
+
+CREATE OR REPLACE FUNCTION streetgen._hold_specialised() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._hold_specialised(TG_TABLE_SCHEMA);
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._hold_specialised() IS
+    'Trigger of street_object and of specialised tables, before a statement: waits for who edits them.';
+
+CREATE OR REPLACE FUNCTION streetgen._write_specialised() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    has_geom constant boolean := TG_ARGV[1]::boolean;
+BEGIN
+    IF TG_OP = 'DELETE' THEN
+        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
+            USING OLD.street_object_id;
+        RETURN NULL;
+    ELSIF TG_OP = 'UPDATE' AND TG_WHEN = 'AFTER' THEN
+        IF has_geom AND NEW.geom IS DISTINCT FROM OLD.geom THEN
+            EXECUTE format('UPDATE %I.street_object_editing SET geom = $2 WHERE street_object_id = $1',
+                TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.geom;
+        END IF;
+    ELSIF TG_OP = 'UPDATE' THEN
+        IF NEW.street_object_id IS DISTINCT FROM OLD.street_object_id THEN
+            RAISE EXCEPTION 'row % of %.% cannot become row %', OLD.street_object_id, TG_TABLE_SCHEMA, TG_TABLE_NAME,
+                NEW.street_object_id USING ERRCODE = '22023', HINT = 'Its key is that of its object.';
+        END IF;
+    ELSIF NEW.street_object_id IS NULL THEN
+        IF NOT has_geom OR NEW.geom IS NULL THEN
+            RAISE EXCEPTION 'the new row of %.% has neither an object nor a place', TG_TABLE_SCHEMA, TG_TABLE_NAME
+                USING ERRCODE = '22023', HINT = format('Insert an object of type %s into %I.street_object_editing: '
+                'its row comes by itself.', TG_ARGV[0], TG_TABLE_SCHEMA);
+        END IF;
+        PERFORM set_config('streetgen.specialises', TG_TABLE_NAME, true);
+        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom) VALUES ($1, $2) RETURNING street_object_id',
+            TG_TABLE_SCHEMA) INTO NEW.street_object_id USING TG_ARGV[0], NEW.geom;
+        PERFORM set_config('streetgen.specialises', '', true);
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._write_specialised() IS
+    'Trigger of specialised tables: a new row with a place makes its object, a place that changes drags the object, '
+    'and the object goes with its row.';
+
+CREATE OR REPLACE FUNCTION streetgen._compute_specialised() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    function text;
+BEGIN
+    EXECUTE format('SELECT function FROM %I.specialised_type WHERE relation = $1', TG_TABLE_SCHEMA) INTO function
+        USING TG_TABLE_NAME;
+    PERFORM streetgen._compute_specialised(TG_TABLE_SCHEMA, TG_TABLE_NAME, function,
+        ARRAY(SELECT street_object_id FROM new_row));
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._compute_specialised() IS
+    'Trigger of specialised tables, after a statement: computes the rows that it wrote.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_specialised(model name, type text, relation name, function regprocedure)
+    RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    oid constant regclass := to_regclass(format('%I.%I', model, relation));
+    row_type constant regtype := to_regtype(format('%I.%I', model, relation));
+    wanted record;
+BEGIN
+    IF oid IS NULL THEN
+        RAISE EXCEPTION 'there is no table %.%', model, relation USING ERRCODE = '42P01',
+            HINT = 'Make it first, in the schema of the model.';
+    ELSIF NOT EXISTS (SELECT FROM pg_index i JOIN pg_attribute a ON a.attrelid = i.indrelid AND a.attnum = i.indkey[0]
+        WHERE i.indrelid = oid AND i.indisprimary AND i.indnkeyatts = 1 AND a.attname = 'street_object_id'
+            AND a.atttypid = 'bigint'::regtype) THEN
+        RAISE EXCEPTION 'table %.% lacks its key', model, relation USING ERRCODE = '22023',
+            HINT = 'Give it a column street_object_id bigint PRIMARY KEY.';
+    END IF;
+    SELECT a.attname INTO wanted FROM pg_attribute a WHERE a.attrelid = oid AND a.attnum > 0 AND NOT a.attisdropped
+        AND a.attnotnull AND NOT a.atthasdef AND a.attidentity = '' AND a.attname NOT IN ('street_object_id') LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'column % of %.% has no default', wanted.attname, model, relation USING ERRCODE = '22023',
+            DETAIL = 'A row comes by itself with each new object.', HINT = 'Give it one, or let it be NULL.';
+    END IF;
+    IF function IS NOT NULL AND NOT EXISTS (SELECT FROM pg_proc p WHERE p.oid = function AND p.prorettype = row_type
+        AND NOT p.proretset AND p.pronargs = 2 AND p.proargtypes[0] = row_type
+        AND p.proargtypes[1] = to_regtype(format('%I.street_object', model))) THEN
+        RAISE EXCEPTION 'function % does not compute rows of %.%', function, model, relation USING ERRCODE = '22023',
+            HINT = format('It takes (%1$I.%2$I, %1$I.street_object) and returns one %1$I.%2$I.', model, relation);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_specialised(name, text, name, regprocedure) IS
+    'Refuses a table that cannot hold specialised objects, or a function that does not compute its rows: 22023, 42P01.';
+
+CREATE OR REPLACE FUNCTION streetgen.specialise(model name, type text, relation name,
+    function regprocedure DEFAULT NULL) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+DECLARE
+    known boolean;
+    has_geom boolean;
+    objects bigint[];
+BEGIN
+    PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
+    PERFORM streetgen._require_owner(model), streetgen._require_subject(model, 'object'),
+        streetgen._hold_specialised(model);
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type t WHERE t.type = $1)', model) INTO known USING type;
+    IF NOT known THEN
+        RAISE EXCEPTION 'there is no object type "%"', type USING ERRCODE = '22023',
+            HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', model);
+    END IF;
+    PERFORM streetgen._check_specialised(model, type, relation, function);
+    SELECT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.%I', model, relation)::regclass
+        AND attname = 'geom' AND NOT attisdropped) INTO has_geom;
+    EXECUTE format($sql$
+ALTER TABLE %1$I.%2$I DROP CONSTRAINT IF EXISTS object_of_the_row;
+ALTER TABLE %1$I.%2$I ADD CONSTRAINT object_of_the_row FOREIGN KEY (street_object_id)
+    REFERENCES %1$I.street_object ON UPDATE CASCADE ON DELETE CASCADE;
+CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object FOR EACH STATEMENT
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._hold_specialised();
+CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH STATEMENT
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._hold_specialised();
+CREATE OR REPLACE TRIGGER write_before BEFORE INSERT OR UPDATE ON %1$I.%2$I FOR EACH ROW
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._write_specialised(%3$L, %4$L);
+CREATE OR REPLACE TRIGGER write_after AFTER UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._write_specialised(%3$L, %4$L);
+CREATE OR REPLACE TRIGGER compute_insert AFTER INSERT ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._compute_specialised();
+CREATE OR REPLACE TRIGGER compute_update AFTER UPDATE ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._compute_specialised();
+COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects';
+INSERT INTO %1$I.specialised_type AS s (type, relation, function) VALUES (%3$L, %2$L, %5$L)
+    ON CONFLICT (type) DO UPDATE SET relation = excluded.relation, function = excluded.function$sql$,
+        model, relation, type, has_geom, function::regproc);
+    EXECUTE format('SELECT coalesce(array_agg(street_object_id ORDER BY street_object_id), ''{}'')
+        FROM %1$I.street_object o WHERE o.type = ANY (%1$I._types_below($1))', model) INTO objects USING type;
+    PERFORM streetgen._join_specialised(model, objects);
+    RETURN cardinality(objects);
+END $$;
+COMMENT ON FUNCTION streetgen.specialise(name, text, name, regprocedure) IS
+    'Ties a table of yours, in the schema of the model, to the objects of a type and of those below it: each has a row '
+    'there, by its key street_object_id, and what is inserted, changed or deleted on either side follows on the other. '
+    'function (row of the table, row of street_object) returns the row as it is to be, and is called again whenever '
+    'the object or its row changes; NULL computes nothing. A column geom of the table is the place of the object, and '
+    'an INSERT with it and without a key makes one. Returns how many objects there are. An unknown type, a table '
+    'without its key or with a column that has no default, a function of another signature: 22023; no such table: '
+    '42P01. StreetGen paper, 4.6. NULL is refused: 22004.';
