@@ -91,6 +91,13 @@ DO $$ DECLARE r float8; id bigint; BEGIN
 END $$;
 SELECT 'both sides are in step after 400 edits', holds AND (SELECT count(*) FROM town.shelter) > 10 FROM in_step;
 
+INSERT INTO town.placement_rule (type, side, every) VALUES ('shelter', 'right', 30);
+SELECT 'what rules place has its rows too', holds AND EXISTS (SELECT FROM town.street_object WHERE type = 'shelter' AND placed_by = 'rule') FROM in_step;
+UPDATE town.axis SET width = 14 WHERE axis_id = 3;
+SELECT 'and follows', holds FROM in_step;
+DELETE FROM town.placement_rule;
+SELECT 'and goes', holds FROM in_step;
+
 -- Refused.
 CREATE TABLE town.keyless (id bigint PRIMARY KEY);
 CREATE TABLE town.strict (street_object_id bigint PRIMARY KEY, name text NOT NULL);

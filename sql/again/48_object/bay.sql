@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, s
     length float8, width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]))
+    SELECT CASE WHEN ST_IsSimple(ring) THEN ST_MakePolygon(ring) END
     FROM (SELECT CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards,
             CASE angle WHEN 0 THEN length ELSE width / sind(angle) END AS run,
             CASE angle WHEN 0 THEN width ELSE length * sind(angle) END AS deep) d,
@@ -14,12 +14,27 @@ CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, s
         LATERAL (SELECT streetgen._place_on(axis::bytea, low, beside)::geometry AS p1,
             streetgen._place_on(axis::bytea, high, beside)::geometry AS p2,
             streetgen._place_on(axis::bytea, high + lean, beside - outwards * deep)::geometry AS p3,
-            streetgen._place_on(axis::bytea, low + lean, beside - outwards * deep)::geometry AS p4) q
+            streetgen._place_on(axis::bytea, low + lean, beside - outwards * deep)::geometry AS p4) q,
+        LATERAL (SELECT ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]) AS ring) g
     WHERE low + least(lean, 0) >= 0 AND high + greatest(lean, 0) <= ST_Length2D(axis) $$;
 COMMENT ON FUNCTION streetgen._bay_ground(geometry, float8, text, float8, float8, float8, float8) IS
     'The ground (POLYGON) of a bay whose end at the border lies so many metres to the left of an axis, about an '
     'abscissa, and reaches from there towards the roadway; angle 0: beside the border. NULL where the axis ends before '
-    'the bay does.';
+    'the bay does, or bends too sharply.';
+
+CREATE OR REPLACE FUNCTION streetgen._bay_angle(orientation float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN turned < 10 OR turned > 170 THEN 0 ELSE greatest(20, least(160, turned)) END
+    FROM (SELECT orientation - 180 * floor(orientation / 180) AS turned) o $$;
+COMMENT ON FUNCTION streetgen._bay_angle(float8) IS
+    'The angle of a bay, degrees, that the orientation of a rule means: parallel within 10 degrees.';
+
+CREATE OR REPLACE FUNCTION streetgen._takes_ground(surface geometry, ground geometry) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT ST_Intersects(surface, ground) AND ST_Area(ST_Intersection(surface, ground)) > 0.01 $$;
+COMMENT ON FUNCTION streetgen._takes_ground(geometry, geometry) IS
+    'Whether a surface takes more than a square decimetre of the ground of a bay.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_type_function(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -58,14 +73,6 @@ CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
         WHERE b.street_object_id = ANY (objects))
     UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
     WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
-CREATE OR REPLACE FUNCTION %1$I._bay_has_room(level integer, ground geometry) RETURNS boolean
-    LANGUAGE sql STABLE SET search_path FROM CURRENT
-    AS $body$
-    SELECT ground IS NOT NULL AND NOT EXISTS (SELECT FROM %1$I.pedestrian_crossing c
-            JOIN %1$I.street_object o USING (street_object_id)
-            WHERE o.placed_by <> 'rule' AND c.surface && ground AND ST_Area(ST_Intersection(c.surface, ground)) > 0.01)
-        AND NOT EXISTS (SELECT FROM %1$I.intersection i WHERE i.level = $1 AND i.surface && ground
-            AND ST_Intersects(i.surface, ground) AND ST_Area(ST_Intersection(i.surface, ground)) > 0.01) $body$;
 CREATE OR REPLACE FUNCTION %1$I.redraw_bays() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
@@ -87,8 +94,6 @@ COMMENT ON TRIGGER redraw_update ON %1$I.parking_bay IS 'Draws the ground anew';
 COMMENT ON TRIGGER redraw_delete ON %1$I.parking_bay IS 'The object goes with its bay'
 $sql$, model);
     PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew'),
-        streetgen._own_function(model, '_bay_has_room(integer, geometry)',
-            'Whether the ground of a bay lies on no intersection of its level, and on no crossing but those of rules'),
         streetgen._own_function(model, 'redraw_bays()', 'After an edit of parking bays: their ground follows');
 END $$;
 COMMENT ON FUNCTION streetgen._make_bay_functions(name) IS

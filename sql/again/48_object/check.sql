@@ -16,9 +16,10 @@ SELECT 'error', 'object off the place that its axis gives, m', 'street_object', 
     (80, 'object', 'rule', $part$
 SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', b.street_object_id, NULL::float8,
     b.surface FROM %1$I.parking_bay b JOIN %1$I.object_edge USING (street_object_id) JOIN %1$I.edge e USING (edge_id)
-    WHERE b.surface IS NOT NULL AND (NOT %1$I._bay_has_room(e.level, b.surface) OR EXISTS (
-        SELECT FROM %1$I.pedestrian_crossing c WHERE c.surface && b.surface
-            AND ST_Area(ST_Intersection(c.surface, b.surface)) > 0.01))
+    WHERE EXISTS (SELECT FROM %1$I.intersection i WHERE i.surface && b.surface AND i.level - e.level = 0
+            AND streetgen._takes_ground(i.surface, b.surface))
+        OR EXISTS (SELECT FROM %1$I.pedestrian_crossing c WHERE c.surface && b.surface
+            AND streetgen._takes_ground(c.surface, b.surface))
 UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
     o.geom
     FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a

@@ -97,17 +97,30 @@ BEGIN
             aside) AS geom,
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
+    bay AS MATERIALIZED (
+        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(width
+                + (width_end - width) * abscissa / ST_Length2D(line), aside, at_side, roadway_offset), at_side,
+            abscissa, 5, 2.3, streetgen._bay_angle(turned)) AS ground FROM taken WHERE type = ANY (bays)),
+    -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
+    in_the_way AS MATERIALIZED (
+        SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
+            WHERE t.distance_least > 0 AND b.rule_id < t.rule_id AND b.at_side IS NOT DISTINCT FROM t.at_side
+                AND abs(b.abscissa - t.abscissa) < t.distance_least
+        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t WHERE t.distance_least > 0
+            AND EXISTS (SELECT FROM %1$I.street_object o WHERE o.placed_by <> 'rule'
+                AND ST_DWithin(o.geom, t.geom, t.distance_least))
+        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken c USING (axis_id)
+            WHERE t.type = ANY (bays) AND c.type = ANY (crossings) AND abs(c.abscissa - t.abscissa) < 5.5
+        UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
+        -- By difference, since a hash join of a whole level would pass over the spatial index.
+        UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN %1$I.intersection i ON i.surface && b.ground
+            AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
+        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN %1$I.pedestrian_crossing c
+            ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
+            JOIN %1$I.street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'),
     free AS MATERIALIZED (
-        SELECT * FROM taken t WHERE (type <> ALL (bays) OR %1$I._bay_has_room(level, streetgen._bay_ground(line,
-                streetgen._border_offset(width + (width_end - width) * abscissa / ST_Length2D(line), aside, at_side,
-                    roadway_offset), at_side, abscissa, 5, 2.3, turned - 180 * floor(turned / 180)))
-            -- The crossings of rules are new.
-            AND NOT EXISTS (SELECT FROM taken c WHERE c.axis_id = t.axis_id AND c.type = ANY (crossings)
-                AND abs(c.abscissa - t.abscissa) < 5.5))
-            AND (distance_least = 0 OR NOT EXISTS (SELECT FROM %1$I.street_object o
-                WHERE o.placed_by <> 'rule' AND ST_DWithin(o.geom, t.geom, t.distance_least))
-            AND NOT EXISTS (SELECT FROM taken b WHERE b.axis_id = t.axis_id AND b.rule_id < t.rule_id
-                AND b.at_side IS NOT DISTINCT FROM t.at_side AND abs(b.abscissa - t.abscissa) < t.distance_least))),
+        SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
+            WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
     gone AS (
         DELETE FROM %1$I.street_object o WHERE o.placed_by = 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))
             AND NOT EXISTS (SELECT FROM free f
@@ -130,7 +143,7 @@ BEGIN
         ON CONFLICT DO NOTHING;
     -- A rule's orientation is the angle of its bays.
     INSERT INTO %1$I.parking_bay (street_object_id, angle)
-        SELECT o.street_object_id, o.orientation - 180 * floor(o.orientation / 180) FROM %1$I.street_object o
+        SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM %1$I.street_object o
         WHERE o.placed_by = 'rule' AND o.type = ANY (%1$I._types_below('parking_bay'))
             AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT DO NOTHING;

@@ -64,15 +64,14 @@ CREATE OR REPLACE FUNCTION streetgen._renew_specialised(model name, axes bigint[
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    special record;
     objects bigint[];
 BEGIN
-    FOR special IN EXECUTE format('SELECT relation FROM %I.specialised_type', model) LOOP
-        EXECUTE format('SELECT array_agg(street_object_id) FROM %1$I.%2$I JOIN %1$I.street_object o
-            USING (street_object_id) WHERE $1 IS NULL OR o.axis_id = ANY ($1)', model, special.relation)
-            INTO objects USING axes;
+    EXECUTE format('SELECT array_agg(street_object_id ORDER BY street_object_id) FROM %1$I.street_object o
+        WHERE type = ANY (ARRAY(SELECT unnest(%1$I._types_below(s.type)) FROM %1$I.specialised_type s))
+            AND ($1 IS NULL OR o.axis_id = ANY ($1))', model) INTO objects USING axes;
+    IF objects IS NOT NULL THEN
         PERFORM streetgen._hold_specialised(model), streetgen._join_specialised(model, objects);
-    END LOOP;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._renew_specialised(name, bigint[]) IS
     'Computes the specialised rows of objects of axes (NULL: of all) anew.';

@@ -36,6 +36,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid intege
     AS $$
 DECLARE
     there constant boolean := to_regclass(format('%I.object_type', model)) IS NOT NULL;
+    bays_there constant boolean := to_regclass(format('%I.parking_bay', model)) IS NOT NULL;
 BEGIN
     EXECUTE format($t$
 CREATE TABLE IF NOT EXISTS %1$I.object_type (
@@ -111,10 +112,10 @@ COMMENT ON TABLE %1$I.specialised_type
     IS 'Types of objects with a table of their own, as streetgen.specialise makes them';
 COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';$t$,
         model, srid);
-    IF NOT there THEN
-        EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
-            SELECT * FROM streetgen._default_object_type()', model);
-    END IF;
+    -- What users took away of a model that is there stays away.
+    EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
+        SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')
+        ON CONFLICT DO NOTHING', model) USING there, bays_there;
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_tables(name, integer) IS
     'Makes the tables of objects of a model; those that users write may be there from before.';
