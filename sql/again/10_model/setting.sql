@@ -155,6 +155,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),
+    ('placement_function', 'none', NULL,
+        'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
+        'streetgen.placement, with its schema', NULL, NULL, ARRAY['none']),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL),
     ('link_factor', '27.5', 'km', 'of a design: what a utilisation of 1 (thousands of people squared per km2) and a km '
         'saved are worth, in km of road', 0, 1000000, NULL),
@@ -236,12 +239,15 @@ BEGIN
             holds := streetgen._classifier_function(value) IS NOT NULL;
         ELSIF NOT holds AND setting = 'signal_program' THEN
             holds := streetgen._program_function(value) IS NOT NULL;
+        ELSIF NOT holds AND setting = 'placement_function' THEN
+            holds := streetgen._placement_function(value) IS NOT NULL;
         END IF;
         expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory'
             THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
             'geometry' WHEN 'classifier' THEN ', or a function (arms streetgen.junction_arm[]) returning text'
             WHEN 'signal_program' THEN ', or a function (movements streetgen.signal_request[]) returning SETOF '
-            'streetgen.signal_answer' ELSE '' END || '.';
+            'streetgen.signal_answer' WHEN 'placement_function' THEN ', or a function (model name, edges bigint[]) '
+            'returning SETOF streetgen.placement' ELSE '' END || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;

@@ -12,7 +12,7 @@ BEGIN
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
             '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
-            '%1$I.free_places(), %1$I.apply_rules(), '
+            '%1$I._has_rules(), %1$I.free_places(), %1$I.apply_rules(), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
@@ -32,8 +32,8 @@ DECLARE
 BEGIN
     -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
     PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
-    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active)
-        OR EXISTS (SELECT FROM %1$I.street_object WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
+    IF %1$I._has_rules() OR EXISTS (SELECT FROM %1$I.street_object
+        WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
         PERFORM %1$I._renew_rule_objects(axes);
     END IF;
     UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
@@ -104,7 +104,7 @@ BEGIN
         %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
         streetgen._join_specialised(%2$L, ARRAY(SELECT street_object_id FROM new_object));
     -- What rules placed gives way.
-    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
+    IF %1$I._has_rules() THEN
         PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM new_object n
             JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
     END IF;

@@ -42,6 +42,11 @@ DECLARE
     event text;
 BEGIN
     EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._has_rules() RETURNS boolean
+    LANGUAGE sql STABLE SET search_path FROM CURRENT
+    AS $body$
+    SELECT EXISTS (SELECT FROM %1$I.placement_rule WHERE active)
+        OR EXISTS (SELECT FROM %1$I.setting WHERE name = 'placement_function' AND value <> 'none') $body$;
 CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
     SET plan_cache_mode = force_custom_plan
@@ -55,13 +60,13 @@ BEGIN
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
         SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
-            x.kind,
+            x.kind, x.turn_forward, x.turn_backward,
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, e.start_abscissa + l.abscissa AS low,
             e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
-        WHERE (axes IS NULL OR e.axis_id = ANY (axes)) AND EXISTS (SELECT FROM rule)),
+        WHERE axes IS NULL OR e.axis_id = ANY (axes)),
     ruled AS (
         SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
             AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
@@ -73,7 +78,7 @@ BEGIN
         FROM ruled r, LATERAL generate_series(greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                 floor((high - distance_from_limit - phase) / every)::bigint) k,
             LATERAL (VALUES ('left'), ('right')) v(side)
-        WHERE r.along <> 'arm' AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
+        WHERE r.along IN ('axis', 'border') AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
             WHEN r.side = 'alternating' THEN v.side = CASE k %% 2 WHEN 0 THEN 'left' ELSE 'right' END
             ELSE r.side IN (v.side, 'both') END
         UNION ALL
@@ -88,10 +93,42 @@ BEGIN
         FROM ruled r, LATERAL (VALUES (true, r.from_node), (false, r.to_node)) w(at_start, node),
             LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
         WHERE r.along = 'arm' AND high - low > 2 * distance_from_limit
+            AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
+                ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
             AND CASE r.side WHEN 'both' THEN v.side <> 'middle' WHEN 'alternating' THEN v.side = 'middle'
                 ELSE v.side = r.side END
             AND (SELECT count(*) FROM (SELECT FROM %1$I.edge b WHERE b.from_node = w.node
-                UNION ALL SELECT FROM %1$I.edge b WHERE b.to_node = w.node) d) >= 3),
+                UNION ALL SELECT FROM %1$I.edge b WHERE b.to_node = w.node) d) >= 3
+        UNION ALL
+        -- Along the arc of a corner, behind its kerb: each half of it belongs to the street beside it, and is numbered
+        -- by the place of the node there.
+        SELECT r.*, NULL, at[1], (100000000 * (1 + (c.at_end = 'start')::integer + 2 * c.half) + n
+            + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN start_abscissa ELSE end_abscissa END)::bigint
+                %% 1000000))::integer, r.orientation, at[2]
+        FROM ruled r, LATERAL (SELECT 0 AS half, arc, centre, radius, end_a AS at_end FROM %1$I.corner
+                WHERE edge_a = r.edge_id
+                UNION ALL SELECT 1, arc, centre, radius, end_b FROM %1$I.corner WHERE edge_b = r.edge_id) c,
+            LATERAL (SELECT ST_CurveToLine(ST_Force2D(c.arc), 64) AS kerb) k,
+            LATERAL (SELECT ST_Length(kerb) AS size, floor(ST_Length(kerb) / r.every)::integer AS last) s,
+            LATERAL generate_series(0, least(last, 49)) n,
+            LATERAL (SELECT (n * r.every + (size - last * r.every) / 2) / size AS share) h,
+            LATERAL (SELECT ST_LineInterpolatePoint(kerb, greatest(0, least(1, share))) AS foot) f,
+            LATERAL (SELECT streetgen._locate_on(r.line::bytea, ST_Translate(foot,
+                (ST_X(c.centre) - ST_X(foot)) / c.radius * r.axis_offset,
+                (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at) l
+        WHERE r.along = 'corner' AND c.radius > 0 AND (share > 0.5) = (c.half = 1)
+        UNION ALL
+        -- By a function of the user, as rule 0, numbered by what it places and where.
+        SELECT (own.rule).*, t.distance_least, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type, p.side,
+            p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset
+        FROM (SELECT DISTINCT ON (type, axis_id, side, abscissa, axis_offset) * FROM streetgen._own_placements(%2$L,
+                ARRAY(SELECT edge_id FROM street ORDER BY edge_id))
+                ORDER BY type, axis_id, side, abscissa, axis_offset, orientation) p
+            JOIN %1$I.object_type t USING (type)
+            JOIN LATERAL (SELECT * FROM street x WHERE x.axis_id = p.axis_id
+                AND p.abscissa BETWEEN x.start_abscissa AND x.end_abscissa ORDER BY x.start_abscissa LIMIT 1) s ON true,
+            LATERAL (SELECT jsonb_populate_record(NULL::%1$I.placement_rule, jsonb_build_object('rule_id', 0,
+                'type', p.type, 'density', 1)) AS rule) own),
     taken AS MATERIALIZED (
         SELECT *, streetgen._object_geometry(line, width, width_end, roadway_offset, abscissa, NULL, at_side,
             aside) AS geom,
@@ -164,7 +201,7 @@ CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
 BEGIN
-    IF EXISTS (SELECT FROM %1$I.placement_rule WHERE active) THEN
+    IF %1$I._has_rules() THEN
         PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM old_object n
             JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
     END IF;
@@ -175,7 +212,8 @@ CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON %1$I.street_object REFEREN
     EXECUTE FUNCTION %1$I.free_places();
 COMMENT ON TRIGGER free_places ON %1$I.street_object IS 'Rules take the places of objects that are gone'
 $sql$, model, model);
-    PERFORM streetgen._own_function(model, '_renew_rule_objects(bigint[])',
+    PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
+        streetgen._own_function(model, '_renew_rule_objects(bigint[])',
         'Brings the objects that rules place along axes (NULL: along all) up to date'),
         streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
         streetgen._own_function(model, 'free_places()', 'After objects were deleted: rules take their places');
