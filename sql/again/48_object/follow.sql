@@ -60,20 +60,22 @@ BEGIN
         FROM there t JOIN %1$I.edge e ON e.axis_id = t.axis_id
             AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
         ORDER BY t.street_object_id, e.start_abscissa),
+    old AS MATERIALIZED (
+        SELECT o.street_object_id, o.edge_id FROM %1$I.object_edge o
+        WHERE axes IS NULL OR o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM there))),
     compared AS MATERIALIZED (
-        SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN %1$I.object_edge o USING (street_object_id)),
+        SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN old o USING (street_object_id)),
     -- Of what stands there no more, and of objects whose axes are gone.
     gone AS (
-        DELETE FROM %1$I.object_edge o WHERE NOT EXISTS (SELECT FROM new n WHERE n.street_object_id
-                = o.street_object_id)
-            AND (axes IS NULL OR o.street_object_id IN (SELECT street_object_id FROM there)) RETURNING 1),
+        DELETE FROM %1$I.object_edge o WHERE o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM old
+            EXCEPT SELECT street_object_id FROM new)) RETURNING 1),
     -- A first run has no keys yet.
     put AS (
         INSERT INTO %1$I.object_edge (street_object_id, edge_id)
         SELECT street_object_id, edge_id FROM compared WHERE before IS NULL ORDER BY street_object_id),
     moved AS (
-        UPDATE %1$I.object_edge o SET edge_id = c.edge_id FROM compared c
-        WHERE o.street_object_id = c.street_object_id AND c.before <> c.edge_id)
+        UPDATE %1$I.object_edge o SET edge_id = c.edge_id FROM (SELECT * FROM compared WHERE before <> edge_id) c
+        WHERE o.street_object_id = c.street_object_id)
     SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
         (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
     PERFORM set_config('enable_nestloop', nestloop_before, true), set_config('enable_seqscan', seqscan_before, true);
@@ -242,6 +244,7 @@ $sql$, model, 'carry_objects_' || followed.event, followed.changed, upper(follow
         PERFORM streetgen._own_function(model, format('%I()', 'carry_objects_' || followed.event),
             'After an edit of axes: objects stay at the piece of road where they stand');
     END LOOP;
+    PERFORM streetgen._tie_specialised(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_functions(name) IS
     'Makes the functions and triggers of a model by which objects follow its axes, or drops them where it computes '

@@ -172,31 +172,19 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_specialised(name, text, name, regprocedure) IS
     'Refuses a table that cannot hold specialised objects, or a function that does not compute its rows: 22023, 42P01.';
 
-CREATE OR REPLACE FUNCTION streetgen.specialise(model name, type text, relation name,
-    function regprocedure DEFAULT NULL) RETURNS bigint
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._tie_specialised(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
 DECLARE
-    known boolean;
-    has_geom boolean;
-    objects bigint[];
+    special record;
 BEGIN
-    PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
-    PERFORM streetgen._require_owner(model), streetgen._require_subject(model, 'object'),
-        streetgen._hold_specialised(model);
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type t WHERE t.type = $1)', model) INTO known USING type;
-    IF NOT known THEN
-        RAISE EXCEPTION 'there is no object type "%"', type USING ERRCODE = '22023',
-            HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', model);
-    END IF;
-    PERFORM streetgen._check_specialised(model, type, relation, function);
-    SELECT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.%I', model, relation)::regclass
-        AND attname = 'geom' AND NOT attisdropped) INTO has_geom;
-    EXECUTE format($sql$
-ALTER TABLE %1$I.%2$I DROP CONSTRAINT IF EXISTS object_of_the_row;
-ALTER TABLE %1$I.%2$I ADD CONSTRAINT object_of_the_row FOREIGN KEY (street_object_id)
-    REFERENCES %1$I.street_object ON UPDATE CASCADE ON DELETE CASCADE;
+    FOR special IN EXECUTE format('SELECT s.type, s.relation, EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = c.oid AND attname = ''geom'' AND NOT attisdropped) AS has_geom
+        FROM %I.specialised_type s JOIN pg_class c ON c.relnamespace = %L::regnamespace AND c.relname = s.relation
+        ORDER BY s.type', model, quote_ident(model))
+    LOOP
+        EXECUTE format($sql$
 CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object FOR EACH STATEMENT
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION streetgen._hold_specialised();
@@ -215,10 +203,38 @@ CREATE OR REPLACE TRIGGER compute_insert AFTER INSERT ON %1$I.%2$I REFERENCING N
 CREATE OR REPLACE TRIGGER compute_update AFTER UPDATE ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION streetgen._compute_specialised();
-COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects';
-INSERT INTO %1$I.specialised_type AS s (type, relation, function) VALUES (%3$L, %2$L, %5$L)
-    ON CONFLICT (type) DO UPDATE SET relation = excluded.relation, function = excluded.function$sql$,
-        model, relation, type, has_geom, function::regproc);
+COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects'$sql$,
+            model, special.relation, special.type, special.has_geom);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._tie_specialised(name) IS
+    'Makes the triggers that keep the specialised tables of a model and their objects in step, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen.specialise(model name, type text, relation name,
+    function regprocedure DEFAULT NULL) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+DECLARE
+    known boolean;
+    objects bigint[];
+BEGIN
+    PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
+    PERFORM streetgen._require_owner(model), streetgen._require_subject(model, 'object'),
+        streetgen._hold_specialised(model);
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type t WHERE t.type = $1)', model) INTO known USING type;
+    IF NOT known THEN
+        RAISE EXCEPTION 'there is no object type "%"', type USING ERRCODE = '22023',
+            HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', model);
+    END IF;
+    PERFORM streetgen._check_specialised(model, type, relation, function);
+    EXECUTE format('ALTER TABLE %1$I.%2$I DROP CONSTRAINT IF EXISTS object_of_the_row, ADD CONSTRAINT object_of_the_row
+        FOREIGN KEY (street_object_id) REFERENCES %1$I.street_object ON UPDATE CASCADE ON DELETE CASCADE', model,
+        relation);
+    EXECUTE format('INSERT INTO %1$I.specialised_type AS s (type, relation, function) VALUES ($1, $2, $3)
+        ON CONFLICT (type) DO UPDATE SET relation = excluded.relation, function = excluded.function', model)
+        USING type, relation, function::regproc::text;
+    PERFORM streetgen._tie_specialised(model);
     EXECUTE format('SELECT coalesce(array_agg(street_object_id ORDER BY street_object_id), ''{}'')
         FROM %1$I.street_object o WHERE o.type = ANY (%1$I._types_below($1))', model) INTO objects USING type;
     PERFORM streetgen._join_specialised(model, objects);
