@@ -23,6 +23,7 @@ DECLARE
     at record;
     held bigint;
 BEGIN
+    PERFORM streetgen._hold_specialised_types(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
             USING OLD.street_object_id;

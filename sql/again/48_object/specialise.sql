@@ -1,11 +1,35 @@
 -- Objects of a type with a table of its own: a row there for each of them, kept in step on both sides.
 
-CREATE OR REPLACE FUNCTION streetgen._hold_specialised(model name) RETURNS void
-    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$ SELECT pg_advisory_xact_lock(hashtextextended('streetgen specialised objects of ' || model, 0)) $$;
-COMMENT ON FUNCTION streetgen._hold_specialised(name) IS
-    'Who edits specialised objects of a model, on either side, waits here for who does: each side writes the other '
-    'one, so that two sessions would lock them in turn.';
+CREATE OR REPLACE FUNCTION streetgen._hold_specialised(model name, alone boolean) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    key constant bigint := hashtextextended('streetgen specialised objects of ' || model, 0);
+BEGIN
+    IF alone THEN
+        PERFORM pg_advisory_xact_lock(key);
+    ELSE
+        PERFORM pg_advisory_xact_lock_shared(key);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._hold_specialised(name, boolean) IS
+    'Who edits specialised objects of a model, on either side, does so alone: each side writes the other one, so that '
+    'two sessions would lock them in turn. Who edits axes, which objects follow, waits for them, but not for others '
+    'who edit axes.';
+
+CREATE OR REPLACE FUNCTION streetgen._hold_specialised_types(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    any_type boolean;
+BEGIN
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.specialised_type)', model) INTO any_type;
+    IF any_type THEN
+        PERFORM streetgen._hold_specialised(model, true);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._hold_specialised_types(name) IS
+    'Waits for who edits specialised objects, where a model has any: before an edit view locks an axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._compute_specialised(model name, relation name, function text, objects bigint[])
     RETURNS void
@@ -70,7 +94,7 @@ BEGIN
         WHERE type = ANY (ARRAY(SELECT unnest(%1$I._types_below(s.type)) FROM %1$I.specialised_type s))
             AND ($1 IS NULL OR o.axis_id = ANY ($1))', model) INTO objects USING axes;
     IF objects IS NOT NULL THEN
-        PERFORM streetgen._hold_specialised(model), streetgen._join_specialised(model, objects);
+        PERFORM streetgen._hold_specialised(model, false), streetgen._join_specialised(model, objects);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._renew_specialised(name, bigint[]) IS
@@ -80,11 +104,12 @@ CREATE OR REPLACE FUNCTION streetgen._hold_specialised() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM streetgen._hold_specialised(TG_TABLE_SCHEMA);
+    PERFORM streetgen._hold_specialised(TG_TABLE_SCHEMA, TG_ARGV[0]::boolean);
     RETURN NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._hold_specialised() IS
-    'Trigger of street_object and of specialised tables, before a statement: waits for who edits them.';
+    'Trigger of axes, of street_object and of specialised tables, before a statement: waits for who edits specialised '
+    'objects.';
 
 CREATE OR REPLACE FUNCTION streetgen._write_specialised() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -187,10 +212,13 @@ BEGIN
         EXECUTE format($sql$
 CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object FOR EACH STATEMENT
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._hold_specialised();
+    EXECUTE FUNCTION streetgen._hold_specialised(true);
+CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.axis FOR EACH STATEMENT
+    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION streetgen._hold_specialised(false);
 CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH STATEMENT
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._hold_specialised();
+    EXECUTE FUNCTION streetgen._hold_specialised(true);
 CREATE OR REPLACE TRIGGER write_before BEFORE INSERT OR UPDATE ON %1$I.%2$I FOR EACH ROW
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION streetgen._write_specialised(%3$L, %4$L);
@@ -203,7 +231,8 @@ CREATE OR REPLACE TRIGGER compute_insert AFTER INSERT ON %1$I.%2$I REFERENCING N
 CREATE OR REPLACE TRIGGER compute_update AFTER UPDATE ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
     WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION streetgen._compute_specialised();
-COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects'$sql$,
+COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects';
+COMMENT ON TRIGGER hold_specialised ON %1$I.axis IS 'Waits for who edits specialised objects'$sql$,
             model, special.relation, special.type, special.has_geom);
     END LOOP;
 END $$;
@@ -221,7 +250,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
     PERFORM streetgen._require_owner(model), streetgen._require_subject(model, 'object'),
-        streetgen._hold_specialised(model);
+        streetgen._hold_specialised(model, true);
     EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type t WHERE t.type = $1)', model) INTO known USING type;
     IF NOT known THEN
         RAISE EXCEPTION 'there is no object type "%"', type USING ERRCODE = '22023',
