@@ -20,7 +20,8 @@ local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_w
                'parking:lane:left', 'parking:lane:right', 'parking:lane:both',
                'sidewalk', 'sidewalk:left', 'sidewalk:right', 'sidewalk:both',
                'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width',
-               'placement', 'placement:forward', 'placement:backward' }
+               'placement', 'placement:forward', 'placement:backward',
+               'change:lanes', 'change:lanes:forward', 'change:lanes:backward' }
 
 local columns = { { column = 'class', type = 'text', not_null = true } }
 for _, tag in ipairs(tags) do

@@ -147,7 +147,7 @@ LAYERS = (
     Layer('input', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'axis_id', 'source', 'source_ref'), scale=5000),
     Layer('input', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True),
+           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True),
     by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
     by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
     by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),

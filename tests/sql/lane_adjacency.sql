@@ -31,3 +31,14 @@ SELECT 'a lane that is not there too', test.state($q$SELECT * FROM streetgen.lan
 SELECT 'another side too', test.state($q$SELECT * FROM streetgen.lane_beside('town', (SELECT min(lane_id) FROM town.lane), 0, 'up')$q$) = '22023';
 SELECT 'NULL too', test.state($q$SELECT * FROM streetgen.lane_beside('town', NULL, 0, 'left')$q$) = '22004';
 DROP TABLE changed;
+
+-- What a source says of changing lanes.
+INSERT INTO town.axis (axis_id, geom, width, lanes_forward, lanes_backward, change_forward, change_backward) OVERRIDING SYSTEM VALUE VALUES (9, 'SRID=2154;LINESTRING(650000 6861000,650100 6861000)', 17.5, 3, 2, 'no|not_left|', 'only_right|yes');
+CREATE VIEW said AS SELECT a.along_axis, a.lane_position AS from_lane, b.lane_position AS to_lane, change FROM town.lane_adjacency JOIN town.lane a ON a.lane_id = lane_a JOIN town.lane b ON b.lane_id = lane_b JOIN town.edge e ON e.edge_id = a.edge_id WHERE axis_id = 9;
+SELECT 'forward lanes 3, 4, 5: none leaves the first, the second to the right alone, the third as painted', array_agg(concat(from_lane, to_lane, ' ', change) ORDER BY from_lane, to_lane) = '{"34 forbidden","43 forbidden","45 allowed","54 allowed"}'
+  FROM said WHERE along_axis AND change <> 'opposite';
+SELECT 'backward lanes, from left to right 2 and 1', array_agg(concat(from_lane, to_lane, ' ', change) ORDER BY from_lane, to_lane) = '{"12 allowed","21 allowed"}' FROM said WHERE NOT along_axis AND change <> 'opposite';
+UPDATE town.axis SET change_backward = 'no|no' WHERE axis_id = 9;
+SELECT 'typed anew', bool_and(change = 'forbidden') FROM said WHERE NOT along_axis AND change <> 'opposite';
+SELECT 'other words are refused', test.state($$UPDATE town.axis SET change_forward = 'maybe' WHERE axis_id = 9$$) = '23514';
+SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |no', 'change') = 'yes|not_right|no' AND streetgen._osm_list('yes|perhaps', 'change') IS NULL;

@@ -14,7 +14,7 @@ CREATE FUNCTION pg_temp.columns() RETURNS SETOF text LANGUAGE sql AS $$
   WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped
   UNION ALL SELECT pg_get_constraintdef(oid) FROM pg_constraint WHERE connamespace = 'older'::regnamespace $$;
 CREATE TABLE wanted AS SELECT pg_temp.columns() AS column;
-ALTER TABLE older.axis DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
+ALTER TABLE older.axis DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
 ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out CASCADE;

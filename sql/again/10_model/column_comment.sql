@@ -51,6 +51,9 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'movements of the lanes along geom, as OSM''s turn:lanes: left|through;right; cycle and parking lanes may be '
         'left out'),
     ('axis', 'turn_backward', 'the same against geom, from left to right in driving direction'),
+    ('axis', 'change_forward', 'where one may leave the lanes along geom, as OSM''s change:lanes: yes|not_right|no; '
+        'cycle and parking lanes may be left out; NULL or empty: as the lines between lanes say'),
+    ('axis', 'change_backward', 'the same against geom, from left to right in driving direction'),
     ('axis', 'roundabout_tag',
         'what the source says of a roundabout: roundabout or circular (OpenStreetMap, one way round along geom), '
         'Rond-point (BD TOPO); it counts where setting roundabout_tags is true'),

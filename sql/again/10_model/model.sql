@@ -212,6 +212,11 @@ BEGIN
         AND attname = 'curve') THEN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'change_forward') THEN
+        EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),
+            ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
+    END IF;
     PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
         streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
         streetgen._make_controller_override_table(model, srid),

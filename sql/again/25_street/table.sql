@@ -42,6 +42,7 @@ BEGIN
             lane_width_forward text CHECK (lane_width_forward ~ %5$L), lane_width_backward text
                 CHECK (lane_width_backward ~ %5$L),
             turn_forward text CHECK (turn_forward ~ %6$L), turn_backward text CHECK (turn_backward ~ %6$L),
+            change_forward text CHECK (change_forward ~ %7$L), change_backward text CHECK (change_backward ~ %7$L),
             roundabout_tag text, source text, source_ref text, source_geom geometry,
             UNIQUE (source, source_ref))$t$,
         $t$CREATE INDEX axis_geom ON %1$I.axis USING gist (geom)$t$, $t$CREATE INDEX axis_width ON %1$I.axis (width)$t$,
@@ -126,7 +127,8 @@ BEGIN
             IS 'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it'$t$
     ] LOOP
         EXECUTE format(statement, model, z, srid, streetgen._lane_list_pattern('kind'),
-            streetgen._lane_list_pattern('width'), streetgen._lane_list_pattern('turn'));
+            streetgen._lane_list_pattern('width'), streetgen._lane_list_pattern('turn'),
+            streetgen._lane_list_pattern('change'));
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_street_tables(name, integer, integer) IS

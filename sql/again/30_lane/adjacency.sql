@@ -19,14 +19,26 @@ SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_i
     CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
     CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, x.start_abscissa, x.end_abscissa,
     CASE WHEN s.kind = 'centre' THEN 'opposite'
-        WHEN s.dashed AND 'parking' NOT IN (l.kind, r.kind) AND (l.kind = 'cycle') = (r.kind = 'cycle') THEN 'allowed'
+        WHEN 'parking' IN (l.kind, r.kind) OR (l.kind = 'cycle') <> (r.kind = 'cycle') THEN 'forbidden'
+        WHEN c.word <> '' THEN CASE WHEN streetgen._may_change(c.word, c.leftwards) THEN 'allowed' ELSE 'forbidden' END
+        WHEN s.dashed THEN 'allowed'
         ELSE 'forbidden' END AS change
 FROM %1$I.lane_separator s JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
     JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)
-    JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side);
+    JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
+    LEFT JOIN %1$I.axis a ON a.axis_id = x.axis_id
+    -- What the source says of lane_a, by its number among the lanes of its direction, from left to right.
+    CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.change_forward ELSE a.change_backward END AS list,
+        CASE v.side WHEN 'right' THEN l.lane_position ELSE r.lane_position END AS at) n
+    CROSS JOIN LATERAL (SELECT (v.side = 'left') = l.along_axis AS leftwards, CASE WHEN n.list IS NOT NULL
+        AND l.along_axis = r.along_axis THEN split_part(n.list, '|', (
+            SELECT count(*) FROM %1$I.lane w WHERE w.edge_id = l.edge_id AND w.along_axis = l.along_axis
+                AND w.kind IN ('general', 'bus') AND (w.lane_position - n.at) * CASE WHEN l.along_axis THEN 1
+                    ELSE -1 END <= 0)::integer) END AS word) c;
 COMMENT ON VIEW %1$I.lane_adjacency IS
     'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
-    'lane_b. change follows from the line between them: allowed over a dashed one between lanes of one direction that '
+    'lane_b. change is what change_forward or change_backward of the axis says, else it follows from the line between '
+    'them: allowed over a dashed one between lanes of one direction that '
     'the same traffic uses, opposite where traffic comes against one, else forbidden';
 CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
 SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
@@ -43,6 +55,13 @@ $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
     'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._may_change(word text, leftwards boolean) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    RETURN word = 'yes' OR word IN ('not_right', 'only_left') AND leftwards
+        OR word IN ('not_left', 'only_right') AND NOT leftwards;
+COMMENT ON FUNCTION streetgen._may_change(text, boolean) IS
+    'Whether a word of OSM''s change:lanes lets traffic leave its lane to that side.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8,
     OUT on_axis float8[], OUT on_lane float8[])

@@ -16,6 +16,7 @@ BEGIN
     FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
         ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
             ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
+            ('change_forward', 'text'), ('change_backward', 'text'),
             ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roadway_offset', 'float8'),
             ('roundabout_tag', 'text')) c(name, type)
         WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
@@ -72,7 +73,9 @@ BEGIN
         LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'),
             ('lane_width_forward', i.lane_width_forward, 'width'), ('lane_width_backward', i.lane_width_backward,
             'width'),
-            ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn')) v(name, list, kind)
+            ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn'),
+            ('change_forward', i.change_forward, 'change'), ('change_backward', i.change_backward, 'change'))
+            v(name, list, kind)
         WHERE NOT streetgen.is_lane_list(v.list, v.kind) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION '% of source row % is "%"', bad.name, bad.label, bad.list USING ERRCODE = '22023',
@@ -125,7 +128,9 @@ BEGIN
                     ELSE hash_record_extended(ROW(i.sidewalk_left, i.sidewalk_right), 0) END
                 # CASE WHEN i.flow IS NULL THEN 0 ELSE hashfloat8extended(i.flow, 1) END
                 # CASE WHEN coalesce(i.roadway_offset, 0) = 0 THEN 0
-                    ELSE hashfloat8extended(i.roadway_offset, 2) END) AS hash
+                    ELSE hashfloat8extended(i.roadway_offset, 2) END
+                # CASE WHEN coalesce(i.change_forward, i.change_backward) IS NULL THEN 0
+                    ELSE hash_record_extended(ROW(i.change_forward, i.change_backward), 3) END) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
             ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
@@ -200,11 +205,13 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
         ELSE a.width END, CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.lane_count,
         a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
         a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
-        a.turn_backward, a.roundabout_tag, a.flow, coalesce(a.roadway_offset, 0), a.sidewalk_left, a.sidewalk_right)
+        a.turn_backward, a.change_forward, a.change_backward, a.roundabout_tag, a.flow, coalesce(a.roadway_offset, 0),
+        a.sidewalk_left, a.sidewalk_right)
         IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance,
             p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
             p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward,
-            p.turn_backward, p.roundabout_tag, p.flow, coalesce(p.roadway_offset, 0),
+            p.turn_backward, p.change_forward, p.change_backward, p.roundabout_tag, p.flow,
+            coalesce(p.roadway_offset, 0),
             coalesce(p.sidewalk_left, a.sidewalk_left),
             coalesce(p.sidewalk_right, a.sidewalk_right))) $sql$, model) USING source;
     IF clean THEN
@@ -213,28 +220,27 @@ DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.s
     EXECUTE format($sql$
 INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind,
     radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-    lane_width_backward, turn_forward, turn_backward, roundabout_tag, flow, roadway_offset, sidewalk_left,
-        sidewalk_right, source,
-    source_ref, source_geom, source_hash)
+    lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, roundabout_tag, flow,
+    roadway_offset, sidewalk_left, sidewalk_right, source, source_ref, source_geom, source_hash)
 SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed,
     p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
     p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward,
-    p.roundabout_tag, p.flow, p.roadway_offset, p.sidewalk_left, p.sidewalk_right, $1,
-    p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
+    p.change_forward, p.change_backward, p.roundabout_tag, p.flow, p.roadway_offset, p.sidewalk_left, p.sidewalk_right,
+    $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET
     width = CASE WHEN a.width_by_hand THEN a.width ELSE excluded.width END, source_width = CASE WHEN a.width_by_hand
         THEN excluded.width END,
     width_end = CASE WHEN a.width_by_hand THEN a.width_end ELSE excluded.width_end END,
         source_width_end = CASE WHEN a.width_by_hand THEN excluded.width_end END,
-    %2$s,
-        sidewalk_left = coalesce(excluded.sidewalk_left, a.sidewalk_left),
-        sidewalk_right = coalesce(excluded.sidewalk_right, a.sidewalk_right),
-        source_geom = excluded.source_geom, source_hash = excluded.source_hash $sql$, model,
+    %2$s, sidewalk_left = coalesce(excluded.sidewalk_left, a.sidewalk_left),
+        sidewalk_right = coalesce(excluded.sidewalk_right, a.sidewalk_right), source_geom = excluded.source_geom,
+        source_hash = excluded.source_hash $sql$, model,
         -- Widths of sidewalks of a table of their own stay where the source says none.
         (SELECT string_agg(format('%1$I = excluded.%1$I', attribute), ', ') FROM unnest(ARRAY['geom', 'lane_count',
             'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward',
             'lanes_both', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward',
-            'turn_forward', 'turn_backward', 'roundabout_tag', 'flow', 'roadway_offset']) attribute)) USING source;
+            'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'roundabout_tag', 'flow',
+            'roadway_offset']) attribute)) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;

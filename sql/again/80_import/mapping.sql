@@ -37,7 +37,8 @@ BEGIN
             'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
                 'kind_forward',
             'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward',
-            'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source_ref') LIMIT 1;
+            'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag',
+            'source_ref') LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name
             USING ERRCODE = '22023',
@@ -45,7 +46,8 @@ BEGIN
                 'kind, '
                 'radius, '
                 'lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, '
-                'lane_width_backward, turn_forward, turn_backward, sidewalk_left, sidewalk_right, flow, '
+                'lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left, '
+                'sidewalk_right, flow, '
                 'roundabout_tag or source_ref';
     END IF;
     -- A row without a source_ref is known by its place.
@@ -58,6 +60,7 @@ BEGIN
                 ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('lanes_both', 'integer'),
                 ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
                 ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
+                ('change_forward', 'text'), ('change_backward', 'text'),
                 ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'),
                 ('roundabout_tag', 'text'),
                 ('source_ref', 'text')) t(name, type)

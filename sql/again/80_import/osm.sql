@@ -34,10 +34,11 @@ COMMENT ON FUNCTION streetgen._osm_length(text) IS 'How many lanes a :lanes tag 
 CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT text FROM (SELECT CASE kind WHEN 'turn' THEN replace(lower(list), ' ', '')
+        WHEN 'change' THEN replace(lower(list), ' ', '')
         ELSE regexp_replace(list, '\s*m?\s*(\||$)', '\1', 'g') END AS text) t
         WHERE streetgen.is_lane_list(text, kind) $$;
 COMMENT ON FUNCTION streetgen._osm_list(text, text) IS
-    'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn or width.';
+    'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn, change or width.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_kerb(of_side text, of_both text, of_way text, against text, direction text,
     side text, driving_side text) RETURNS text
@@ -111,7 +112,8 @@ DECLARE
         'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both',
             'parking_lane_left', 'parking_lane_right', 'parking_lane_both', 'sidewalk', 'sidewalk_left',
         'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width', 'sidewalk_right_width', 'sidewalk_both_width',
-        'placement', 'placement_forward', 'placement_backward'];
+        'placement', 'placement_forward', 'placement_backward',
+        'change_lanes', 'change_lanes_forward', 'change_lanes_backward'];
     -- Tables written by an older flex file lack some.
     tags constant text := (
         SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
@@ -150,6 +152,10 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 A
            streetgen._osm_beside('near', 'reverse', direction, parking_far, parking_near),
                streetgen._osm_beside('far', 'reverse', direction, parking_far, parking_near)) AS kind_backward,
        lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       streetgen._osm_list(coalesce(change_lanes_forward, CASE direction WHEN 'direct' THEN change_lanes END), 'change')
+           AS change_forward,
+       streetgen._osm_list(coalesce(change_lanes_backward, CASE direction WHEN 'reverse' THEN change_lanes END),
+           'change') AS change_backward,
        streetgen._osm_sidewalk(walk_left, sidewalk, said_walk_left, 'left') AS sidewalk_left,
        streetgen._osm_sidewalk(walk_right, sidewalk, said_walk_right, 'right') AS sidewalk_right,
        array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
