@@ -36,6 +36,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
   SELECT CASE attribute
     WHEN 'width' THEN quote_nullable(CASE WHEN edits.chance(0.9) THEN edits.between(2.5, 22) END)
     WHEN 'width_end' THEN quote_nullable(CASE WHEN edits.chance(0.7) THEN edits.between(3, 20) END)
+    WHEN 'roadway_offset' THEN edits.one_of('NULL', '0', '-1.5', '2', '5', '-8')
     WHEN 'level' THEN edits.one_of('0', '0', '0', '1', '-1')
     WHEN 'direction' THEN quote_literal(edits.one_of('both', 'direct', 'reverse'))
     WHEN 'importance' THEN edits.one_of('NULL', '1', '2', '3', '4', '5')
@@ -49,7 +50,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
