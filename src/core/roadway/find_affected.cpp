@@ -15,6 +15,8 @@ namespace streetgen {
 
 namespace {
 
+constexpr double before_limit = 0.01;  // metres
+
 // Metres between surfaces, no more than which may have been filled as a hole.
 constexpr double near_enough = 1;
 
@@ -168,9 +170,22 @@ class Change {
     // Lanes share out the width that a widening street has at its start.
     const Roadway& roadway = layout_.streets.roadways[e];
     const bool shared_anew = !same_start && roadway.width != roadway.width_end;
-    const bool both = crossed || shared_anew || bends_where_limits_moved(e, before);
+    const bool tapers_on = (!same_start && tapers_at(e, end.abscissa - before_limit)) ||
+                           (!same_end && tapers_at(e, start.abscissa + before_limit));
+    const bool both = crossed || shared_anew || tapers_on || bends_where_limits_moved(e, before);
     if (both || !same_start) move_end(e, edge.from_node);
     if (both || !same_end) move_end(e, edge.to_node);
+  }
+
+  // Whether the kerbs still change there, so that a limit that moved at the other end turns them. A
+  // change ends at the far limit where the section has no room for more.
+  bool tapers_at(int e, double abscissa) const {
+    const WidthProfile& profile = layout_.streets.roadways[e].profile;
+    if (profile.empty()) return false;
+    const WidthProfile::Place at = profile.at(abscissa);
+    const Arm& arm = layout_.arms[2 * e];
+    return std::abs(at.left - half_at(arm, abscissa, +1)) > rounding ||
+           std::abs(at.right - half_at(arm, abscissa, -1)) > rounding;
   }
 
   // Lanes may have another last segment at their far end then.
