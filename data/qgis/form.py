@@ -2,7 +2,11 @@
 from qgis.core import QgsEditorWidgetSetup, QgsFieldConstraints
 
 
-def set_form(vector, layer, words, class_layer):
+# Columns that hold the key of another layer, which is of one word.
+LISTED = {('axis', 'kind'): ('axis_class', 'class'), ('street_object', 'type'): ('object_type', 'type'), ('placement_rule', 'type'): ('object_type', 'type'), ('object_type', 'parent'): ('object_type', 'type')}
+
+
+def set_form(vector, layer, words, vectors):
     config = vector.editFormConfig()
     table = layer.relation.replace('_editing', '')
     for index, field in enumerate(vector.fields()):
@@ -10,9 +14,10 @@ def set_form(vector, layer, words, class_layer):
         config.setReadOnly(index, column not in (layer.writable or ()))
         if (table, column) in words:
             widget = QgsEditorWidgetSetup('ValueMap', {'map': [{word: word} for word in words[table, column]]})
-        elif (table, column) == ('axis', 'kind'):
-            widget = QgsEditorWidgetSetup('ValueRelation', {'Layer': class_layer.id(), 'LayerName': class_layer.name(), 'LayerSource': class_layer.source(),
-                                                            'LayerProviderName': 'postgres', 'Key': 'class', 'Value': 'class', 'AllowNull': True, 'OrderByValue': True})
+        elif (table, column) in LISTED:
+            relation, key = LISTED[table, column]
+            widget = QgsEditorWidgetSetup('ValueRelation', {'Layer': vectors[relation].id(), 'LayerName': relation, 'LayerSource': vectors[relation].source(),
+                                                            'LayerProviderName': 'postgres', 'Key': key, 'Value': key, 'AllowNull': True, 'OrderByValue': True})
         elif column in ('source_geom', 'source_hash'):
             widget = QgsEditorWidgetSetup('Hidden', {})
         else:

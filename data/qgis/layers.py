@@ -163,7 +163,7 @@ LAYERS = (
     by_hand('roundabout_override', 'confirmed'),
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
-    Layer('input', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'density', 'active')),
+    Layer('input', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'turn', 'density', 'active')),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
     Layer('input', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),
     Layer('input', 'setting', 'name'),

@@ -68,7 +68,7 @@ def make_project(database, model):
     tree = project.layerTreeRoot()
     for layer in layers:
         vector = vectors[layer.relation]
-        set_form(vector, layer, words, vectors['axis_class'])
+        set_form(vector, layer, words, vectors)
         project.addMapLayer(vector, False)
         (tree.findGroup(layer.group) or tree.addGroup(layer.group)).addLayer(vector).setItemVisibilityChecked(layer.shown)
     axis = vectors['axis']

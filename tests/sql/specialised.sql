@@ -42,7 +42,27 @@ INSERT INTO town.placement_rule (type, along, side, distance_from_limit) VALUES 
 SELECT 'also of rules', (SELECT count(*) FROM town.pedestrian_crossing) = 4 AND NOT EXISTS (SELECT FROM town.parking_bay b JOIN town.pedestrian_crossing c ON ST_Area(ST_Intersection(c.surface, b.surface)) > 0.01);
 SELECT 'a second run changes nothing', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town', wait => true);
 SELECT 'nothing is wrong', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity IN ('error', 'warning'));
+DELETE FROM town.placement_rule WHERE type = 'crossing';
+UPDATE town.placement_rule SET orientation = 30 WHERE type = 'parking_bay';
+SELECT 'a rule that turns turns its bays', bool_and(angle = 30 AND abs(ST_Area(surface) - 11.5) < 1e-6) AND count(*) > 5 FROM town.parking_bay;
+INSERT INTO town.placement_rule (type, along, side, distance_from_limit) VALUES ('crossing', 'arm', 'alternating', 1);
+CREATE VIEW bays_apart AS SELECT count(*) > 5 AND NOT EXISTS (SELECT FROM town.parking_bay b JOIN town.pedestrian_crossing c ON ST_Area(ST_Intersection(c.surface, b.surface)) > 0.01)
+  AND NOT EXISTS (SELECT FROM town.parking_bay a JOIN town.parking_bay b ON a.street_object_id < b.street_object_id AND ST_Area(ST_Intersection(a.surface, b.surface)) > 0.01) AS holds FROM town.parking_bay;
+SELECT 'oblique ones lie off crossings too', holds FROM bays_apart;
+INSERT INTO town.placement_rule (type, along, side, every, phase, axis_offset, distance_from_limit) VALUES ('parking_bay', 'border', 'right', 5, 2, 0, 0);
+SELECT 'those of a later rule give way', holds FROM bays_apart;
+UPDATE town.placement_rule SET side = 'left' WHERE every = 5;
+SELECT 'and stand on the other side', holds AND count(DISTINCT rule_id) = 2 FROM bays_apart, town.street_object WHERE type = 'parking_bay' GROUP BY holds;
+UPDATE town.parking_bay_editing SET angle = 60 WHERE street_object_id = (SELECT min(street_object_id) FROM town.parking_bay WHERE angle = 30);
+SELECT sum(inserted) IS NULL FROM streetgen.generate('town', wait => true) \g /dev/null
+SELECT 'a bay that somebody turns is his', array_agg(o.placed_by) = '{user}' FROM town.parking_bay b JOIN town.street_object o USING (street_object_id) WHERE b.angle = 60;
+SELECT 'refused: ' || what, test.state(format('UPDATE town.placement_rule SET %s WHERE every = 5', set)) = '22023' FROM (VALUES ('bays closer than they are long', 'every = 4.9'), ('at 20 degrees every 5 m', 'orientation = 20')) v(what, set);
+UPDATE town.placement_rule SET type = 'bench';
+SELECT 'a rule for something else leaves no bay', NOT EXISTS (SELECT FROM town.parking_bay b JOIN town.street_object o USING (street_object_id) WHERE o.type <> 'parking_bay' OR o.placed_by = 'rule')
+  AND NOT EXISTS (SELECT FROM town.pedestrian_crossing JOIN town.street_object USING (street_object_id) WHERE placed_by = 'rule') AND EXISTS (SELECT FROM town.street_object WHERE type = 'bench');
+SELECT 'a second run changes nothing of it', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town', wait => true);
 DELETE FROM town.placement_rule;
+DELETE FROM town.street_object WHERE placed_by = 'user';
 
 -- A shelter with a roof.
 INSERT INTO town.object_type (type, parent) VALUES ('shelter', 'bus_stop'), ('long_shelter', 'shelter');
@@ -75,7 +95,7 @@ UPDATE town.axis SET width = 8 WHERE axis_id = 1;
 -- Seeded edits on either side.
 DO $$ DECLARE r float8; id bigint; BEGIN
   PERFORM setseed(0.7);
-  FOR n IN 1 .. 400 LOOP
+  FOR n IN 1 .. 2000 LOOP
     r := random();
     id := (SELECT street_object_id FROM town.shelter ORDER BY random() LIMIT 1);
     IF r < 0.2 THEN INSERT INTO town.shelter (geom) VALUES (pg_temp.line(format('POINT(%s %s)', 170 * random(), 30 * random() - 15)));
@@ -89,12 +109,14 @@ DO $$ DECLARE r float8; id bigint; BEGIN
     END IF;
   END LOOP;
 END $$;
-SELECT 'both sides are in step after 400 edits', holds AND (SELECT count(*) FROM town.shelter) > 10 FROM in_step;
+SELECT 'both sides are in step after 2000 edits', holds AND (SELECT count(*) FROM town.shelter) > 10 FROM in_step;
 
 INSERT INTO town.placement_rule (type, side, every) VALUES ('shelter', 'right', 30);
 SELECT 'what rules place has its rows too', holds AND EXISTS (SELECT FROM town.street_object WHERE type = 'shelter' AND placed_by = 'rule') FROM in_step;
 UPDATE town.axis SET width = 14 WHERE axis_id = 3;
 SELECT 'and follows', holds FROM in_step;
+UPDATE town.placement_rule SET type = 'bench';
+SELECT 'a rule for benches leaves no shelter of its own', holds AND NOT EXISTS (SELECT FROM town.street_object WHERE type = 'shelter' AND placed_by = 'rule') FROM in_step;
 DELETE FROM town.placement_rule;
 SELECT 'and goes', holds FROM in_step;
 
@@ -103,9 +125,18 @@ CREATE TABLE town.keyless (id bigint PRIMARY KEY);
 CREATE TABLE town.strict (street_object_id bigint PRIMARY KEY, name text NOT NULL);
 SELECT 'refused: ' || what, test.state(format('SELECT streetgen.specialise(%s)', arguments)) = state FROM (VALUES ('a table without its key', $$'town', 'kiosk', 'keyless'$$, '22023'),
   ('a column without a default', $$'town', 'kiosk', 'strict'$$, '22023'), ('no such table', $$'town', 'kiosk', 'nowhere'$$, '42P01'), ('no such type', $$'town', 'castle', 'shelter'$$, '22023'),
-  ('a function of another signature', $$'town', 'kiosk', 'shelter', 'lower(text)'$$, '22023'), ('no such model', $$'nowhere', 'kiosk', 'shelter'$$, '3F000'), ('NULL', $$'town', NULL, 'shelter'$$, '22004')) v(what, arguments, state);
+  ('a function of another signature', $$'town', 'kiosk', 'shelter', 'lower(text)'$$, '22023'), ('a table of the model', $$'town', 'kiosk', 'pedestrian_crossing'$$, '22023'), ('the table of objects itself', $$'town', 'kiosk', 'street_object'$$, '22023'),
+  ('a table of another type', $$'town', 'kiosk', 'shelter'$$, '22023'), ('no such model', $$'nowhere', 'kiosk', 'shelter'$$, '3F000'), ('NULL', $$'town', NULL, 'shelter'$$, '22004')) v(what, arguments, state);
 SELECT 'refused: a row without a place', test.state('INSERT INTO town.shelter (depth) VALUES (1)') = '22023';
 SELECT 'refused: another key', test.state('UPDATE town.shelter SET street_object_id = -1') = '22023';
 SELECT 'nothing was lost', holds FROM in_step;
+CREATE TABLE town.cabin (street_object_id bigint PRIMARY KEY, colour text);
+SELECT streetgen.specialise('town', 'shelter', 'cabin') \g /dev/null
+SELECT 'another table takes a type over', (SELECT count(*) FROM town.cabin) = (SELECT count(*) FROM town.shelter);
+CREATE TABLE left_behind AS SELECT * FROM town.shelter;
+DELETE FROM town.street_object WHERE type = 'shelter';
+SELECT 'the first one is let go, with its rows', count(*) > 10 AND count(*) = (SELECT count(*) FROM left_behind) AND NOT EXISTS (SELECT FROM town.cabin) FROM town.shelter;
+UPDATE town.shelter SET depth = 5, geom = NULL;
+SELECT 'and nothing follows it', bool_and(roof IS NOT NULL AND depth = 5) FROM town.shelter;
 SELECT streetgen.drop_model('town') \g /dev/null
 SELECT 'the model goes with it', to_regnamespace('town') IS NULL;

@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, s
     AS $$
     SELECT CASE WHEN ST_IsSimple(ring) THEN ST_MakePolygon(ring) END
     FROM (SELECT CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards,
-            CASE angle WHEN 0 THEN length ELSE width / sind(angle) END AS run,
+            streetgen._bay_run(length, width, angle) AS run,
             CASE angle WHEN 0 THEN width ELSE length * sind(angle) END AS deep) d,
         -- Who drives past on this side drives into it, and so the end at the border lies ahead.
         LATERAL (SELECT CASE angle WHEN 0 THEN 0 ELSE length * cosd(angle) * outwards END AS lean,
@@ -29,6 +29,19 @@ CREATE OR REPLACE FUNCTION streetgen._bay_angle(orientation float8) RETURNS floa
     FROM (SELECT orientation - 180 * floor(orientation / 180) AS turned) o $$;
 COMMENT ON FUNCTION streetgen._bay_angle(float8) IS
     'The angle of a bay, degrees, that the orientation of a rule means: parallel within 10 degrees.';
+
+CREATE OR REPLACE FUNCTION streetgen._bay_reach(length float8, width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE angle WHEN 0 THEN length / 2 ELSE width / sind(angle) / 2 + length * abs(cosd(angle)) END $$;
+COMMENT ON FUNCTION streetgen._bay_reach(float8, float8, float8) IS
+    'How far a bay reaches along the axis on either side of its abscissa, at most, metres.';
+
+CREATE OR REPLACE FUNCTION streetgen._bay_run(length float8, width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE angle WHEN 0 THEN length ELSE width / sind(angle) END $$;
+COMMENT ON FUNCTION streetgen._bay_run(float8, float8, float8) IS
+    'What a bay takes of its border, metres: bays beside each other lie no closer.';
 
 CREATE OR REPLACE FUNCTION streetgen._takes_ground(surface geometry, ground geometry) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -80,6 +93,9 @@ BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM %1$I.street_object o USING old_bay b WHERE o.street_object_id = b.street_object_id;
     ELSE
+        -- What somebody edits is no longer the rule's.
+        UPDATE %1$I.street_object o SET placed_by = 'user' FROM new_bay b
+            WHERE o.street_object_id = b.street_object_id AND o.placed_by = 'rule';
         PERFORM %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay));
     END IF;
     RETURN NULL;

@@ -20,6 +20,9 @@ SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', 
             AND streetgen._takes_ground(i.surface, b.surface))
         OR EXISTS (SELECT FROM %1$I.pedestrian_crossing c WHERE c.surface && b.surface
             AND streetgen._takes_ground(c.surface, b.surface))
+UNION ALL SELECT 'notice', 'parking bay on another bay', 'parking_bay', b.street_object_id, NULL::float8, b.surface
+    FROM %1$I.parking_bay a JOIN %1$I.parking_bay b ON a.surface && b.surface
+        AND a.street_object_id < b.street_object_id AND streetgen._takes_ground(a.surface, b.surface)
 UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
     o.geom
     FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a

@@ -6,6 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_placement_rule() RETURNS trigger
 DECLARE
     subject constant text := CASE TG_OP WHEN 'INSERT' THEN 'the new rule' ELSE 'rule ' || OLD.rule_id END;
     length float8;
+    run float8;
+    least float8;
 BEGIN
     IF NEW.every < 0.5 THEN
         EXECUTE format('SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM %I.axis', TG_TABLE_SCHEMA) INTO length;
@@ -19,11 +21,21 @@ BEGIN
         streetgen._check_edit_number('the phase of ' || subject, NEW.phase, 0, 10000, 'm', '0 begins with the axis.'),
         streetgen._check_edit_number('the density of ' || subject, NEW.density, 0, 1, NULL, '1 takes all places.'),
         streetgen._check_edit_number('the offset of ' || subject, NEW.axis_offset, -200, 200, 'm', 'Try 1 m.');
+    IF streetgen._is_below(TG_TABLE_SCHEMA, NEW.type, 'parking_bay') AND NEW.along = 'border' THEN
+        run := streetgen._bay_run(5, 2.3, streetgen._bay_angle(NEW.orientation));
+        least := CASE NEW.side WHEN 'alternating' THEN run / 2 ELSE run END;
+        IF NEW.every < least THEN
+            RAISE EXCEPTION '% cannot place a bay every % m', subject, NEW.every USING ERRCODE = '22023',
+                DETAIL = format('A bay at %s degrees takes %s m of its border.',
+                    streetgen._bay_angle(NEW.orientation), round(run::numeric, 2)),
+                HINT = format('Set every to %s m or more.', ceil(10 * least) / 10);
+        END IF;
+    END IF;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._check_placement_rule() IS
-    'Trigger of placement_rule: a distance under 0.5 m, or a number out of its range, 22023, with the number of '
-    'objects that it would place.';
+    'Trigger of placement_rule: a distance under 0.5 m or under what a bay takes of its border, or a number out of its '
+    'range, 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place integer, density float8)
     RETURNS boolean
@@ -56,6 +68,9 @@ DECLARE
     bays constant text[] := %1$I._types_below('parking_bay');
     crossings constant text[] := %1$I._types_below('crossing');
 BEGIN
+    -- A rule that places something else now places it anew: rows of the former type go with their objects.
+    DELETE FROM %1$I.street_object o USING %1$I.placement_rule r WHERE o.rule_id = r.rule_id
+        AND o.placed_by = 'rule' AND o.type <> r.type AND (axes IS NULL OR o.axis_id = ANY (axes));
     WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM %1$I.placement_rule r
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
@@ -137,7 +152,9 @@ BEGIN
     bay AS MATERIALIZED (
         SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(width
                 + (width_end - width) * abscissa / ST_Length2D(line), aside, at_side, roadway_offset), at_side,
-            abscissa, 5, 2.3, streetgen._bay_angle(turned)) AS ground FROM taken WHERE type = ANY (bays)),
+            abscissa, 5, 2.3, streetgen._bay_angle(turned)) AS ground,
+            streetgen._bay_reach(5, 2.3, streetgen._bay_angle(turned)) AS reach, abscissa
+        FROM taken WHERE type = ANY (bays)),
     -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
     in_the_way AS MATERIALIZED (
         SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
@@ -146,13 +163,20 @@ BEGIN
         UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t WHERE t.distance_least > 0
             AND EXISTS (SELECT FROM %1$I.street_object o WHERE o.placed_by <> 'rule'
                 AND ST_DWithin(o.geom, t.geom, t.distance_least))
-        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken c USING (axis_id)
-            WHERE t.type = ANY (bays) AND c.type = ANY (crossings) AND abs(c.abscissa - t.abscissa) < 5.5
+        -- Three metres: half of a crossing, and one for who looks along the street.
+        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
+            WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
+        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN bay c USING (axis_id)
+            WHERE c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
+                AND c.ground && b.ground AND streetgen._takes_ground(c.ground, b.ground)
         UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
         -- By difference, since a hash join of a whole level would pass over the spatial index.
         UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN %1$I.intersection i ON i.surface && b.ground
             AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
         UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN %1$I.pedestrian_crossing c
+            ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
+            JOIN %1$I.street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'
+        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN %1$I.parking_bay c
             ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
             JOIN %1$I.street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'),
     free AS MATERIALIZED (
@@ -179,11 +203,11 @@ BEGIN
             AND o.type = ANY (%1$I._types_below('crossing')) AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT DO NOTHING;
     -- A rule's orientation is the angle of its bays.
-    INSERT INTO %1$I.parking_bay (street_object_id, angle)
+    INSERT INTO %1$I.parking_bay AS b (street_object_id, angle)
         SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM %1$I.street_object o
         WHERE o.placed_by = 'rule' AND o.type = ANY (%1$I._types_below('parking_bay'))
             AND (axes IS NULL OR o.axis_id = ANY (axes))
-        ON CONFLICT DO NOTHING;
+        ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'

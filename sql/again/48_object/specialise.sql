@@ -175,6 +175,9 @@ BEGIN
     IF oid IS NULL THEN
         RAISE EXCEPTION 'there is no table %.%', model, relation USING ERRCODE = '42P01',
             HINT = 'Make it first, in the schema of the model.';
+    ELSIF relation = 'object_edge' OR relation = ANY (streetgen._object_table()) THEN
+        RAISE EXCEPTION 'table %.% is one of the model itself', model, relation USING ERRCODE = '22023',
+            HINT = 'Make a table of your own, in the schema of the model.';
     ELSIF NOT EXISTS (SELECT FROM pg_index i JOIN pg_attribute a ON a.attrelid = i.indrelid AND a.attnum = i.indkey[0]
         WHERE i.indrelid = oid AND i.indisprimary AND i.indnkeyatts = 1 AND a.attname = 'street_object_id'
             AND a.atttypid = 'bigint'::regtype) THEN
@@ -239,6 +242,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._tie_specialised(name) IS
     'Makes the triggers that keep the specialised tables of a model and their objects in step, again and again.';
 
+CREATE OR REPLACE FUNCTION streetgen._untie_specialised(model name, relation name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.%I', model, relation)) IS NOT NULL THEN
+        EXECUTE format('ALTER TABLE %I.%I DROP CONSTRAINT IF EXISTS object_of_the_row', model, relation);
+        EXECUTE (SELECT string_agg(format('DROP TRIGGER IF EXISTS %I ON %I.%I', made, model, relation), '; ')
+            FROM unnest('{hold_specialised,write_before,write_after,compute_insert,compute_update}'::text[]) made);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._untie_specialised(name, name) IS
+    'Takes from a table what tied it to objects; its rows stay as they are.';
+
 CREATE OR REPLACE FUNCTION streetgen.specialise(model name, type text, relation name,
     function regprocedure DEFAULT NULL) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -246,6 +263,7 @@ CREATE OR REPLACE FUNCTION streetgen.specialise(model name, type text, relation 
     AS $$
 DECLARE
     known boolean;
+    other text;
     objects bigint[];
 BEGIN
     PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
@@ -257,6 +275,15 @@ BEGIN
             HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', model);
     END IF;
     PERFORM streetgen._check_specialised(model, type, relation, function);
+    EXECUTE format('SELECT s.type FROM %I.specialised_type s WHERE s.relation = $1 AND s.type <> $2', model) INTO other
+        USING relation, type;
+    IF other IS NOT NULL THEN
+        RAISE EXCEPTION 'table %.% holds objects of type "%" already', model, relation, other
+            USING ERRCODE = '22023', HINT = 'Each type has a table of its own.';
+    END IF;
+    EXECUTE format('SELECT s.relation FROM %I.specialised_type s WHERE s.type = $1 AND s.relation <> $2', model)
+        INTO other USING type, relation;
+    PERFORM streetgen._untie_specialised(model, other::name);
     EXECUTE format('ALTER TABLE %1$I.%2$I DROP CONSTRAINT IF EXISTS object_of_the_row, ADD CONSTRAINT object_of_the_row
         FOREIGN KEY (street_object_id) REFERENCES %1$I.street_object ON UPDATE CASCADE ON DELETE CASCADE', model,
         relation);
@@ -274,6 +301,7 @@ COMMENT ON FUNCTION streetgen.specialise(name, text, name, regprocedure) IS
     'there, by its key street_object_id, and what is inserted, changed or deleted on either side follows on the other. '
     'function (row of the table, row of street_object) returns the row as it is to be, and is called again whenever '
     'the object or its row changes; NULL computes nothing. A column geom of the table is the place of the object, and '
-    'an INSERT with it and without a key makes one. Returns how many objects there are. An unknown type, a table '
-    'without its key or with a column that has no default, a function of another signature: 22023; no such table: '
-    '42P01. StreetGen paper, 4.6. NULL is refused: 22004.';
+    'an INSERT with it and without a key makes one. Called again with another table, the type lets go of the first '
+    'one, whose rows stay. Returns how many objects there are. An unknown type, a table of the model itself or of '
+    'another type, one without its key or with a column that has no default, a function of another signature: 22023; '
+    'no such table: 42P01. StreetGen paper, 4.6. NULL is refused: 22004.';

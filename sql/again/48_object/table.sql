@@ -145,6 +145,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_object_triggers(name) IS
     'Makes the triggers that prove and place objects, also where the subject is switched off.';
 
+CREATE OR REPLACE FUNCTION streetgen._is_below(model name, type text, above text) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    at text := type;
+BEGIN
+    WHILE at IS NOT NULL AND at <> above LOOP
+        EXECUTE format('SELECT parent FROM %I.object_type t WHERE t.type = $1', model) INTO at USING at;
+    END LOOP;
+    RETURN at IS NOT NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._is_below(name, text, text) IS
+    'Whether a type of objects is another one, or stands below it.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_object_type() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
