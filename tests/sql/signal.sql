@@ -34,6 +34,22 @@ SELECT 'over a cycle each movement has green as long as its states', bool_and(ab
 SELECT 'a plan ends with the cycle', max(ends) = max(cycle) FROM town.controller c, LATERAL streetgen.signal_plan('town', c.controller_id) WHERE c.controller_id = (SELECT min(controller_id) FROM town.controller);
 SELECT 'its picture has a line for each movement', (xpath('count(//*[local-name() = "text" and contains(., "lane")])', streetgen.signal_svg('town', min(controller_id))::xml))[1]::text = '12' FROM town.controller;
 
+-- On foot: a crossing of each street of the second place.
+SELECT controller_id AS node_id FROM town.controller ORDER BY controller_id OFFSET 1 LIMIT 1 \gset
+INSERT INTO town.control_point (geom, kind) SELECT ST_LineInterpolatePoint(CASE from_node WHEN :node_id THEN geom ELSE ST_Reverse(geom) END, 10 / ST_Length(geom)), 'pedestrian_crossing' FROM town.edge WHERE :node_id IN (from_node, to_node);
+SELECT 'each street of the place has a crossing', count(*) = 4 AND count(DISTINCT edge_id) = 4 AND bool_and(abs(seconds - 4 - width / 1.2) < 1e-9 AND NOT inside) FROM town.junction_crossing;
+SELECT 'people cross the one street while the other one has green', array_agg((name, ordinality)::text ORDER BY name, ordinality) = '{"(high,4)","(high,4)","(side,1)","(side,1)"}'
+  FROM town.signal_crossing JOIN town.edge USING (edge_id) JOIN town.axis USING (axis_id);
+SELECT 'and who turns gives way to them', bool_and(right_of_way = 'permitted') FROM town.signal_crossing;
+SELECT 'nobody drives in from there, or straight out', NOT EXISTS (SELECT FROM town.signal_crossing c JOIN town.signal_movement m USING (controller_id, ordinality) JOIN town.movement w USING (lane_in, lane_out)
+  JOIN town.lane i ON i.lane_id = m.lane_in JOIN town.lane o ON o.lane_id = m.lane_out WHERE i.edge_id = c.edge_id OR o.edge_id = c.edge_id AND w.turn = 'through');
+SELECT 'green lasts as long as they need', bool_and(duration >= seconds) FROM town.signal_crossing JOIN town.junction_crossing USING (control_point_id, edge_id) JOIN town.signal_state USING (controller_id, ordinality);
+SELECT 'the picture has a line for each', (xpath('count(//*[local-name() = "text" and contains(., "on foot")])', streetgen.signal_svg('town', :node_id)::xml))[1]::text = '4';
+UPDATE town.axis SET direction = CASE WHEN name = 'side' AND axis_id % 2 = 0 THEN 'direct' ELSE direction END;
+SELECT 'no crossing without green', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'crossing at signals where people never have green');
+UPDATE town.axis SET direction = 'both';
+DELETE FROM town.control_point WHERE kind = 'pedestrian_crossing';
+
 -- By hand.
 UPDATE town.controller_editing SET cycle = 100, start_offset = 7 WHERE controller_id = (SELECT min(controller_id) FROM town.controller);
 SELECT 'a cycle by hand stretches the greens', (SELECT (cycle, start_offset, method) = (100::float8, 7::float8, 'by_hand') AND abs(100 - (SELECT sum(duration) FROM town.signal_state s WHERE s.controller_id = c.controller_id)) < 1e-9 FROM town.controller c WHERE method = 'by_hand');

@@ -2,8 +2,9 @@
 
 CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES ('conflict'::name, 'junction'), ('right_of_way', 'junction'), ('movement', 'junction'),
-        ('rim_marking', 'junction'), ('junction_link', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
+    AS $$ VALUES ('signal_crossing'::name, 'signal'), ('conflict', 'junction'), ('right_of_way', 'junction'),
+        ('movement', 'junction'), ('rim_marking', 'junction'), ('junction_link', 'junction'),
+        ('junction_crossing', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
         ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
         ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment'),
         ('sidewalk_block', 'block'), ('sidewalk_block', 'sidewalk'), ('block_interior', 'block'),
@@ -216,6 +217,9 @@ $sql$, model);
     END IF;
     IF 'junction' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_junction_views(model);
+    END IF;
+    IF 'signal' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_signal_views(model);
     END IF;
     IF 'interconnection' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_conflict_view(model);

@@ -30,6 +30,21 @@ WHERE NOT EXISTS (SELECT FROM %1$I.junction_node o WHERE o.junction_id = n.junct
 COMMENT ON VIEW %1$I.movement IS
     'Every way from lane to lane: across junctions of several nodes, and at single nodes. Its two lanes, with the '
     'directions in which they are driven, name a movement';
+CREATE OR REPLACE VIEW %1$I.junction_crossing WITH (security_invoker = true) AS
+SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
+FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
+        EXISTS (SELECT FROM %1$I.junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
+        CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom,
+        rank() OVER (PARTITION BY j.junction_id, p.control_point_id
+            ORDER BY round(ST_Distance(e.geom, p.geom)::numeric, 2), ST_Distance(n.geom, p.geom)) AS turn
+    FROM %1$I.junction_node j JOIN %1$I.edge e ON j.node_id IN (e.from_node, e.to_node)
+        JOIN %1$I.node n ON n.node_id = j.node_id
+        JOIN %1$I.control_point p ON p.axis_id = e.axis_id AND p.kind = 'pedestrian_crossing'
+            AND ST_DWithin(p.geom, n.geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'control_distance'))) c
+WHERE turn = 1;
+COMMENT ON VIEW %1$I.junction_crossing IS
+    'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
+    'setting control_distance of a node';
 CREATE OR REPLACE VIEW %1$I.right_of_way WITH (security_invoker = true) AS
 SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
     CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'

@@ -94,17 +94,25 @@ movement AS (SELECT p.lane_in, p.lane_out, p.turn, row_number() OVER (ORDER BY m
     FROM plan p JOIN %1$I.lane l ON l.lane_id = p.lane_in JOIN %1$I.edge USING (edge_id)
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) e USING (axis_id)
     GROUP BY p.lane_in, p.lane_out, p.turn, e.name),
+crossing AS (SELECT c.control_point_id, c.edge_id, (SELECT count(*) FROM movement) + row_number() OVER (ORDER BY
+        a.name NULLS LAST, c.control_point_id, c.edge_id) AS line, a.name
+    FROM %1$I.junction_crossing c JOIN %1$I.edge USING (edge_id) LEFT JOIN %1$I.axis a USING (axis_id)
+    WHERE c.junction_id = $2),
 bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN '#f59e0b'
         WHEN p.right_of_way = 'permitted' THEN '#86d19a' ELSE '#2f9e44' END AS colour
     FROM movement m JOIN plan p USING (lane_in, lane_out) JOIN state s ON s.green = p.ordinality
-        AND s.kind <> 'all_red')
+        AND s.kind <> 'all_red'
+    UNION ALL SELECT c.line, s.starts, s.ends, CASE p.right_of_way WHEN 'permitted' THEN '#86d19a' ELSE '#2f9e44' END
+    FROM crossing c JOIN %1$I.signal_crossing p USING (control_point_id, edge_id) JOIN state s USING (ordinality)
+    WHERE p.controller_id = $2),
+label AS (SELECT line, concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in) AS says FROM movement
+    UNION ALL SELECT line, concat_ws(', ', name, 'on foot') FROM crossing)
 SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%%s" font-family="sans-serif" '
         'font-size="12"><rect width="100%%%%" height="100%%%%" fill="#fff"/>',
-        34 + 18 * (SELECT count(*) FROM movement))
+        34 + 18 * (SELECT count(*) FROM label))
     || (SELECT string_agg(format('<rect x="210" y="%%s" width="540" height="13" fill="#b42318"/>'
             '<text x="6" y="%%s">%%s</text>', 18 * line, 18 * line + 11, replace(replace(streetgen._xml_text(left(
-            concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in), 34)), '&', '&amp;'), '<', '&lt;')),
-            '' ORDER BY line) FROM movement)
+            says, 34)), '&', '&amp;'), '<', '&lt;')), '' ORDER BY line) FROM label)
     || (SELECT string_agg(format('<rect x="%%s" y="%%s" width="%%s" height="13" fill="%%s"/>',
             round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
             ::numeric, 1), colour), '' ORDER BY line, starts) FROM bar, whole)
@@ -115,5 +123,5 @@ SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%%s" 
     RETURN coalesce(svg, '<svg xmlns="http://www.w3.org/2000/svg" width="760" height="34"></svg>');
 END $$;
 COMMENT ON FUNCTION streetgen.signal_svg(name, bigint) IS
-    'The cycle of a controller as bars over time (SVG), a line for each movement: green (light: permitted), amber and '
-    'red, seconds above. Errors are those of signal_plan.';
+    'The cycle of a controller as bars over time (SVG), a line for each movement and for each crossing on foot: green '
+    '(light: permitted), amber and red, seconds above. Errors are those of signal_plan.';

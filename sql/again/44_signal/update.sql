@@ -10,8 +10,6 @@ CREATE OR REPLACE FUNCTION %1$I._signal_requests(junctions bigint[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     AS $body$
 #variable_conflict use_column
-DECLARE
-    reach constant float8 := (SELECT value::float8 FROM %1$I.setting WHERE name = 'control_distance');
 BEGIN
     RETURN QUERY
     WITH path AS MATERIALIZED (
@@ -27,14 +25,8 @@ BEGIN
             ON b.junction_id = a.junction_id AND b.number <> a.number
         WHERE %2$s GROUP BY a.junction_id, a.number),
     crossed AS MATERIALIZED (
-        -- At 1.2 m/s, and four seconds to begin with.
-        SELECT j.junction_id, e.edge_id, 4 + max(CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END)
-            / 1.2 AS seconds
-        FROM %1$I.junction_node j JOIN %1$I.edge e ON j.node_id IN (e.from_node, e.to_node)
-            JOIN %1$I.node n ON n.node_id = j.node_id
-            JOIN %1$I.control_point p ON p.axis_id = e.axis_id AND p.kind = 'pedestrian_crossing'
-                AND ST_DWithin(p.geom, n.geom, reach)
-        WHERE j.junction_id = ANY (junctions) GROUP BY j.junction_id, e.edge_id)
+        SELECT c.junction_id, c.edge_id, max(c.seconds) AS seconds FROM %1$I.junction_crossing c
+        WHERE c.junction_id = ANY (junctions) GROUP BY c.junction_id, c.edge_id)
     SELECT p.junction_id, array_agg(ROW (p.lane_in, p.lane_out, p.along_in, p.along_out, i.edge_id, o.edge_id, p.turn,
         ST_Length(p.geom), greatest(e.speed, 1), greatest(1, CASE WHEN p.along_in THEN e.lanes_forward
             ELSE e.lanes_backward END + e.lanes_both), e.importance,
