@@ -12,7 +12,7 @@ BEGIN
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
             '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
-            '%1$I._has_rules(), %1$I.free_places(), %1$I.apply_rules(), '
+            '%1$I._has_rules(), %1$I.free_places(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
@@ -112,6 +112,16 @@ BEGIN
     END IF;
     RETURN NULL;
 END $body$;
+CREATE OR REPLACE FUNCTION %1$I.rejoin_objects() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    UPDATE %1$I.street_object SET type = type WHERE type = ANY (%1$I._types_below(NEW.type));
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER rejoin_objects AFTER UPDATE OF parent ON %1$I.object_type FOR EACH ROW
+    WHEN (NEW.parent IS DISTINCT FROM OLD.parent) EXECUTE FUNCTION %1$I.rejoin_objects();
+COMMENT ON TRIGGER rejoin_objects ON %1$I.object_type IS 'Its objects get the rows of what they are a kind of now';
 CREATE OR REPLACE FUNCTION %1$I._carry_objects(axes bigint[], before geometry[], after geometry[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
     AS $body$
@@ -209,7 +219,9 @@ END $body$ $sql$, model, model);
         streetgen._own_function(model, '_carry_objects(bigint[], geometry[], geometry[])',
         'Puts the objects of changed axes on the axis that they stand at now: axes with their lines before and after');
     PERFORM streetgen._own_function(model, 'join_objects()',
-        'After objects were put or changed: the edge at which each stands');
+        'After objects were put or changed: the edge at which each stands'),
+        streetgen._own_function(model, 'rejoin_objects()',
+        'After a type got another parent: its objects get the rows of what they are a kind of now');
     FOR followed IN SELECT * FROM unnest('{insert,update}'::text[]) event LOOP
         EXECUTE format($sql$
 CREATE OR REPLACE TRIGGER join_objects_%2$s AFTER %2$s ON %1$I.street_object REFERENCING NEW TABLE AS new_object
