@@ -203,12 +203,17 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL,
         CASE back WHEN '{}' THEN 'whole' ELSE 'empty' END);
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;
     IF back <> '{}' THEN
         PERFORM streetgen._advance_sequences(model);
+    END IF;
+    -- What follows finds rows by their keys.
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
+    IF back <> '{}' THEN
+        PERFORM streetgen._analyse(format('%I.%I', model, t.relation)::regclass) FROM streetgen._computed_table() t
+            WHERE t.subject = ANY (streetgen._later_subjects()) AND t.subject = ANY (streetgen._subjects(model));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_whole(name) IS
