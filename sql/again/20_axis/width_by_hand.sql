@@ -66,7 +66,7 @@ FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id),
     LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
 WHERE %2$s AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2
 $sql$, model, CASE WHEN axes IS NULL THEN 'true' ELSE
-        -- Said of both, since the planner would compute the values used of all axes otherwise.
+        -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
         'a.axis_id = ANY ($1) AND u.axis_id = ANY ($1)' END) USING axes;
 END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS

@@ -93,7 +93,7 @@ BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM %1$I.street_object o USING old_bay b WHERE o.street_object_id = b.street_object_id;
     ELSE
-        -- What somebody edits is no longer the rule's.
+        -- A bay that a user edits belongs to that user from then on.
         UPDATE %1$I.street_object o SET placed_by = 'user' FROM new_bay b
             WHERE o.street_object_id = b.street_object_id AND o.placed_by = 'rule';
         PERFORM %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay));

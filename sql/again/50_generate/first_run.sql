@@ -209,7 +209,7 @@ BEGIN
     IF back <> '{}' THEN
         PERFORM streetgen._advance_sequences(model);
     END IF;
-    -- What follows finds rows by their keys.
+    -- The later subjects find their rows by keys.
     RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
     IF back <> '{}' THEN
         PERFORM streetgen._analyse(format('%I.%I', model, t.relation)::regclass) FROM streetgen._computed_table() t
