@@ -17,8 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._junction_edge_query() RETURNS text
 SELECT ROW (e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.from_node, e.to_node, ST_Force2D(e.geom)::bytea,
     e.lanes_forward + e.lanes_both > 0, e.lanes_backward + e.lanes_both > 0,
     coalesce(hashtextextended(lower(a.name), 0), 0),
-    s.method = 'crossed_limits' AND EXISTS (SELECT FROM {model}.intersection i WHERE i.node_id = e.from_node)
-        AND EXISTS (SELECT FROM {model}.intersection i WHERE i.node_id = e.to_node),
+    s.method = 'crossed_limits' AND EXISTS (SELECT FROM {model}.intersection i WHERE i.node_id = e.from_node OFFSET 0)
+        AND EXISTS (SELECT FROM {model}.intersection i WHERE i.node_id = e.to_node OFFSET 0),
     {on_ring},
     (SELECT o.inside FROM {model}.junction_override o WHERE o.inside IS NOT NULL AND o.axis_id = e.axis_id
         AND e.edge_id = (SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = o.axis_id
@@ -41,6 +41,8 @@ DECLARE
     -- What decides whether two nodes are joined lies no farther from them than this.
     rules record;
     near bigint[];
+    edges streetgen.junction_edge_input[];
+    controls streetgen.street_control[];
     grown bigint[];
 BEGIN
     SELECT max(value::float8) FILTER (WHERE name = 'junction_gap') AS gap,
@@ -54,12 +56,17 @@ BEGIN
                 JOIN {model}.node n USING (node_id), LATERAL (
                 SELECT edge_id FROM {model}.edge e
                 WHERE e.geom && ST_Expand(n.geom, rules.extent + 2 * rules.gap) OFFSET 0) e) END;
-        members := ARRAY(SELECT g FROM streetgen._group_junctions(
-            ARRAY({edges} WHERE near IS NULL OR e.edge_id = ANY (near)),
-            ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
-                FROM {model}.control_point WHERE near IS NULL AND axis_id IS NOT NULL
-                    OR axis_id IN (SELECT axis_id FROM {model}.edge WHERE edge_id = ANY (near))),
-            rules.gap, rules.extent, rules.control_distance) g);
+        -- Two statements: those of a change look their rows up by keys.
+        IF touched IS NULL THEN
+            edges := ARRAY({edges});
+            controls := ARRAY(SELECT {control} FROM {model}.control_point WHERE axis_id IS NOT NULL);
+        ELSE
+            edges := ARRAY({edges} WHERE e.edge_id = ANY (near));
+            controls := ARRAY(SELECT {control} FROM {model}.control_point
+                WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM {model}.edge WHERE edge_id = ANY (near))));
+        END IF;
+        members := ARRAY(SELECT g FROM streetgen._group_junctions(edges, controls, rules.gap, rules.extent,
+            rules.control_distance) g);
         EXIT WHEN touched IS NULL;
         -- All nodes that the rules would join, those that they joined before, and those that lost their junction.
         grown := ARRAY(
@@ -74,7 +81,8 @@ BEGIN
         region := grown;
     END LOOP;
     region := coalesce(region, ARRAY(SELECT node_id FROM {model}.node));
-END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'edges', streetgen._fill_template(
+END $body$ $sql$, jsonb_build_object('model', quote_ident(model),
+        'control', 'ROW (axis_id, abscissa, kind, direction)::streetgen.street_control', 'edges', streetgen._fill_template(
         streetgen._junction_edge_query(), jsonb_build_object('model', quote_ident(model),
         'on_ring', streetgen._on_ring()))));
     PERFORM streetgen._own_function(model, '_junction_members(bigint[])',

@@ -82,7 +82,10 @@ BEGIN
             (o.junction_id, o.turn, o.angle, o.plausible, o.reason, o.connecting, o.interconnections, o.geom::bytea)
                 IS DISTINCT FROM (n.junction_id, n.turn, n.angle, n.plausible, n.reason, n.connecting,
                 n.interconnections, n.geom::bytea) AS changed
-        FROM new n LEFT JOIN %1$I.junction_movement o USING (lane_in, lane_out, along_in, along_out)),
+        -- OFFSET 0: each is looked up by its key, and not joined.
+        FROM new n LEFT JOIN LATERAL (SELECT * FROM %1$I.junction_movement o
+            WHERE (o.lane_in, o.lane_out, o.along_in, o.along_out) = (n.lane_in, n.lane_out, n.along_in, n.along_out)
+            OFFSET 0) o ON true),
     gone AS (
         DELETE FROM %1$I.junction_movement m WHERE m.junction_id = ANY (former || junctions)
             AND m.junction_movement_id <> ALL (ARRAY(SELECT c.junction_movement_id FROM compared c
@@ -139,8 +142,8 @@ DECLARE
 BEGIN
     SELECT m.region, m.members INTO region, members FROM %1$I._junction_members(touched) m;
     made := %1$I._made_junctions(region, members);
-    former := ARRAY(SELECT DISTINCT n.junction_id FROM %1$I.junction_node n
-        WHERE touched IS NULL OR n.node_id = ANY (region));
+    former := CASE WHEN touched IS NULL THEN ARRAY(SELECT DISTINCT junction_id FROM %1$I.junction_node)
+        ELSE ARRAY(SELECT DISTINCT junction_id FROM %1$I.junction_node WHERE node_id = ANY (region)) END;
     SELECT * INTO put FROM %1$I._put_junctions(region, members, made,
         (SELECT value::float8 FROM %1$I.setting WHERE name = 'max_hole_area'));
     WITH new AS MATERIALIZED (

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
 
 #include "alignment/height_line.hpp"
 #include "alignment/least_height.hpp"
@@ -42,6 +45,12 @@ class Builder {
       ground_.push_back(heights_of(edge.line));
       grades_.push_back(std::max(edge.grade, steepest(ground_.back())));
     }
+    heights_ = ground_;
+    place_.resize(edges.size());
+    is_off_ground_.assign(edges.size(), false);
+    solved_.resize(edges.size());
+    std::iota(solved_.begin(), solved_.end(), 0);
+    std::iota(place_.begin(), place_.end(), 0);
   }
 
   Profiles build() {
@@ -50,13 +59,16 @@ class Builder {
     for (const ProfileHeight& height : by_hand_)
       losses_.push_back(crest_loss(edges_[height.edge]));
     // An arc that ends at the next bend takes less than a whole one: the road need not lie so high.
+    std::size_t off_ground = 0;
     for (int round = 0; round < most_rounds; ++round) {
-      heights_ = ground_;
+      for (const int e : solved_) heights_[e] = ground_[e];
       lift();
       sink();
       const std::vector<HeightLine> straight = heights_;
       bend();
-      if (!take_losses(straight)) break;
+      const bool settled = !take_losses(straight);
+      const std::size_t before = std::exchange(off_ground, leave_out_ground());
+      if (settled && (round == 0 || off_ground == before)) break;
     }
     Profiles out;
     for (std::size_t e = 0; e < edges_.size(); ++e) out.edges.push_back(profile(e));
@@ -65,12 +77,40 @@ class Builder {
   }
 
  private:
+  // Lower losses lift and sink no road by more: a road on the ground stays there. The next rounds
+  // solve the roads off the ground, those of lifts and heights by hand, and those that meet them.
+  // Returns how many were off the ground in any round: only a circle of lifts can add one.
+  std::size_t leave_out_ground() {
+    for (const ProfileLift& lift : lifts_)
+      is_off_ground_[lift.above] = is_off_ground_[lift.below] = true;
+    for (const ProfileHeight& height : by_hand_) is_off_ground_[height.edge] = true;
+    std::unordered_set<std::int64_t> nodes;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (is_off_ground_[e]) nodes.insert({edges_[e].from_node, edges_[e].to_node});
+    solved_.clear();
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (nodes.count(edges_[e].from_node) + nodes.count(edges_[e].to_node) > 0) {
+        place_[e] = static_cast<int>(solved_.size());
+        solved_.push_back(static_cast<int>(e));
+      }
+    return std::count(is_off_ground_.begin(), is_off_ground_.end(), true);
+  }
+
+  // Those that are solved, in the order of solved_.
   std::vector<GradedRoad> roads(bool mirrored) const {
     std::vector<GradedRoad> roads;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const int e : solved_)
       roads.push_back({edges_[e].from_node, edges_[e].to_node,
                        mirrored ? upside_down(heights_[e]) : heights_[e], grades_[e]});
     return roads;
+  }
+
+  void set_heights(std::vector<HeightLine> solved, bool mirrored) {
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+      const int e = solved_[i];
+      heights_[e] = mirrored ? upside_down(std::move(solved[i])) : std::move(solved[i]);
+      is_off_ground_[e] = is_off_ground_[e] || method_of(e) != ProfileMethod::ground;
+    }
   }
 
   bool is_off_ground(const ProfileHeight& height) const {
@@ -81,14 +121,14 @@ class Builder {
     std::vector<Lift> lifts;
     for (std::size_t l = 0; l < lifts_.size(); ++l)
       if (const ProfileLift& lift = lifts_[l]; !lift.sinks)
-        lifts.push_back({lift.below, lift.at_below, lift.above, lift.at_above,
+        lifts.push_back({place_[lift.below], lift.at_below, place_[lift.above], lift.at_above,
                          lift.clearance + losses_[l]});
     std::vector<LeastHeight> least;
     for (std::size_t h = 0; h < by_hand_.size(); ++h)
       if (const ProfileHeight& height = by_hand_[h]; is_off_ground(height))
         least.push_back(
-            {height.edge, height.abscissa, height.height + losses_[lifts_.size() + h]});
-    heights_ = least_heights(roads(false), lifts, least);
+            {place_[height.edge], height.abscissa, height.height + losses_[lifts_.size() + h]});
+    set_heights(least_heights(roads(false), lifts, least), false);
   }
 
   // A road that sinks takes those along that it passes over.
@@ -97,10 +137,10 @@ class Builder {
       return;
     std::vector<Lift> lifts;
     for (std::size_t l = 0; l < lifts_.size(); ++l)
-      lifts.push_back({lifts_[l].above, lifts_[l].at_above, lifts_[l].below, lifts_[l].at_below,
+      lifts.push_back({place_[lifts_[l].above], lifts_[l].at_above, place_[lifts_[l].below],
+                       lifts_[l].at_below,
                        lifts_[l].clearance + (lifts_[l].sinks ? losses_[l] : 0)});
-    heights_ = least_heights(roads(true), lifts, {});
-    for (HeightLine& line : heights_) line = upside_down(std::move(line));
+    set_heights(least_heights(roads(true), lifts, {}), true);
   }
 
   void bend() {
@@ -120,7 +160,7 @@ class Builder {
       if (is_off_ground(height))
         bounds[height.edge].lowered.push_back({height.abscissa, losses_[lifts_.size() + h]});
     }
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
+    for (const int e : solved_) {
       bounds[e].ground = ground_[e];
       bounds[e].radius = edges_[e].radius;
       heights_[e] = without_kinks(heights_[e], bounds[e]);
@@ -144,16 +184,21 @@ class Builder {
     return less;
   }
 
-  Profile profile(std::size_t e) const {
+  ProfileMethod method_of(std::size_t e) const {
     bool lifted = false, sunk = false;
     for (const HeightPoint& point : heights_[e]) {
       const double over = point.z - height_at(ground_[e], point.at);
       lifted = lifted || over > same_place;
       sunk = sunk || over < -same_place;
     }
-    if (!lifted && !sunk) return {edges_[e].line, ProfileMethod::ground, grades_[e]};
-    return {with_heights(edges_[e].line, heights_[e]),
-            sunk ? ProfileMethod::sunk : ProfileMethod::lifted, grades_[e]};
+    return sunk ? ProfileMethod::sunk : lifted ? ProfileMethod::lifted : ProfileMethod::ground;
+  }
+
+  Profile profile(std::size_t e) const {
+    const ProfileMethod method = method_of(e);
+    return {method == ProfileMethod::ground ? edges_[e].line
+                                            : with_heights(edges_[e].line, heights_[e]),
+            method, grades_[e]};
   }
 
   bool is_unmet(const ProfileLift& lift) const {
@@ -170,6 +215,9 @@ class Builder {
   const std::vector<ProfileHeight>& by_hand_;
   std::vector<HeightLine> ground_, heights_;
   std::vector<double> grades_;
+  std::vector<int> solved_;          // the edges of a round
+  std::vector<int> place_;           // of an edge in solved_
+  std::vector<bool> is_off_ground_;  // of an edge, in any round so far
   // Metres that the arc over each lift, and at each height by hand, may take.
   std::vector<double> losses_;
 };
