@@ -13,8 +13,9 @@ namespace streetgen {
 
 namespace {
 
-// Metres beside a border: there lies who is beyond it.
-constexpr double beyond_border = 1e-5;
+// Metres. A long crack between two surfaces that is narrower is no ground: each was computed in its
+// own way. So far beyond a border lies who is on its other side.
+constexpr double crack = 1e-5;
 
 // The part of a to b that c to d lies on, as shares of its length and as points.
 struct Common {
@@ -32,12 +33,14 @@ std::optional<Common> common(const Point& a, const Point& b, const Point& c, con
     std::swap(at_t, at_u);
   }
   const double first = std::max(t, 0.0), last = std::min(u, 1.0);
-  if ((last - first) * std::sqrt(square) <= same_place) return std::nullopt;
+  const double size = (last - first) * std::sqrt(square);
+  if (size <= same_place) return std::nullopt;
+  const double apart = size > coordinate_margin ? crack : same_place;
   const auto on_other = [&](double share) {
     return at_t + (at_u - at_t) * ((share - t) / (u - t));
   };
   const Point from = on_other(first), to = on_other(last);
-  if (distance(from, a + along * first) > same_place || distance(to, a + along * last) > same_place)
+  if (distance(from, a + along * first) > apart || distance(to, a + along * last) > apart)
     return std::nullopt;
   return Common{first, last, from, to};
 }
@@ -51,6 +54,11 @@ void join_crumbs(BorderLoop& loop) {
   const auto is_crumb = [](const BorderPiece& piece) {
     return !piece.shared && distance(piece.from, piece.to) <= 2 * same_place;
   };
+  // The end of a crack.
+  for (std::size_t i = 1; i < loop.size(); ++i)
+    if (const BorderPiece& next = loop[(i + 1) % loop.size()];
+        loop[i - 1].shared && next.shared && distance(loop[i].from, loop[i].to) <= crack)
+      loop[i].shared = true;
   for (std::size_t i = 1; i < loop.size(); ++i)
     if (is_crumb(loop[i])) {
       loop[i].shared = loop[i - 1].shared;
@@ -80,7 +88,7 @@ FreeBorder::FreeBorder(const MultiPolygon& surface) : box_(box_of(surface)) {
 }
 
 bool FreeBorder::lies_along(const Point& from, const Point& to) const {
-  return boxes_.any_near(box_of(from, to), same_place, [&](std::size_t i) {
+  return boxes_.any_near(box_of(from, to), crack, [&](std::size_t i) {
     return lie_along(side(i).first, side(i).second, from, to);
   });
 }
@@ -90,8 +98,8 @@ void FreeBorder::share_with(const MultiPolygon& neighbour, bool other_level) {
     for (const Ring& ring : polygon)
       for (std::size_t k = 1; k < ring.size(); ++k) {
         const Box box = box_of(ring[k - 1], ring[k]);
-        if (!box_.meets(box, same_place)) continue;
-        boxes_.any_near(box, same_place, [&](std::size_t i) {
+        if (!box_.meets(box, crack)) continue;
+        boxes_.any_near(box, crack, [&](std::size_t i) {
           add_shared(i, ring[k - 1], ring[k], other_level);
           return false;
         });
@@ -103,7 +111,7 @@ void FreeBorder::share_with_itself() {
   for (const Stretch& stretch : stretches_)
     if (!stretch.other_level) shared[stretch.side] = true;
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    boxes_.any_near(boxes_[k], same_place, [&](std::size_t i) {
+    boxes_.any_near(boxes_[k], crack, [&](std::size_t i) {
       if (i != k && !shared[i] && !shared[k])
         add_shared(i, side(k).second, side(k).first, false);
       return false;
@@ -123,9 +131,9 @@ void FreeBorder::share_with_claim(const MultiPolygon& neighbour) {
   const PreparedSurface claim(neighbour);
   std::vector<double> at;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    if (!claim.box().meets(boxes_[i], beyond_border)) continue;
+    if (!claim.box().meets(boxes_[i], crack)) continue;
     const auto [from, to] = side(i);
-    const Point along = to - from, beyond = left_normal(unit(along)) * beyond_border;
+    const Point along = to - from, beyond = left_normal(unit(along)) * crack;
     at = {0, 1};
     claim.cut(from, to, at);
     std::sort(at.begin(), at.end());

@@ -19,7 +19,8 @@ struct BorderPiece {
 // All around one ring.
 using BorderLoop = std::vector<BorderPiece>;
 
-// Whether two segments lie on each other over some length, to same_place.
+// Whether two segments lie on each other over some length, to same_place; over more than a
+// millimetre, to ten micrometres.
 bool lie_along(const Point& a, const Point& b, const Point& c, const Point& d);
 
 // The border of a surface, with the surface on its right, and who shares it. The surface must
