@@ -79,6 +79,16 @@ UPDATE town.axis SET sidewalk_left = 50, sidewalk_right = 50;
 SELECT 'sidewalks wider than their blocks are what the roadways leave', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error')
   AND (SELECT coalesce(sum(ST_Area(ST_Intersection(s.surface, r.surface))), 0) < 1e-3 FROM town.sidewalk s JOIN town.roadway r ON ST_Intersects(s.surface, r.surface) AND r.level = 0 JOIN town.edge e ON e.edge_id = s.edge_id AND e.level = 0);
 
+-- The node at the far end of the axis is known by this axis alone: turned, the axis has another node there.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('turned', 2154, subjects => '{sidewalk}');
+  INSERT INTO turned.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 14), (2, pg_temp.line('LINESTRING(120 0,260 6)'), 14), (4, pg_temp.line('LINESTRING(120 0,118 -90)'), 8),
+    (5, pg_temp.line('LINESTRING(120 0,122 100)'), 8), (8, pg_temp.line('LINESTRING(122 100,190 102)'), 5.5), (48, pg_temp.line('LINESTRING(122 100,120 240)'), 9);
+  CREATE TABLE before_turn AS SELECT ST_Union(surface) AS surface, count(*) AS many FROM turned.sidewalk;
+  UPDATE turned.axis SET geom = ST_Reverse(geom) WHERE axis_id = 5;
+END $$;
+SELECT 'a turned axis between two crosses keeps its sidewalks', (SELECT count(*) FROM turned.sidewalk) = many AND ST_HausdorffDistance((SELECT ST_Union(s.surface) FROM turned.sidewalk s), surface) < 1e-6 FROM before_turn;
+
 -- Bad input.
 SELECT 'refused: ' || said, test.state(format('UPDATE town.axis SET sidewalk_left = %s WHERE axis_id = 1', said)) = '23514' FROM unnest('{''NaN'',-1,100,''Infinity''}'::text[]) said;
 SELECT 'refused by hand: ' || said, test.state(format('UPDATE town.sidewalk_editing SET width = %s WHERE side = ''left''', said)) = '22023' FROM unnest('{''NaN'',-1,100}'::text[]) said;

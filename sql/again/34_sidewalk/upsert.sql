@@ -56,7 +56,8 @@ former_kerb AS MATERIALIZED (
         WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k WHERE e.kerbs_affected AND NOT e.fresh
     UNION ALL SELECT k.* FROM new_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
     WHERE n.kerbs_affected AND NOT n.fresh AND k.edge_id IN (SELECT edge_id FROM kerb_edge)
-    -- Of an edge that goes.
+    -- Of a node and of an edge that go. The kerb of another corner may take the row.
+    UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
     UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
     WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
 -- Two sidewalks side by side.
