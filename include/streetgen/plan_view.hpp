@@ -43,4 +43,15 @@ double length(const std::vector<PlanPiece>& chain);
 // At s metres along it, clamped.  A chain without a piece: degenerate.
 ChainPlace place_at(const std::vector<PlanPiece>& chain, double s);
 
+// Where a point lies beside a chain.
+struct ChainStation {
+  double s = 0;        // metres along the chain to its place that is nearest
+  double aside = 0;    // metres to the left of the chain there
+  double heading = 0;  // of the chain there, radians
+  double beyond = 0;   // metres straight on behind its end, negative before it begins; else 0
+};
+
+// Of two places that are as near, the first one.  A chain without a piece: degenerate.
+ChainStation station_of(const std::vector<PlanPiece>& chain, const Point& point);
+
 }  // namespace streetgen

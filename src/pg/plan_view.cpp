@@ -63,6 +63,20 @@ ReturnSetInfo* result_of(FunctionCallInfo fcinfo) {
   return reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
 }
 
+// A chain from the columns of one row, as give_row writes them.
+std::vector<PlanPiece> read_chain(const NumberArray (&columns)[chain_columns]) {
+  std::vector<double> of[chain_columns];
+  for (int i = 0; i < chain_columns; ++i) {
+    of[i] = read_numbers(columns[i], 1, "chain");
+    if (of[i].size() != of[0].size())
+      throw Error(ErrorKind::invalid_input, "the columns of a chain are of different length");
+  }
+  std::vector<PlanPiece> chain;
+  for (std::size_t k = 0; k < of[0].size(); ++k)
+    chain.push_back({of[0][k], {{of[1][k], of[2][k], 0}, of[3][k]}, of[4][k], of[5][k]});
+  return chain;
+}
+
 double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
 
 }  // namespace
@@ -109,6 +123,27 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   });
   report(outcome);
   give_row(*slot->value, result_of(fcinfo));
+  PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_chain_station) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  NumberArray columns[chain_columns];
+  for (int i = 0; i < chain_columns; ++i) columns[i] = take_numbers(fcinfo, i);
+  const double x = PG_GETARG_FLOAT8(chain_columns), y = PG_GETARG_FLOAT8(chain_columns + 1);
+  InitMaterializedSRF(fcinfo, 0);
+  ChainStation station;
+  const Outcome outcome = compute([&] {
+    const Point place{in_range(x, -1e12, 1e12, "x"), in_range(y, -1e12, 1e12, "y"), 0};
+    station = station_of(read_chain(columns), place);
+  });
+  report(outcome);
+  Datum values[] = {Float8GetDatum(station.s), Float8GetDatum(station.aside),
+                    Float8GetDatum(station.heading), Float8GetDatum(station.beyond)};
+  const bool nulls[] = {false, false, false, false};
+  tuplestore_putvalues(result_of(fcinfo)->setResult, result_of(fcinfo)->setDesc, values,
+                       const_cast<bool*>(nulls));
   PG_RETURN_NULL();
 }
 

@@ -1,6 +1,7 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
-degrees. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead."""
+degrees. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks; opendrive.py FILE --beside a row
+"element, id, edge or empty, WKT" of each object, signal, sign and sidewalk."""
 import math
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -78,6 +79,31 @@ def piece_stations(piece):
     return [s + length * i / parts for i in range(parts)]
 
 
+def is_lane(lane):
+    return lane.get('id') != '0' and lane.get('type') != 'sidewalk'
+
+
+def ring(points):
+    return 'POLYGON((' + ','.join(f'{x:.4f} {y:.4f}' for x, y in points + points[:1]) + '))'
+
+
+def beside(roads, east, north):
+    """What a road has beside its lanes: element, id, edge and where it is."""
+    for road in roads.values():
+        edge = road.edge or ''
+        for number, lane in road.lanes.items():
+            if lane.get('type') == 'sidewalk':
+                yield 'sidewalk', number, edge, ring([(x + east, y + north) for x, y in road.polygon(number)[:-1]])
+        for element in road.element.findall('objects/object') + road.element.findall('signals/signal'):
+            (x, y, heading), _ = road.at(float(element.get('s')))
+            t = float(element.get('t'))
+            x, y = x - t * math.sin(heading) + east, y + t * math.cos(heading) + north
+            turn = heading + float(element.get('hdg', 0))
+            corners = [(x + u * math.cos(turn) - v * math.sin(turn), y + u * math.sin(turn) + v * math.cos(turn))
+                       for c in element.iter('cornerLocal') for u, v in [(float(c.get('u')), float(c.get('v')))]]
+            yield 'sign' if element.get('dynamic') == 'no' else element.tag, element.get('id'), edge, ring(corners) if corners else f'POINT({x:.4f} {y:.4f})'
+
+
 def degrees_between(a, b):
     return abs(math.degrees(math.remainder(a - b, 2 * math.pi)))
 
@@ -99,18 +125,22 @@ def joints(roads):
 def main():
     tree = ElementTree.parse(sys.argv[1])
     roads = {road.get('id'): Road(road) for road in tree.iter('road')}
+    offset = tree.find('header/offset')
+    east, north = float(offset.get('x')), float(offset.get('y'))
+    if '--beside' in sys.argv:
+        for row in beside(roads, east, north):
+            print(*row, sep='\t')
+        return
     if '--lanes' in sys.argv:
-        offset = tree.find('header/offset')
-        east, north = float(offset.get('x')), float(offset.get('y'))
         for road in roads.values():
             for number in sorted(road.lanes):
-                if road.edge is not None and number != 0:
+                if road.edge is not None and is_lane(road.lanes[number]):
                     print(road.edge, number, 'POLYGON((' + ','.join(f'{x + east:.4f} {y + north:.4f}' for x, y in road.polygon(number)) + '))', sep='\t')
         return
     chain = [(math.hypot(x - float(b.get('x')), y - float(b.get('y'))), degrees_between(heading, float(b.get('hdg'))))
              for road in roads.values() for a, b in zip(road.pieces, road.pieces[1:]) for x, y, heading in [place(a, float(a.get('length')))]]
     gaps = list(joints(roads))
-    lanes = sum(len(road.lanes) - 1 for road in roads.values() if road.edge is not None)
+    lanes = sum(is_lane(lane) for road in roads.values() if road.edge is not None for lane in road.lanes.values())
     print(lanes, len(gaps) // 2, len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
           sum(metres > 0.01 or degrees > 0.1 for metres, degrees in gaps))
 

@@ -53,6 +53,26 @@ INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
     (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both'), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860010)', 7, 'both'), (7, 'SRID=2154;LINESTRING(650100 6860010,650100 6860100)', 7, 'both');
 SELECT 'the nodes of a junction are one, its movements the connecting roads', pg_temp.found('//road[@junction!="-1"]', f) = (SELECT count(*) FROM wide.movement WHERE connecting) AND pg_temp.found('//junction', f) = 1
   AND pg_temp.found('//road[userData[@code="edge" and @value="6"]]', f) = 0 FROM pg_temp.file('wide', '{"junctions": "group"}') f;
+-- What stands beside lanes: signals with their programs, signs, objects, sidewalks, and the junctions of a ring.
+SELECT FROM streetgen.create_model('busy', 2154, subjects => '{interconnection,sidewalk,roundabout,signal,object}', driving_side => 'right') \g /dev/null
+INSERT INTO busy.axis (axis_id, geom, width, importance, roundabout_tag, direction) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 8, 2, NULL, 'both'), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 8, 2, NULL, 'both'),
+  (3, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 8, 2, NULL, 'both'), (4, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 8, 2, NULL, 'both'), (5, 'SRID=2154;LINESTRING(650050 6860080,650050 6860000)', 6, 6, NULL, 'both'),
+  (6, ST_SetSRID(ST_MakeLine(ARRAY(SELECT ST_MakePoint(650220 + 20 * cos(pi() + i * pi() / 6), 6860000 + 20 * sin(pi() + i * pi() / 6)) FROM generate_series(0, 12) i)), 2154), 6, 2, 'roundabout', 'direct'), (7, 'SRID=2154;LINESTRING(650240 6860000,650300 6860000)', 8, 2, NULL, 'both');
+INSERT INTO busy.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6860000)', 'signals');
+INSERT INTO busy.street_object (type, geom, axis_id, abscissa, axis_offset) VALUES ('lamp', 'SRID=2154;POINT(650020 6860006)', 1, 20, 6), ('crossing', 'SRID=2154;POINT(650150 6860000)', 2, 50, 0);
+INSERT INTO busy.object_type (type, parent) VALUES ('oak', 'tree');
+INSERT INTO busy.street_object (type, geom, placement) VALUES ('oak', 'SRID=2154;POINT(650102 6860003)', 'absolute'), ('bench', 'SRID=2154;POINT(650330 6860001)', 'absolute');
+CREATE TEMPORARY TABLE busy_file AS SELECT pg_temp.file('busy') AS file;
+SELECT 'each lane that waits has a signal, and one controller has it', pg_temp.found('//signal[@dynamic="yes"]', file) = (SELECT count(*) FROM busy.signal_head) AND pg_temp.found('//signal[@dynamic="yes"]', file) = pg_temp.found('//controller/control', file)
+  AND (SELECT bool_and(pg_temp.found('//controller/control[@signalId="' || id || '"]', file) = 1) FROM unnest(pg_temp.texts('//signal[@dynamic="yes"]/@id', file)) id) FROM busy_file;
+SELECT 'two streets that cross have two greens', pg_temp.texts('//controller/userData[@code="green"]/@value', file) = (SELECT array_agg(ordinality::text ORDER BY ordinality::text) FROM busy.signal_state WHERE kind = 'green') FROM busy_file;
+SELECT 'the junction has the controllers and the program', pg_temp.found('//junction/controller', file) = 2 AND pg_temp.found('//junction[controller]', file) = 1 AND (xpath('string(//junction/userData[@code="program"]/@value)', file))[1]::text LIKE 'cycle %: 1 green %' FROM busy_file;
+SELECT 'a street that gives way has a sign on the right of who comes', pg_temp.texts('//road[userData[@code="edge" and @value="' || edge_id || '"]]//signal/@orientation', file) = '{+}' AND (xpath('number(//road[userData[@code="edge" and @value="' || edge_id || '"]]//signal/@t)', file))[1]::text::float8 = -3.5 FROM busy_file, busy.edge WHERE axis_id = 5;
+SELECT 'objects have their type, that of their parent, and their place', pg_temp.texts('//object/@type', file) = '{crosswalk,obstacle,streetLamp,tree}' AND (xpath('number(//object[@type="streetLamp"]/@t)', file))[1]::text::float8 = 6 FROM busy_file;
+SELECT 'one within a junction, and one beyond all roads, too', pg_temp.found('//road[@junction!="-1"]//object[@name="oak"]', file) = 1 AND pg_temp.found('//object[@name="bench"]//cornerLocal', file) >= 4 FROM busy_file;
+SELECT 'sidewalks are raised lanes', pg_temp.found('//lane[@type="sidewalk" and height[@inner="0.15"]]', file) = (SELECT count(DISTINCT (edge_id, side)) FROM busy.sidewalk WHERE side IN ('left', 'right') AND node_id IS NULL) FROM busy_file;
+SELECT 'the junctions of a ring are a group', pg_temp.found('//junctionGroup[@type="roundabout"]', file) = 1 AND pg_temp.found('//junctionReference', file) = 2 FROM busy_file;
+SELECT 'a part of it has what stands there', pg_temp.found('//object', f) = 1 AND pg_temp.found('//controller', f) = 0 FROM pg_temp.file('busy', '{"extent": [650000, 6859999, 650010, 6860001]}') f;
 -- Heights of axes, and of profiles.
 SELECT FROM streetgen.create_model('hill', 2154, dimension => 3, driving_side => 'right') \g /dev/null
 INSERT INTO hill.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING Z (650000 6860000 10,650100 6860000 20)', 7), (2, 'SRID=2154;LINESTRING Z (650100 6860000 20,650200 6860000 20)', 5), (3, 'SRID=2154;LINESTRING Z (650100 6860000 20,650100 6860100 40)', 5);

@@ -38,3 +38,13 @@ COMMENT ON FUNCTION streetgen._road_lanes(bytea, bytea[], bytea[], float8[], flo
     'surface (MULTIPOLYGON, empty: so wide about the line) and width: station (metres along the chain), border '
     '(metres to the left of the chain, by border from the left, then by station; straight between stations), starts '
     'and ends (x, y, heading and width of each lane at the first and the last station).';
+
+CREATE OR REPLACE FUNCTION streetgen._chain_station(s float8[], x float8[], y float8[], heading float8[],
+    length float8[], curvature float8[], place_x float8, place_y float8)
+    RETURNS TABLE(station float8, aside float8, direction float8, beyond float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_chain_station';
+COMMENT ON FUNCTION streetgen._chain_station(float8[], float8[], float8[], float8[], float8[], float8[], float8,
+    float8) IS
+    'Where a place lies beside a plan view of arrays: station (metres along it, of the nearest place), aside (metres '
+    'to its left), direction (its heading there, radians) and beyond (metres straight on behind its end, negative '
+    'before it begins, else 0). Arrays of different length, or empty: 22023.';

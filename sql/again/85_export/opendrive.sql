@@ -154,7 +154,6 @@ COMMENT ON FUNCTION streetgen._opendrive_heights(name) IS
 CREATE OR REPLACE FUNCTION streetgen._opendrive_lines() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
-crossroads AS MATERIALIZED (SELECT DISTINCT place_id, node_id FROM connecting JOIN place USING (node_id)),
 lane_text AS (
     SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
         || '" type="' || types[i] || '" level="false">'
@@ -169,9 +168,15 @@ lane_text AS (
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position)
             = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
 lanes_text AS (
-    SELECT road_id, '<left>' || string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) || '</left>' AS on_left,
-        '<right>' || string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) || '</right>' AS on_right
+    SELECT road_id, string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) AS on_left,
+        string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) AS on_right
     FROM lane_text GROUP BY road_id),
+-- The lane farthest to the left comes first.
+across AS (
+    SELECT l.road_id, '<left>' || nullif(concat(a.text, l.on_left), '') || '</left>' AS on_left,
+        '<right>' || nullif(concat(l.on_right, b.text), '') || '</right>' AS on_right
+    FROM lanes_text l LEFT JOIN sidewalk_lane a ON (a.road_id, a.side) = (l.road_id, 'left')
+        LEFT JOIN sidewalk_lane b ON (b.road_id, b.side) = (l.road_id, 'right')),
 line AS (
     SELECT 1 AS turn, 0::bigint AS id, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
             1 AS "revMajor", right($1 ->> 'version', 1) AS "revMinor", %1$L AS name, 'StreetGen' AS vendor)))
@@ -195,12 +200,14 @@ line AS (
             border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)])
         || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
         || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane></center>' || coalesce(on_right, '')
-        || '</laneSection></lanes><userData code="edge" value="' || d.edge_id || '"/></road>'
-    FROM origin o, side, drawn d JOIN lanes_text USING (road_id) JOIN written_edge e USING (edge_id)
+        || '</laneSection></lanes>' || coalesce(j.text, '') || coalesce(g.text, '') || '<userData code="edge" value="'
+        || d.edge_id || '"/></road>'
+    FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
         LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
-        LEFT JOIN raised h ON h.road_id = d.road_id
+        LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
+        LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL
     SELECT 3, c.road_id, '<road length="' || streetgen._opendrive_number(total, 7)
         || '" id="' || c.road_id || '" junction="' || place_id || '" rule="' || rule
@@ -215,8 +222,9 @@ line AS (
         || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
         || '<center><lane id="0" type="none" level="false"/></center>'
         || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
-        || '</laneSection></lanes><userData code="interconnection" value="' || way_id || '"/></road>'
-    FROM origin o, side, connecting c JOIN place USING (node_id)
+        || '</laneSection></lanes>' || coalesce(j.text, '') || '<userData code="interconnection" value="' || way_id
+        || '"/></road>'
+    FROM origin o, side, connecting c JOIN place USING (node_id) LEFT JOIN object_text j USING (road_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT s[cardinality(s)] + length[cardinality(s)] AS total,
             CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
@@ -225,14 +233,43 @@ line AS (
             || '" level="false">'
             || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
             || streetgen._opendrive_step('width', 'sOffset', total, width_in, width_out) || '</lane>' AS lane) l
+    UNION ALL SELECT * FROM controller_line
     UNION ALL
-    SELECT 4, place_id, '<junction id="' || place_id || '">' || string_agg('<connection id="' || road_id
+    SELECT 5, place_id, '<junction id="' || place_id || '">' || string_agg('<connection id="' || road_id
         || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
         || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
-        ORDER BY road_id) || '</junction>'
-    FROM side, connecting JOIN place USING (node_id) GROUP BY place_id)$part$ $$;
+        ORDER BY road_id) || coalesce(min(c.text), '') || '</junction>'
+    FROM side, connecting JOIN place USING (node_id) LEFT JOIN junction_controller c USING (place_id)
+    GROUP BY place_id
+    UNION ALL SELECT * FROM ring_line)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_lines() IS
-    'Queries of a file of OpenDRIVE as streetgen._export_lines takes them, after streetgen._opendrive_roads().';
+    'Queries of a file of OpenDRIVE as streetgen._export_lines takes them, after streetgen._opendrive_beside().';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_rings(computed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN computed THEN $part$,
+ring_line AS (
+    SELECT 6 AS turn, roundabout_id AS id, '<junctionGroup id="' || roundabout_id || '" type="roundabout">'
+        || string_agg(DISTINCT '<junctionReference junction="' || place_id || '"/>', '') || '</junctionGroup>'
+        AS element
+    FROM %1$I.roundabout JOIN %1$I.roundabout_edge r USING (roundabout_id) JOIN %1$I.edge e ON e.edge_id = r.edge_id
+        JOIN crossroads ON node_id IN (from_node, to_node)
+    WHERE accepted GROUP BY roundabout_id)$part$
+    ELSE $part$, ring_line AS (SELECT 6 AS turn, 0::bigint AS id, NULL::text AS element WHERE false)$part$ END $$;
+COMMENT ON FUNCTION streetgen._opendrive_rings(boolean) IS
+    'Query ring_line of a file of OpenDRIVE, after crossroads: the junctions of accepted roundabouts; nothing of a '
+    'model that computes none.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_beside(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._opendrive_heights(model) || streetgen._opendrive_sidewalks('sidewalk' = ANY (subjects))
+        || streetgen._opendrive_objects('object' = ANY (subjects))
+        || streetgen._opendrive_signals('signal' = ANY (subjects)) || $part$,
+crossroads AS MATERIALIZED (SELECT DISTINCT place_id, node_id FROM connecting JOIN place USING (node_id))$part$
+        || streetgen._opendrive_rings('roundabout' = ANY (subjects))
+    FROM streetgen._subjects(model) subjects $$;
+COMMENT ON FUNCTION streetgen._opendrive_beside(name) IS
+    'Queries of a file of OpenDRIVE, after streetgen._opendrive_roads(): what the roads of a model have beside lanes.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_opendrive(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
@@ -243,7 +280,7 @@ DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
 BEGIN
     RETURN QUERY EXECUTE streetgen._export_lines(model, known,
-        streetgen._opendrive_roads() || streetgen._opendrive_heights(model) || streetgen._opendrive_lines(),
+        streetgen._opendrive_roads() || streetgen._opendrive_beside(model) || streetgen._opendrive_lines(),
         '<OpenDRIVE>', '</OpenDRIVE>') USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
@@ -252,7 +289,11 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'polynomials, parking lanes too; those against the axis lie left of the centre lane where one drives on the right. '
     'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
     'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
-    'is a junction. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
+    'is a junction. Sidewalks are the outermost lanes, 0.15 m above the others. A signal stands at the end of each '
+    'lane that has one, lanes with the same green have one controller, and the program of the model is userData of the '
+    'junction. Stop and yield lines without signals have signs (206 and 205 of country DE). Objects have their type, '
+    'place and direction, crossings, bays and lines their outline. The junctions of an accepted roundabout are a '
+    'junctionGroup. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
     'road marks. Heights are those of profiles where the model computes them, else of axes that have any. '
     'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
     'that meet at one place are cut back by 0.05 m for the road that connects them. options as '

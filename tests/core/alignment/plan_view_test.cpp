@@ -114,6 +114,43 @@ TEST(PlanView, OfNothingIsNothing) {
   EXPECT_THROW(place_at({}, 0), Error);
 }
 
+// Out to the left and back again.
+TEST(ChainStation, IsWhereThePointWasPut) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> share(0, 1), off(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const std::vector<PlanPiece> chain = plan_view(random_line(random, {2 + i % 5, 0.8}), 0.2);
+    const double s = share(random) * length(chain);
+    const ChainPlace place = place_at(chain, s);
+    double aside = 3 * off(random);
+    // Nearer than the centre of any arc, so that no other place of its piece is as near.
+    for (const PlanPiece& piece : chain)
+      aside = std::clamp(aside, -0.4 / std::max(std::abs(piece.curvature), 1e-9),
+                         0.4 / std::max(std::abs(piece.curvature), 1e-9));
+    const Point beside = place.point + Point{-std::sin(place.heading), std::cos(place.heading), 0} * aside;
+    const ChainStation found = station_of(chain, beside);
+    const ChainPlace nearest = place_at(chain, found.s);
+    // Another part of the chain may come nearer; the way back leads to the point in any case.
+    const Point back = nearest.point + Point{-std::sin(found.heading), std::cos(found.heading), 0} * found.aside +
+                       Point{std::cos(found.heading), std::sin(found.heading), 0} * found.beyond;
+    ASSERT_LT(distance(back, beside), 1e-6);
+    ASSERT_LE(std::hypot(found.aside, found.beyond), std::abs(aside) + 1e-6);
+  }
+}
+
+TEST(ChainStation, SaysHowFarBeyondTheEndsAPointLies) {
+  const auto chain = plan_view({{0, 0}, {50, 0}, {50, 50}}, 0.1);
+  const ChainStation before = station_of(chain, {-3, 2}), behind = station_of(chain, {49, 54, 7});
+  EXPECT_EQ(before.s, 0);
+  EXPECT_NEAR(before.aside, 2, 1e-9);
+  EXPECT_NEAR(before.beyond, -3, 1e-9);
+  EXPECT_NEAR(behind.s, length(chain), 1e-9);
+  EXPECT_NEAR(behind.aside, 1, 1e-6);
+  EXPECT_NEAR(behind.beyond, 4, 1e-6);
+  EXPECT_EQ(station_of(chain, {20, -3}).beyond, 0);
+  EXPECT_THROW(station_of({}, {0, 0}), Error);
+}
+
 // The place ahead lies straight on, but is left in another direction.
 TEST(PathView, SetsOutAsAskedWhereOnlyTheEndTurns) {
   for (const double heading_to : {-0.5, 0.0, 0.2, 3.0}) {
