@@ -482,6 +482,15 @@ SELECT 'and moves with it', abs(abscissa - :met) BETWEEN 1e-4 AND 1 FROM led.sec
 SELECT 'as from scratch, too', test.followed('led', 'once');
 SELECT streetgen.drop_model('led') \g /dev/null
 
+-- A change of width that filled its section ends: the paths at the far node turn, too.
+SELECT streetgen.create_model('led', 2154, driving_side => 'right') \g /dev/null
+INSERT INTO led.axis (axis_id, geom, width, direction, importance) SELECT axis_id, ST_GeomFromText(line, 2154), width, direction, importance FROM (VALUES
+  (3, 'LINESTRING(650011.0128 6860019.2724,650075.0247 6860053.6874)', 10.24, 'reverse', 5), (7, 'LINESTRING(650083.5443 6859984.3390999995,650075.0247 6860053.6874)', 21.43, 'direct', 5),
+  (8, 'LINESTRING(650083.5142999999 6859983.9091,650123.8940000001 6860085.3492)', 14.09, 'both', 2), (9, 'LINESTRING(650075.0247 6860053.6874,650072.7845 6860099.14785,650083.2842999999 6860138.3483)', 6.36, 'direct', 2)) a(axis_id, line, width, direction, importance);
+INSERT INTO led.axis (axis_id, geom, width) VALUES (10, 'SRID=2154;LINESTRING(650075.0247 6860053.6874,650123.8940000001 6860085.3492)', 13.78);
+SELECT 'paths turn with lanes whose far end changed', test.followed('led', 'once');
+SELECT streetgen.drop_model('led') \g /dev/null
+
 -- Without the extension.
 CREATE TABLE public.town_content AS SELECT test.content('town') AS content;
 DO $$ BEGIN

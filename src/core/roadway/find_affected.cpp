@@ -16,6 +16,8 @@ namespace streetgen {
 namespace {
 
 constexpr double before_limit = 0.01;  // metres
+// Metres aside by metres along a kerb.  No taper is as long.
+constexpr double least_slant = 1e-4;
 
 // Metres between surfaces, no more than which may have been filled as a hole.
 constexpr double near_enough = 1;
@@ -170,8 +172,11 @@ class Change {
     // Lanes share out the width that a widening street has at its start.
     const Roadway& roadway = layout_.streets.roadways[e];
     const bool shared_anew = !same_start && roadway.width != roadway.width_end;
-    const bool tapers_on = (!same_start && tapers_at(e, end.abscissa - before_limit)) ||
-                           (!same_end && tapers_at(e, start.abscissa + before_limit));
+    const bool tapers_on =
+        (!same_start && (tapers_at(e, end.abscissa - before_limit) ||
+                         tapered_at(e, before, before.end, -before_limit))) ||
+        (!same_end && (tapers_at(e, start.abscissa + before_limit) ||
+                       tapered_at(e, before, before.start, before_limit)));
     const bool both = crossed || shared_anew || tapers_on || bends_where_limits_moved(e, before);
     if (both || !same_start) move_end(e, edge.from_node);
     if (both || !same_end) move_end(e, edge.to_node);
@@ -186,6 +191,26 @@ class Change {
     const Arm& arm = layout_.arms[2 * e];
     return std::abs(at.left - half_at(arm, abscissa, +1)) > rounding ||
            std::abs(at.right - half_at(arm, abscissa, -1)) > rounding;
+  }
+
+  // Whether a kerb of the former section came aslant to its limit: a change filled the section, and
+  // lanes were turned there.  The kerbs of a street that widens all along are always aslant.
+  bool tapered_at(int e, const FormerEdge& before, const FormerLimit& limit, double inside) const {
+    const Roadway& roadway = layout_.streets.roadways[e];
+    if (roadway.width != roadway.width_end || limit.border_line.empty()) return false;
+    const Point along = position_at(edges_[e].line, limit.abscissa + inside).direction;
+    const auto at_limit = [&](const Point& p) {
+      return distance_to_line(p, limit.border_line) <= same_place;
+    };
+    const auto aslant = [&](const Point& from, const Point& to) {
+      return at_limit(from) != at_limit(to) &&
+             std::abs(cross(to - from, along)) > least_slant * distance(from, to);
+    };
+    for (const Polygon& polygon : before.section.ground)
+      for (const Ring& ring : polygon)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          if (aslant(ring[i], ring[(i + 1) % ring.size()])) return true;
+    return false;
   }
 
   // Lanes may have another last segment at their far end then.
