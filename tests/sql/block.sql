@@ -129,3 +129,21 @@ SELECT 'a face of very many edges is a block', count(*) = 1 AND max(n) > 1000 FR
 UPDATE town.axis SET width = 7 WHERE axis_id = 2;
 UPDATE town.axis SET width = 8 WHERE axis_id = 501;
 SELECT 'edits at either end of it', test.followed('town', 'anew');
+
+-- Where no roadway of the ground lies on an axis, kerbs of other streets tell what is ground.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('mixed', 2154, subjects => '{interconnection,block}'), streetgen.create_model('mixed_anew', 2154, subjects => '{interconnection,block}');
+  INSERT INTO mixed.axis (axis_id, geom, width, importance, direction, level) SELECT axis_id, ST_GeomFromText(line, 2154), width, importance, 'direct', level FROM (VALUES
+    (1, 'LINESTRING(649991.3921 6860006.5584,650051.6474 6859988.5228)', 16.62, 5, 0), (2, 'LINESTRING(649991.3921 6860006.5584,650046.7286 6860040.1702)', NULL, 5, 1),
+    (8, 'LINESTRING(650051.6474 6859988.5228,650071.6474 6859993.5228,650059.6474 6860010.5228,650051.6474 6859988.5228)', 3.82, NULL, 0),
+    (9, 'LINESTRING(650051.8974 6859988.5928,650083.6196 6859996.3109)', 19.95, 5, 0), (10, 'LINESTRING(650051.6474 6859988.5228,650093.4572 6860036.0712)', 13.12, NULL, 1)) a(axis_id, line, width, importance, level);
+END $$;
+SELECT 'a face of an intersection whose kerb another level has is covered', (SELECT array_agg(method) = '{covered}' FROM mixed.block) AND test.followed('mixed', 'mixed_anew');
+DO $$ BEGIN
+  DELETE FROM mixed.axis;
+  INSERT INTO mixed.axis (axis_id, geom, width, level, direction, importance) SELECT axis_id, ST_GeomFromText(line, 2154), width, level, direction, importance FROM (VALUES
+    (2, 'LINESTRING(649992.4876 6860010.732,650059.0260000001 6860062.7822)', 10.22, -1, 'reverse', NULL), (4, 'LINESTRING(649996.2438 6860066.5384,650059.0260000001 6860062.7822)', NULL, 0, 'direct', NULL),
+    (5, 'LINESTRING(650046.6842 6860004.8294,650021.7250999999 6860089.7145,650055.8064 6860102.4906)', 6.78, 0, 'reverse', 5), (6, 'LINESTRING(650046.6842 6860004.8294,650059.0260000001 6860062.7822)', NULL, 0, 'reverse', 5)) a(axis_id, line, width, level, direction, importance);
+  UPDATE mixed.axis SET geom = 'SRID=2154;LINESTRING(649995.8476 6860022.532,650059.0260000001 6860062.7822)' WHERE axis_id = 6;
+END $$;
+SELECT 'and one at the end of another level is bound by axes', (SELECT array_agg(method) @> '{axis_bound}' FROM mixed.block) AND test.followed('mixed', 'mixed_anew');

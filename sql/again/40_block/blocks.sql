@@ -14,8 +14,8 @@ COMMENT ON FUNCTION streetgen._blocks(bigint[], bytea[], bigint[], text[], boole
     'numbered from 1 in the order of their smallest places. kept: sides of the edges, or parts of these, beside faces '
     'that stay as they are; such faces do not come out. places and kinds: decided by hand. Each block has its ground '
     '(MULTIPOLYGON, EWKB) and the sides about it: edge, left or right of it, the ring (1 goes about the block), and '
-    'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, and each edge about it has a '
-    'kerb. The last row, number 0, has the sides that lie in no block. Lists of different length: 2202E; NULL in one: '
+    'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, each edge about it has a '
+    'kerb, and no axis bounds it. The last row, number 0, has the sides that lie in no block. Lists of different length: 2202E; NULL in one: '
     '22004; bad geometry, or a number out of its range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_statement(places jsonb) RETURNS text
@@ -32,7 +32,8 @@ old_side AS MATERIALIZED (
     SELECT * FROM {model}.block_edge WHERE {whole} OR block_id = ANY ($1)
     UNION ALL SELECT * FROM {model}.block_edge WHERE NOT {whole} AND 0 = ANY ($1) AND block_id IS NULL),
 street AS MATERIALIZED (
-    SELECT e.edge_id, e.geom, row_number() OVER (ORDER BY e.axis_id, e.start_abscissa) AS number
+    SELECT e.edge_id, e.geom, e.from_node, e.to_node,
+        row_number() OVER (ORDER BY e.axis_id, e.start_abscissa) AS number
     FROM ground, {model}.edge e
     WHERE e.level = ground.level AND ({whole} OR e.edge_id = ANY (ARRAY(SELECT edge_id FROM old_side
         UNION SELECT edge_id FROM {model}.edge WHERE axis_id = ANY ($2))))),
@@ -45,6 +46,11 @@ extent AS MATERIALIZED (
 beside AS MATERIALIZED (
     SELECT k.* FROM ground, street s, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = s.edge_id {by_key}) k
     WHERE k.level = ground.level AND NOT $3
+    -- Where another level begins, its edge may have the corner.
+    UNION ALL SELECT k.* FROM ground, (SELECT from_node AS node_id FROM street UNION SELECT to_node FROM street) n,
+        LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id {by_key}) k,
+        LATERAL (SELECT level FROM {model}.edge e WHERE e.edge_id = k.edge_id {by_key}) e
+    WHERE k.level = ground.level AND e.level <> ground.level AND NOT $3
     UNION ALL SELECT k.* FROM ground, extent, LATERAL (
         SELECT * FROM {model}.kerb k WHERE {whole} OR k.geom && ST_SetSRID(extent, {srid}) {by_key}) k
     WHERE k.level = ground.level AND $3),

@@ -176,6 +176,7 @@ class BlockFinder {
     if (const auto divided = divided_.find(f); divided != divided_.end()) {
       block.surface = std::move(divided->second);
       block.method = Method::axis_bound;
+      block.has_all_kerbs = false;
     } else {
       FaceGround ground = ground_of(loops_of_[f]);
       fallback = fallback || ground.by_faces;
