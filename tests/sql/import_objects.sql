@@ -30,6 +30,45 @@ INSERT INTO osm_object VALUES (10, 'crossing', NULL, 'SRID=2154;POINT(650050 686
 SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
 SELECT 'of OpenStreetMap', string_agg(type || ' ' || round(angle), ', ' ORDER BY source_ref) = 'crossing 90, tree 90, bench 180, sign 90' FROM town.street_object WHERE source = 'osm_object';
 SELECT 'a crossing has its ground', ST_Area(surface) = 40 FROM town.pedestrian_crossing;
+-- Crossings, signals and signs are control points too.
+INSERT INTO town.control_point (geom, kind, source, source_ref) VALUES ('SRID=2154;POINT(650050 6860000)', 'pedestrian_crossing', 'osm_control', '10'), ('SRID=2154;POINT(650050 6860000.5)', 'pedestrian_crossing', 'osm_control', '14'),
+  ('SRID=2154;POINT(650090 6859994)', 'stop', 'osm_control', '13'), ('SRID=2154;POINT(650050 6860007)', 'signals', 'osm_control', '11');
+SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
+CREATE FUNCTION pg_temp.controlled() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(o.type || ' ' || c.source_ref, ', ' ORDER BY o.source_ref) FROM town.street_object o JOIN town.control_point c USING (control_point_id) $$;
+SELECT 'an object points to the control point of its kind, once', pg_temp.controlled() = 'crossing 10, sign 13';
+CREATE TABLE pointing AS SELECT source_ref, xmin::text AS written FROM town.street_object;
+SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
+SELECT 'importing again writes nothing of it', bool_and(p.written = o.xmin::text) FROM pointing p JOIN town.street_object o USING (source_ref);
+INSERT INTO osm_object VALUES (15, 'crossing', NULL, 'SRID=2154;POINT(650050 6860000.2)');
+SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
+SELECT 'a second one takes the control point that is left', pg_temp.controlled() = 'crossing 10, sign 13, crossing 14';
+DELETE FROM osm_object WHERE node_id = 15;
+UPDATE town.control_point SET geom = 'SRID=2154;POINT(650055 6860000)' WHERE source_ref = '10';
+SELECT 'it goes with its control point', ST_DWithin(geom, 'SRID=2154;POINT(650055 6860000)', 1e-6) AND axis_id = 1 AND abs(abscissa - 55) < 1e-6 FROM town.street_object WHERE source_ref = '10';
+SELECT 'and the ground of the crossing with it', ST_DWithin(ST_Centroid(surface), 'SRID=2154;POINT(650055 6860000)', 1e-6) FROM town.pedestrian_crossing JOIN town.street_object USING (street_object_id) WHERE source_ref = '10';
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'also of an axis turned round', bool_and(ST_DWithin(o.geom, c.geom, 1e-6) AND o.axis_id = c.axis_id AND abs(o.abscissa - c.abscissa) < 1e-6) FROM town.street_object o JOIN town.control_point c USING (control_point_id) WHERE o.source_ref = '10';
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+DELETE FROM town.control_point WHERE source_ref = '10';
+SELECT 'it stays where its control point goes', control_point_id IS NULL AND method = 'relative' FROM town.street_object WHERE source_ref = '10';
+TRUNCATE town.control_point;
+SELECT 'no object points to what is gone', count(*) = 0 FROM town.street_object WHERE control_point_id IS NOT NULL;
+
+-- Names nearly alike, and objects that crowd.
+CREATE TABLE post (id integer, street text, geom geometry(Point, 2154));
+INSERT INTO post VALUES (1, 'Mil Lane', 'SRID=2154;POINT(650040 6860006.5)'), (2, 'mill lane', 'SRID=2154;POINT(650060 6860006.5)'), (3, 'Elsewhere', 'SRID=2154;POINT(650080 6860006.5)');
+SELECT count(*) FROM streetgen.import_objects('town', 'post', '{"type": {"value": "pole"}, "source_ref": "id", "name": "street"}') \g /dev/null
+SELECT 'plain, the same name counts', string_agg(axis_id::text, ',' ORDER BY source_ref) = '1,2,1' FROM town.street_object WHERE source = 'post';
+SELECT streetgen.set('town', 'object_names', 'fuzzy') \g /dev/null
+DELETE FROM town.street_object WHERE source = 'post';
+SELECT 'names by similarity want their extension', (r).state = '0A000' AND (r).hint LIKE 'CREATE EXTENSION pg_trgm; or set object_names to plain.' FROM (SELECT test.refusal($$SELECT streetgen.import_objects('town', 'post', '{"type": {"value": "pole"}, "source_ref": "id", "name": "street"}')$$) AS r) t;
+CREATE EXTENSION pg_trgm;
+UPDATE town.object_type SET distance_least = 25 WHERE type = 'pole';
+CREATE TABLE crowded AS SELECT * FROM streetgen.import_objects('town', 'post', '{"type": {"value": "pole"}, "source_ref": "id", "name": "street"}');
+SELECT 'fuzzy, a similar one too', string_agg(axis_id::text, ',' ORDER BY source_ref) = '2,2,1' FROM town.street_object WHERE source = 'post';
+SELECT 'those nearer to another one than their distance are told', count = 3 AND source_refs = '{1,2,3}' FROM crowded WHERE what = 'object nearer to another one than distance_least, kept';
+SELECT 'by check_model too', count(*) = 3 FROM streetgen.check_model('town') WHERE rule = 'object nearer to another one than distance_least';
+SELECT 'other values of the setting are refused', test.state($$SELECT streetgen.set('town', 'object_names', 'loose')$$) = '22023';
 SELECT 'they have edges', count(*) = (SELECT count(*) FROM town.street_object WHERE method = 'relative') FROM town.object_edge;
 SELECT 'no error of check_model', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
 -- Bad input.

@@ -158,6 +158,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('placement_function', 'none', NULL,
         'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
         'streetgen.placement, with its schema', NULL, NULL, ARRAY['none']),
+    ('object_names', 'plain', NULL,
+        'how import_objects compares names of streets: plain (alike but for capital letters) or fuzzy (by the '
+        'similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'fuzzy']),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL),
     ('link_factor', '27.5', 'km', 'of a design: what a utilisation of 1 (thousands of people squared per km2) and a km '
         'saved are worth, in km of road', 0, 1000000, NULL),

@@ -1,5 +1,11 @@
 -- Parking bays: their ground along a border of the roadway.
 
+CREATE OR REPLACE FUNCTION streetgen._usual_bay(OUT length float8, OUT width float8)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 5.0::float8, 2.3::float8 $$;
+COMMENT ON FUNCTION streetgen._usual_bay() IS
+    'Length and width (m) of a bay of which nothing is said, such as one that a rule places.';
+
 CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, side text, abscissa float8,
     length float8, width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -126,8 +132,10 @@ BEGIN
             USING OLD.street_object_id;
         RETURN OLD;
     END IF;
-    PERFORM streetgen._check_edit_number('the length of ' || subject, NEW.length, 1, 30, 'm', 'Five is usual.'),
-        streetgen._check_edit_number('the width of ' || subject, NEW.width, 1, 10, 'm', '2.3 is usual.');
+    PERFORM streetgen._check_edit_number('the length of ' || subject, NEW.length, 1, 30, 'm',
+            (streetgen._usual_bay()).length || ' is usual.'),
+        streetgen._check_edit_number('the width of ' || subject, NEW.width, 1, 10, 'm',
+            (streetgen._usual_bay()).width || ' is usual.');
     IF NEW.angle <> 0 THEN
         PERFORM streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees',
             '0 is parallel to the border, 90 perpendicular.');

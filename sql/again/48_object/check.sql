@@ -1,11 +1,30 @@
 -- What check_model says of objects.
+
+CREATE OR REPLACE FUNCTION streetgen._crowding_objects(model name)
+    RETURNS TABLE(street_object_id bigint, geom geometry, type text, source text, source_ref text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+SELECT o.street_object_id, o.geom, o.type, o.source, o.source_ref
+FROM %1$I.street_object o JOIN %1$I.object_type t USING (type)
+WHERE o.placed_by <> 'rule' AND t.distance_least > 0 AND EXISTS (SELECT FROM %1$I.street_object p
+    WHERE p.placed_by <> 'rule' AND p.street_object_id <> o.street_object_id
+        AND ST_DWithin(p.geom, o.geom, t.distance_least))$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._crowding_objects(name) IS
+    'The objects of users and imports that stand nearer to another such one than distance_least of their type.';
+
 CREATE OR REPLACE FUNCTION streetgen._object_check_part()
     RETURNS TABLE(place integer, subject text, kind text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
     (80, 'object', 'rule', $part$
 SELECT 'warning', 'object whose axis is gone', 'street_object', o.street_object_id, NULL::float8, o.geom
     FROM %1$I.street_object o WHERE o.method = 'orphaned'$part$),
+    (80, 'object', 'rule', $part$
+SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id, NULL::float8,
+    geom FROM streetgen._crowding_objects(%1$L)$part$),
     (80, 'object', 'rule', $part$
 SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
     ST_Distance(o.geom, g.geom), o.geom

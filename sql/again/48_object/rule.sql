@@ -22,7 +22,8 @@ BEGIN
         streetgen._check_edit_number('the density of ' || subject, NEW.density, 0, 1, NULL, '1 takes all places.'),
         streetgen._check_edit_number('the offset of ' || subject, NEW.axis_offset, -200, 200, 'm', 'Try 1 m.');
     IF streetgen._is_below(TG_TABLE_SCHEMA, NEW.type, 'parking_bay') AND NEW.along = 'border' THEN
-        run := streetgen._bay_run(5, 2.3, streetgen._bay_angle(NEW.orientation));
+        run := streetgen._bay_run((streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
+            streetgen._bay_angle(NEW.orientation));
         least := CASE NEW.side WHEN 'alternating' THEN run / 2 ELSE run END;
         IF NEW.every < least THEN
             RAISE EXCEPTION '% cannot place a bay every % m', subject, NEW.every USING ERRCODE = '22023',
@@ -150,11 +151,11 @@ BEGIN
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     bay AS MATERIALIZED (
-        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(width
-                + (width_end - width) * abscissa / ST_Length2D(line), aside, at_side, roadway_offset), at_side,
-            abscissa, 5, 2.3, streetgen._bay_angle(turned)) AS ground,
-            streetgen._bay_reach(5, 2.3, streetgen._bay_angle(turned)) AS reach, abscissa
-        FROM taken WHERE type = ANY (bays)),
+        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(t.width
+                + (width_end - t.width) * abscissa / ST_Length2D(line), aside, at_side, roadway_offset), at_side,
+            abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
+            streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
+        FROM taken t, streetgen._usual_bay() usual WHERE type = ANY (bays)),
     -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
     in_the_way AS MATERIALIZED (
         SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)

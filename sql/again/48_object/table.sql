@@ -71,14 +71,17 @@ CREATE TABLE IF NOT EXISTS %1$I.street_object (
     orientation float8 NOT NULL DEFAULT 0 CHECK (orientation BETWEEN -360 AND 360),
     orientation_kind text NOT NULL DEFAULT 'axis' CHECK (orientation_kind IN ('absolute', 'axis')),
     placed_by text NOT NULL DEFAULT 'user' CHECK (placed_by IN ('user', 'import', 'rule')),
-    rule_id bigint, rule_place integer, source text, source_ref text, source_hash bigint,
+    rule_id bigint, rule_place integer, source text, source_ref text, source_hash bigint, control_point_id bigint,
     method text NOT NULL DEFAULT 'absolute' CHECK (method IN ('absolute', 'relative', 'orphaned')),
     CHECK (method <> 'relative' OR axis_id IS NOT NULL AND abscissa IS NOT NULL AND axis_offset IS NOT NULL));
+ALTER TABLE %1$I.street_object ADD IF NOT EXISTS control_point_id bigint;
 CREATE INDEX IF NOT EXISTS street_object_geom ON %1$I.street_object USING gist (geom);
 CREATE INDEX IF NOT EXISTS street_object_axis ON %1$I.street_object (axis_id);
 CREATE INDEX IF NOT EXISTS street_object_type ON %1$I.street_object (type);
 CREATE INDEX IF NOT EXISTS street_object_orphaned ON %1$I.street_object USING gist (geom) WHERE method = 'orphaned';
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_source ON %1$I.street_object (source, source_ref);
+CREATE UNIQUE INDEX IF NOT EXISTS street_object_control ON %1$I.street_object (control_point_id)
+    WHERE control_point_id IS NOT NULL;
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_rule ON %1$I.street_object (rule_id, axis_id, rule_place);
 CREATE TABLE IF NOT EXISTS %1$I.pedestrian_crossing (
     street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
@@ -88,8 +91,8 @@ CREATE TABLE IF NOT EXISTS %1$I.pedestrian_crossing (
 CREATE INDEX IF NOT EXISTS pedestrian_crossing_surface ON %1$I.pedestrian_crossing USING gist (surface);
 CREATE TABLE IF NOT EXISTS %1$I.parking_bay (
     street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
-    length float8 NOT NULL DEFAULT 5 CHECK (length BETWEEN 1 AND 30),
-    width float8 NOT NULL DEFAULT 2.3 CHECK (width BETWEEN 1 AND 10),
+    length float8 NOT NULL DEFAULT %3$s CHECK (length BETWEEN 1 AND 30),
+    width float8 NOT NULL DEFAULT %4$s CHECK (width BETWEEN 1 AND 10),
     angle float8 NOT NULL DEFAULT 0 CHECK (angle = 0 OR angle BETWEEN 20 AND 160),
     surface geometry(Polygon, %2$s));
 CREATE INDEX IF NOT EXISTS parking_bay_surface ON %1$I.parking_bay USING gist (surface);
@@ -114,7 +117,7 @@ COMMENT ON TABLE %1$I.parking_bay
 COMMENT ON TABLE %1$I.specialised_type
     IS 'Types of objects with a table of their own, as streetgen.specialise makes them';
 COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';$t$,
-        model, srid);
+        model, srid, (streetgen._usual_bay()).length, (streetgen._usual_bay()).width);
     -- What users took away of a model that is there stays away.
     EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
         SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')
@@ -139,7 +142,13 @@ CREATE OR REPLACE TRIGGER check_rule BEFORE INSERT OR UPDATE ON %1$I.placement_r
 COMMENT ON TRIGGER check_rule ON %1$I.placement_rule IS 'Says what a rule may hold';
 CREATE OR REPLACE TRIGGER check_hierarchy BEFORE INSERT OR UPDATE ON %1$I.object_type FOR EACH ROW
     EXECUTE FUNCTION streetgen._check_object_type();
-COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that would stand below itself'$t$, model);
+COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that would stand below itself';
+CREATE OR REPLACE TRIGGER carry_object AFTER UPDATE ON %1$I.control_point FOR EACH ROW
+    WHEN (NEW.geom::bytea IS DISTINCT FROM OLD.geom::bytea) EXECUTE FUNCTION streetgen._carry_controlled_object();
+CREATE OR REPLACE TRIGGER release_object AFTER DELETE ON %1$I.control_point FOR EACH ROW
+    EXECUTE FUNCTION streetgen._carry_controlled_object();
+COMMENT ON TRIGGER carry_object ON %1$I.control_point IS 'The object of a control point goes with it';
+COMMENT ON TRIGGER release_object ON %1$I.control_point IS 'The object of a control point stays without it'$t$, model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_triggers(name) IS
@@ -162,17 +171,12 @@ COMMENT ON FUNCTION streetgen._is_below(name, text, text) IS
 CREATE OR REPLACE FUNCTION streetgen._check_object_type() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    above text := NEW.parent;
 BEGIN
-    WHILE above IS NOT NULL LOOP
-        IF above = NEW.type THEN
-            RAISE EXCEPTION 'object type "%" cannot stand below "%"', NEW.type, NEW.parent USING ERRCODE = '22023',
-                DETAIL = format('%I stands below %I itself.', NEW.parent, NEW.type),
-                HINT = 'Take another parent, or none.';
-        END IF;
-        EXECUTE format('SELECT parent FROM %I.object_type WHERE type = $1', TG_TABLE_SCHEMA) INTO above USING above;
-    END LOOP;
+    IF NEW.parent = NEW.type OR streetgen._is_below(TG_TABLE_SCHEMA, NEW.parent, coalesce(OLD.type, NEW.type)) THEN
+        RAISE EXCEPTION 'object type "%" cannot stand below "%"', NEW.type, NEW.parent USING ERRCODE = '22023',
+            DETAIL = format('%I stands below %I itself.', NEW.parent, NEW.type),
+            HINT = 'Take another parent, or none.';
+    END IF;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._check_object_type() IS
@@ -241,6 +245,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('street_object', 'source', 'dataset of an import'),
     ('street_object', 'source_ref', 'its identifier there'),
     ('street_object', 'source_hash', 'what the source said of it: what was edited by hand stays until that changes'),
+    ('street_object', 'control_point_id', 'the control point that it is, and with which it moves; NULL: none'),
     ('street_object', 'method', 'absolute, relative (its axis says where it stands), or orphaned: its axis is gone, '
         'and it stays where it stood; computed'),
     ('object_edge', 'street_object_id', 'the object'),

@@ -44,7 +44,14 @@ CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, qu
     AS $$
 DECLARE
     touched bigint[];
+    alike text := 'CASE WHEN lower(a.name) = lower(o.name) THEN 1 ELSE 0 END';
+    folding text;
 BEGIN
+    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''object_names''', model) INTO folding;
+    IF folding = 'fuzzy' THEN
+        alike := format('coalesce(%I.similarity(lower(a.name), lower(o.name)), 0)',
+            streetgen._require_extension('pg_trgm', 'object_names'));
+    END IF;
     EXECUTE format('CREATE TEMPORARY TABLE _import_object ON COMMIT DROP AS SELECT *, coalesce(source_ref, '
         '''number '' || row_number() OVER ()) AS label FROM (%s) q', query);
     PERFORM streetgen._check_objects(model);
@@ -55,12 +62,11 @@ BEGIN
     UPDATE pg_temp._import_object o SET geom = ST_Transform(ST_Force2D(o.geom), m.srid),
         source_hash = hash_record_extended(ROW(o.type, o.geom::bytea, o.orientation, o.name), 0)
         FROM streetgen.model m WHERE m.name = model;
-    -- The nearest axis; one of its own name counts as half as far.
+    -- The nearest axis; one of its own name counts as half as far, and one of a name nearly alike as that much nearer.
     EXECUTE format($sql$
 UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom,
         (SELECT value::float8 FROM %1$I.setting WHERE name = 'object_snap'))
-    ORDER BY ST_Distance(a.geom, o.geom) * CASE WHEN lower(a.name) = lower(o.name) THEN 0.5 ELSE 1 END, a.axis_id
-    LIMIT 1)$sql$, model);
+    ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %2$s), a.axis_id LIMIT 1)$sql$, model, alike);
     RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
         o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;
     EXECUTE format($sql$
@@ -103,14 +109,20 @@ WHERE p.source_hash IS DISTINCT FROM excluded.source_hash$sql$, model) USING sou
         'ON CONFLICT DO NOTHING', model) USING source;
     EXECUTE format('SELECT array_agg(DISTINCT axis_id) FROM %I.street_object WHERE source = $1', model) INTO touched
         USING source;
-    PERFORM streetgen._update_objects(model, touched);
+    PERFORM streetgen._find_control_points(model, source), streetgen._update_objects(model, touched);
+    RETURN QUERY SELECT 'object nearer to another one than distance_least, kept', o.type, count(*),
+        (array_agg(coalesce(o.source_ref, 'object ' || o.street_object_id) ORDER BY o.source_ref,
+            o.street_object_id))[:1000]
+        FROM streetgen._crowding_objects(model) o WHERE o.source = _import_objects.source GROUP BY o.type
+        ORDER BY o.type;
     RETURN QUERY SELECT 'objects', o.type, count(*), NULL::text[] FROM pg_temp._import_object o GROUP BY o.type
         ORDER BY o.type;
     DROP TABLE pg_temp._import_object;
 END $$;
 COMMENT ON FUNCTION streetgen._import_objects(name, text, text) IS
     'Upserts the objects of a prepared query by source and source_ref, each at the nearest axis within object_snap, '
-    'and reports how many; those off all axes stay where they lie and are listed (the first thousand). What was '
+    'and reports how many; those off all axes stay where they lie and are listed (the first thousand), and so are '
+    'those nearer to another object than distance_least of their type. What was '
     'edited by hand stays until its row of the source changes. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_objects(model name, source regclass, mapping jsonb)
@@ -127,9 +139,13 @@ COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'Imports a table of points as objects of subject object. mapping: geom, type, orientation (degrees clockwise from '
     'the north), name (of the street), source_ref -> source column (string) or {"value": constant}; SQL is never '
     'evaluated. Each stands at the nearest axis within setting object_snap, where one of the same name counts as half '
-    'as far: on the roadway from the axis, beside it from the border. With a source_ref, importing again follows the '
-    'source, and what was edited by hand stays until its row changes. Reports counts by type, and objects off all '
-    'axes, which stay where they lie. A missing column: 42703; a bad row or mapping: 22023; a model without the '
+    'as far: on the roadway from the axis, beside it from the border. Where setting object_names is fuzzy, an axis of '
+    'a similar name counts as nearer by half of the similarity of pg_trgm. Crossings, traffic lights and signs point '
+    'to the control point of their kind within a metre, each to one of its own, and move with it. With a source_ref, '
+    'importing again follows the '
+    'source, and what was edited by hand stays until its row changes. Reports counts by type, objects off all '
+    'axes, which stay where they lie, and objects nearer to another one than distance_least of their type. pg_trgm '
+    'that is asked for and missing: 0A000. A missing column: 42703; a bad row or mapping: 22023; a model without the '
     'subject: 55000; then the model stays as it was. Needs the rights of the owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm')
@@ -154,5 +170,6 @@ SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' TH
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm_objects(name, text) IS
     'Imports lamps, trees, benches, bollards, bus stops, crossings, signals and signs of an OSM file, from the table '
-    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects. No such table: 42P01; a model '
+    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects: crossings, signals and signs '
+    'point to the control point that streetgen.import_osm made of their node. No such table: 42P01; a model '
     'without the subject: 55000. Needs the rights of the owner (42501).';
