@@ -13,14 +13,16 @@ write_sumo() {
   [ "$(run_sql -At -c "SELECT value FROM streetgen.setting($(quoted "$model")) WHERE name = 'driving_side'")" != left ] || side=(--lefthand)
   # Nothing is to be made up: no turning back, no other origin, no bends made rounder.
   SUMO_HOME=${SUMO_HOME:-/usr/share/sumo} netconvert --node-files "$name.nod.xml" --edge-files "$name.edg.xml" --connection-files "$name.con.xml" \
-    --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --offset.disable-normalization --geometry.min-radius 0 \
+    --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --walkingareas --offset.disable-normalization --geometry.min-radius 0 \
     ${side[@]+"${side[@]}"} >"$log" 2>&1 ||
     fail "netconvert made no network of $(basename "$1"): $(grep -m 1 '^Error' "$log" || tail -n 1 "$log"); $log says more"
-  python3 -B "$root/data/sumo/give_surfaces.py" "$name.nod.xml" "$name.made.xml" >"$1"
+  python3 -B "$root/data/sumo/finish.py" "$name" "$name.made.xml" >"$1"
   rm "$name.made.xml"
   python3 -B "$root/data/sumo/hold.py" "$name" "$sumo_tolerance" >"$build/sumo_differences" || {
     head -n 20 "$build/sumo_differences" >&2
     fail "$(basename "$1") is not the model, but for --tolerance $sumo_tolerance: $(wc -l <"$build/sumo_differences") differences, listed in $build/sumo_differences"
   }
+  ! grep -q '^crossing lost' "$build/sumo_differences" ||
+    say "$(basename "$1") lacks $(grep -c '^crossing lost' "$build/sumo_differences") crossings, where netconvert finds no sidewalk to come from: listed in $build/sumo_differences"
   [ -n "$keep_plain" ] || rm "$name".{nod,edg,con,typ,tll}.xml
 }

@@ -3,9 +3,9 @@
 
     hold.py NAME [TOLERANCE]
 
-reads NAME.edg.xml, NAME.con.xml and NAME.net.xml. Lanes and connections that the network lost or invented, other widths,
+reads NAME.edg.xml, NAME.con.xml and NAME.net.xml. Lanes, connections and pedestrian crossings that the network lost or invented, other widths,
 and lines that moved by more than 0.1 m are printed, a line each. Exit 1 where there are any, but for lines that moved by
-no more than TOLERANCE metres (0.1).
+no more than TOLERANCE metres (0.1), and for crossings that are lost: netconvert leaves out those where it finds no sidewalk to come from.
 """
 import math
 import sys
@@ -53,10 +53,13 @@ def elements(path, names):
 
 
 class Network:
-    """Lanes by name with width and line, and connections by their lanes with the line of their path or None."""
+    """Lanes by name, and crossings by their edges and node, with width and line; connections by their lanes with the line of their path or None."""
 
     def __init__(self):
-        self.lanes, self.connections = {}, {}
+        self.lanes, self.connections, self.crossings = {}, {}, {}
+
+    def add_crossing(self, edges, node, element):
+        self.crossings[f"{' '.join(sorted(edges.split()))} at {node}"] = float(element.get("width")), line_of(element.get("shape"))
 
     def add_edge(self, edge):
         for lane in edge.iter("lane"):
@@ -68,8 +71,10 @@ def read_plain(name):
     plain = Network()
     for edge in elements(name + ".edg.xml", {"edge"}):
         plain.add_edge(edge)
-    for connection in elements(name + ".con.xml", {"connection"}):
-        if connection.get("to") is not None:
+    for connection in elements(name + ".con.xml", {"connection", "crossing"}):
+        if connection.tag == "crossing":
+            plain.add_crossing(connection.get("edges"), connection.get("node"), connection)
+        elif connection.get("to") is not None:
             shape = connection.get("shape")
             plain.connections[ends_of(connection)] = line_of(shape) if shape else None
     return plain
@@ -88,10 +93,13 @@ def read_net(path):
         elif element.tag == "edge" and element.get("function") == "internal":
             for lane in element.iter("lane"):
                 inside[lane.get("id")] = line_of(lane.get("shape"))
+        elif element.tag == "edge" and element.get("function") == "crossing":
+            net.add_crossing(element.get("crossingEdges"), element.get("id")[1:].rpartition("_c")[0], element.find("lane"))
         elif element.tag == "connection":
             if element.get("from").startswith(":"):
                 after[f"{element.get('from')}_{element.get('fromLane')}"] = element.get("via")
-            else:
+            # Sidewalks lead to places where people turn and wait, which netconvert draws.
+            elif not element.get("to").startswith(":"):
                 first[ends_of(element)] = element.get("via")
     for ends, via in first.items():
         path_line = []
@@ -104,16 +112,17 @@ def read_net(path):
 
 def differences(plain, net):
     """Kind, what, and how far, of all that differs."""
-    for kind, of_plain, of_net in ("lane", plain.lanes, net.lanes), ("connection", plain.connections, net.connections):
+    for kind in "lane", "connection", "crossing":
+        of_plain, of_net = getattr(plain, kind + "s"), getattr(net, kind + "s")
         for what in of_plain.keys() - of_net.keys():
             yield f"{kind} lost", what, None
         for what in of_net.keys() - of_plain.keys():
             yield f"{kind} invented", what, None
-    for name in plain.lanes.keys() & net.lanes.keys():
-        (width, line), (width_there, line_there) = plain.lanes[name], net.lanes[name]
-        if abs(width - width_there) > WIDTH:
-            yield "width changed", name, None
-        yield "lane moved", name, apart(line, line_there)
+        for name in of_plain.keys() & of_net.keys() if kind != "connection" else ():
+            (width, line), (width_there, line_there) = of_plain[name], of_net[name]
+            if abs(width - width_there) > WIDTH:
+                yield "width changed", name, None
+            yield f"{kind} moved", name, apart(line, line_there)
     for ends in plain.connections.keys() & net.connections.keys():
         line, line_there = plain.connections[ends], net.connections[ends]
         if line and line_there:
@@ -126,8 +135,8 @@ def main():
     found = [row for row in differences(plain, net) if row[2] is None or row[2] > PLACE]
     for kind, what, metres in sorted(found, key=lambda row: (row[0], str(row[1]))):
         print(kind, what if isinstance(what, str) else " -> ".join(what), "" if metres is None else f"by {metres:.2f} m")
-    print(f"{len(plain.lanes)} lanes and {len(plain.connections)} connections, {len(found)} not as in the model", file=sys.stderr)
-    sys.exit(any(metres is None or metres > tolerance for _, _, metres in found))
+    print(f"{len(plain.lanes)} lanes and {len(plain.connections)} connections, {len(plain.crossings)} crossings, {len(found)} not as in the model", file=sys.stderr)
+    sys.exit(any(kind != "crossing lost" and (metres is None or metres > tolerance) for kind, _, metres in found))
 
 
 if __name__ == "__main__":

@@ -80,3 +80,40 @@ SELECT 'cars may cross a bus lane between theirs, and no other', (SELECT array_a
 SELECT FROM streetgen.live('town', false);
 UPDATE town.axis SET width = 13 WHERE axis_id = 1;
 SELECT 'a stale model is written', pg_temp.found('/edges/edge/lane', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane_driving) + (SELECT count(*) FROM looped);
+-- People on foot: a cross whose east is one-way, with sidewalks, crossings by objects and by control points, and signals.
+CREATE FUNCTION pg_temp.on_foot(model name, driving_side text) RETURNS void LANGUAGE plpgsql AS $$ BEGIN
+  PERFORM streetgen.create_model(model, 2154, subjects => '{interconnection,sidewalk,signal,object}', driving_side => driving_side);
+  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, direction, sidewalk_left, sidewalk_right) VALUES
+    (1, ''SRID=2154;LINESTRING(650000 6860000,650100 6860000)'', 7, ''both'', 2, 3), (2, ''SRID=2154;LINESTRING(650100 6860000,650200 6860000)'', 7, ''direct'', 2, 2),
+    (3, ''SRID=2154;LINESTRING(650100 6860000,650100 6860100)'', 7, ''both'', 2, 2), (4, ''SRID=2154;LINESTRING(650100 6859900,650100 6860000)'', 7, ''both'', 2, 0)', model);
+  EXECUTE format('INSERT INTO %I.control_point (geom, kind) VALUES (''SRID=2154;POINT(650100 6860000)'', ''signals''), (''SRID=2154;POINT(650072 6860000)'', ''pedestrian_crossing''),
+    (''SRID=2154;POINT(650100 6860012)'', ''pedestrian_crossing'')', model);
+  EXECUTE format('INSERT INTO %I.pedestrian_crossing_editing (geom, width, angle) VALUES (''SRID=2154;POINT(650075 6860000)'', 3, 90), (''SRID=2154;POINT(650112 6860000)'', 5, 70), (''SRID=2154;POINT(650100 6859988)'', 4, 90)', model);
+END $$;
+SELECT pg_temp.on_foot('foot', 'right'), pg_temp.on_foot('left_foot', 'left') \g /dev/null
+SELECT model || ': a sidewalk is a lane at the kerb', pg_temp.found('//lane[@allow="pedestrian"]', f) = 7 AND pg_temp.found('//lane[@allow="pedestrian" and @index="0"]', f) = 7 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f;
+SELECT model || ': beside no lane of its direction it is an edge', (SELECT array_agg(id::text) FROM unnest(xpath('//edge[contains(@id, ".walk")]/@id', f)) id) = '{-2.walk}' AND pg_temp.found('//edge[@id="-2.walk"]/lane', f) = 1 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f;
+SELECT model || ': lanes lie in the sidewalks of the model', bool_and(ST_Contains(ST_Buffer(s.surface, 0.1), ST_Translate(ST_SetSRID(ST_GeomFromText('LINESTRING(' || translate(shape, ' ,', ', ') || ')'), 2154), 650000, 6859900))) AND count(*) = 7
+  FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f, unnest(xpath('//edge', f)) edge,
+    LATERAL (SELECT (xpath('string(/edge/@id)', edge))[1]::text AS id, (xpath('string(/edge/lane[@allow="pedestrian"]/@shape)', edge))[1]::text AS shape) l,
+    LATERAL (SELECT surface FROM (SELECT 'foot' AS of, * FROM foot.sidewalk UNION ALL SELECT 'left_foot', * FROM left_foot.sidewalk) s
+      WHERE of = model AND node_id IS NULL AND edge_id = abs(replace(id, '.walk', '')::bigint) AND side = CASE WHEN (id LIKE '-%') = (model = 'left_foot') THEN 'right' ELSE 'left' END) s
+  WHERE shape <> '' GROUP BY model;
+SELECT model || ': connections lead from lanes of cars to lanes of cars', count(*) > 0 AND bool_and(pg_temp.found(format('//edge[@id="%s"]/lane[@index="%s" and not(@allow)]', edge, lane), edges) = 1)
+  FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') edges, pg_temp.file(model, 'connections') c, unnest(xpath('//connection', c)) k, (VALUES ('from'), ('to')) w(which),
+    LATERAL (SELECT (xpath('string(/connection/@' || which || ')', k))[1]::text AS edge, (xpath('string(/connection/@' || which || 'Lane)', k))[1]::text AS lane) e GROUP BY model;
+-- An object comes before a control point. South there is one sidewalk.
+SELECT model || ': a crossing of each street with two sidewalks', (SELECT array_agg(format('%s %s', (xpath('string(/crossing/@edges)', c))[1], (xpath('string(/crossing/@width)', c))[1]) ORDER BY c::text COLLATE "C") FROM unnest(xpath('//crossing', f)) c)
+  @> '{-1 1 3.00,2 5.00,-3 3 4.00}' AND pg_temp.found('//crossing', f) = 3 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'connections') f;
+SELECT 'it lies where the model has it, from the right to the left of those who leave', (xpath('string(//crossing[@edges="-1 1"]/@shape)', pg_temp.file('foot', 'connections')))[1]::text = '75,103.5 75,96.5';
+SELECT 'who waits leaves it free', abs((xpath('string(//edge[@id="1"]/stopOffset/@value)', f))[1]::text::float8 - ((SELECT abscissa - 75 FROM foot.section_limit WHERE (edge_id, which) = (1, 'end')) + 1.5 + 0.5)) < 0.006
+  AND pg_temp.found('//edge[@id="-1" or @id="2"]/stopOffset', f) = 0 FROM pg_temp.file('foot', 'edges') f;
+CREATE TEMPORARY VIEW shown AS SELECT model, (xpath('string(/phase/@state)', p))[1]::text AS state, f FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'tlLogics') f, unnest(xpath('//phase', f)) p;
+SELECT model || ': a program shows crossings, then connections', bool_and(length(state) = 3 + pg_temp.found('//connection', f)) AND bool_and(pg_temp.found('//connection[@linkIndex="3"]', f) = 1) FROM shown GROUP BY model;
+SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i < 3) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 3 FROM (
+  SELECT model, i, substr(state, i + 1, 1) = 'G' AND NOT EXISTS (SELECT FROM unnest(xpath('//connection', s.f)) k, LATERAL (SELECT (xpath('string(/connection/@from)', k))[1]::text AS a, (xpath('string(/connection/@to)', k))[1]::text AS b,
+      (xpath('string(/connection/@linkIndex)', k))[1]::text::integer AS link) l, unnest(string_to_array((xpath(format('string(//crossing[@linkIndex="%s"]/@edges)', i), pg_temp.file(model, 'connections')))[1]::text, ' ')) e
+    WHERE substr(state, link + 1, 1) IN ('G', 'g') AND (a = e OR b = e AND (a, b) IN (('1', '2'), ('4', '3')))) AS stopped FROM shown s, generate_series(0, 2) i WHERE substr(state, i + 1, 1) = 'G') c GROUP BY model;
+SELECT FROM streetgen.switch_subject('left_foot', 'sidewalk', false) \g /dev/null
+SELECT 'without crossings there are none, and without sidewalks neither', pg_temp.found('//crossing', pg_temp.file('wide', 'connections')) = 0
+  AND pg_temp.found('//crossing', pg_temp.file('left_foot', 'connections')) = 0 AND pg_temp.found('//lane[@allow="pedestrian"]', pg_temp.file('left_foot', 'edges')) = 0;

@@ -42,29 +42,3 @@ COMMENT ON FUNCTION streetgen._export_signals() IS
     'numbers of their lanes in the file (name_in, index_in, name_out, index_out), and lanes of the model. They are '
     'link, the ways at places of controllers, counted for each from 0, open where they go in every state; served, in '
     'which states each has green; state, the states, each with the green one that it follows.';
-
-CREATE OR REPLACE FUNCTION streetgen._sumo_signals(computed boolean) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN NOT computed THEN $part$, line AS (
-    SELECT 1 AS turn, 0 AS id, NULL::xml AS element WHERE false)$part$
-    ELSE streetgen._sumo_going_on() || $part$,
-signal_way AS (SELECT *, goes_to::bigint AS place_id FROM going_on WHERE lane_in IS NOT NULL)$part$
-    || streetgen._export_signals() || $part$,
-shown AS (
-    SELECT s.controller_id, s.ordinality, min(s.duration) AS duration, string_agg(CASE WHEN k.open THEN 'g'
-            WHEN v.number IS NULL OR s.kind = 'all_red' THEN 'r' WHEN s.kind = 'amber' THEN 'y'
-            WHEN v.protected THEN 'G' ELSE 'g' END, '' ORDER BY k.number) AS signs
-    FROM state s JOIN link k USING (controller_id) LEFT JOIN served v ON (v.controller_id, v.number, v.ordinality)
-        = (s.controller_id, k.number, s.green) GROUP BY s.controller_id, s.ordinality),
-line AS (
-    SELECT 1 AS turn, controller_id AS id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id, 'static'
-            AS type, 'streetgen' AS "programID", round(min(c.start_offset)::numeric, 2) AS "offset"),
-        xmlagg(xmlelement(name phase, xmlattributes(round(s.duration::numeric, 2) AS duration, signs AS state))
-            ORDER BY s.ordinality)) AS element
-    FROM shown s JOIN %1$I.controller c USING (controller_id) GROUP BY controller_id
-    UNION ALL SELECT 2, controller_id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
-        index_in AS "fromLane", index_out AS "toLane", controller_id AS tl, number AS "linkIndex")) FROM link)$part$
-    END $$;
-COMMENT ON FUNCTION streetgen._sumo_signals(boolean) IS
-    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the programs of controllers and the '
-    'connections that they serve; nothing of a model that computes no signals.';

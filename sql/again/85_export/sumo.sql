@@ -2,26 +2,41 @@
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
     RETURNS TABLE(kind text, allow text, disallow text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
     ('general', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('bus', 'bus coach taxi emergency', NULL),
     ('cycle', 'bicycle', NULL),
-    ('parking', NULL, 'all') $$;
+    ('parking', NULL, 'all'),
+    ('sidewalk', 'pedestrian', NULL) $$;
 COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
-    'The vehicle classes of SUMO that kinds of lanes allow, or else those that they do not. Cars park on a parking '
-    'lane, but none drives there.';
+    'The vehicle classes of SUMO that kinds of lanes and sidewalks allow, or else those that they do not. Cars park on '
+    'a parking lane, but none drives there.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_edge(line text, condition text) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_edge(subjects text[], line text, condition text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $part$,
+    AS $$ SELECT streetgen._export_sidewalks('sidewalk' = ANY (subjects)) || $part$,
+-- A sidewalk is a lane of the edge at whose kerb it lies; beside no lane of its direction it is an edge by itself.
+grouped AS MATERIALIZED (
+    SELECT g.lane_group_id, g.edge_id, g.along_axis, g.from_node, g.to_node, g.lanes, g.lane_count, g.geom,
+        streetgen._lane_group_text(g.edge_id, g.along_axis, number) AS text, (w.lane_id IS NOT NULL)::integer AS walk
+    FROM %1$I.lane_group g LEFT JOIN sidewalk_beside w
+        ON (w.edge_id, w.along_axis, w.lane_id) = (g.edge_id, g.along_axis, g.lanes[1])
+    WHERE g.edge_id IN (SELECT edge_id FROM written_edge)),
+carried AS (
+    SELECT * FROM grouped
+    UNION ALL SELECT 2 * lane_id, w.edge_id, w.along_axis, CASE WHEN w.along_axis THEN from_node ELSE to_node END,
+        CASE WHEN w.along_axis THEN to_node ELSE from_node END, '{}', 0,
+        CASE WHEN w.along_axis THEN w.line ELSE ST_Reverse(w.line) END,
+        streetgen._lane_group_text(w.edge_id, w.along_axis, 1) || '.walk', 1
+    FROM sidewalk_beside w JOIN written_edge e USING (edge_id)
+    WHERE NOT EXISTS (SELECT FROM grouped g
+        WHERE (g.edge_id, g.along_axis, g.lanes[1]) = (w.edge_id, w.along_axis, w.lane_id))),
 -- netconvert knows no edge that comes back to its node: a loop is two, with a node in the middle.
 sumo_edge AS MATERIALIZED (
-    SELECT lane_group_id, edge_id, along_axis, lanes, lane_count, v.*, $part$ || line || $part$ AS line
-    FROM (SELECT g.*, streetgen._lane_group_text(edge_id, along_axis, number) AS text, f.place_id AS from_place,
-            t.place_id AS to_place
-        FROM %1$I.lane_group g JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node
-        WHERE edge_id IN (SELECT edge_id FROM written_edge)) g,
+    SELECT lane_group_id, edge_id, along_axis, lanes, lane_count, walk, v.*, $part$ || line || $part$ AS line
+    FROM (SELECT c.*, f.place_id AS from_place, t.place_id AS to_place
+        FROM carried c JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node) g,
     LATERAL (
         SELECT text AS name, from_place::text AS comes_from, to_place::text AS goes_to, 0.0::float8 AS since,
             1.0::float8 AS until WHERE from_place <> to_place
@@ -29,14 +44,14 @@ sumo_edge AS MATERIALIZED (
         UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1
             WHERE from_place = to_place) v
     WHERE $part$ || condition || $part$)$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_edge(text, text) IS
-    'Query sumo_edge of the files of SUMO over a model: the edges that lane groups are, with the nodes that traffic '
-    'comes from and goes to, the shares of the length of the group where they begin and end, and a line. Line and '
-    'condition are SQL.';
+COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, text) IS
+    'Query sumo_edge of the files of SUMO over a model that computes these subjects: the edges that lane groups and '
+    'sidewalks are, with the nodes that traffic comes from and goes to, the shares of the length of the group where '
+    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line. Line and condition are SQL.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_nodes() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_edge('geom', 'from_place = to_place') || $part$,
+    AS $$ SELECT streetgen._sumo_edge(subjects, 'geom', 'from_place = to_place') || $part$,
 sumo_node AS (
     SELECT DISTINCT ON (place_id) 2 AS turn, place_id AS id, place_id::text AS name, n.geom, surface,
         CASE WHEN kind = 'signals' THEN 'traffic_light' WHEN kind = 'right_before_left' THEN kind
@@ -67,7 +82,7 @@ line AS (
                 ELSE (SELECT geom FROM ST_Dump(surface) ORDER BY ST_Area(geom) DESC LIMIT 1) END), x, y, digits, 0)
             AS value)) END)
     FROM origin, every_node n)$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_nodes() IS
+COMMENT ON FUNCTION streetgen._sumo_nodes(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the nodes.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_rings(computed boolean) RETURNS text
@@ -79,6 +94,7 @@ ring_line AS (
         string_agg(s.name, ' ' ORDER BY ordinality) AS edges)) AS element
     FROM %1$I.roundabout r JOIN %1$I.roundabout_edge e USING (roundabout_id)
         LEFT JOIN sumo_edge s ON s.edge_id = e.edge_id AND s.along_axis = e.along_axis
+            AND s.lane_count > 0
     WHERE accepted GROUP BY roundabout_id
     -- A part of a ring goes round nothing.
     HAVING count(DISTINCT comes_from) = count(*))$part$
@@ -87,60 +103,71 @@ COMMENT ON FUNCTION streetgen._sumo_rings(boolean) IS
     'Query ring_line of the files of SUMO over a model, after sumo_edge: the accepted roundabouts all of whose edges '
     'are written; nothing of a model that computes none.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_edges(rings boolean) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_edges(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_edge(
+    AS $$ SELECT streetgen._sumo_edge(subjects,
         'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', 'true')
-    || streetgen._sumo_rings(rings) || $part$,
+    || streetgen._sumo_rings('roundabout' = ANY (subjects)) || streetgen._sumo_crossings(subjects) || $part$,
+-- Who waits leaves the crossing free.
+held_back AS (
+    SELECT s.name, max(least(ST_Length(s.line) * (1 - ST_LineLocatePoint(s.line, ST_Centroid(c.line))) + along / 2
+        + 0.5, ST_Length(s.line) / 2)) AS back
+    FROM crossed c JOIN sumo_edge s ON s.name = ANY (c.names) AND s.until = 1 AND s.along_axis <> c.at_start
+    WHERE ST_Intersects(s.line, c.line) GROUP BY s.name),
 lane_line AS MATERIALIZED (
-    SELECT name, i, c.allow, c.disallow, l.width,
+    SELECT name, index, c.allow, c.disallow, l.width,
         CASE WHEN until - since < 1 THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
-    FROM (SELECT name, i, since, until, width,
+    FROM (SELECT name, i - 1 + walk AS index, since, until, width,
             CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven,
             -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
             CASE WHEN kind = 'bus' AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i)
                 AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i DESC) THEN 'general' ELSE kind END
                 AS kind
-        FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)) l
+        FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)
+        UNION ALL SELECT name, 0, since, until, w.width,
+            CASE WHEN e.along_axis THEN w.line ELSE ST_Reverse(w.line) END, 'sidewalk'
+        FROM sumo_edge e JOIN sidewalk_beside w USING (edge_id, along_axis) WHERE walk = 1) l
     JOIN streetgen._sumo_lane_class() c USING (kind)),
 lane_element AS (
-    SELECT name, xmlagg(xmlelement(name lane, xmlattributes(i - 1 AS index, allow, disallow,
+    SELECT name, xmlagg(xmlelement(name lane, xmlattributes(index, allow, disallow,
         round(width::numeric, digits) AS width, streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y,
-            digits, tolerance) AS shape)) ORDER BY i) AS elements
+            digits, tolerance) AS shape)) ORDER BY index) AS elements
     FROM origin, lane_line GROUP BY name),
 line AS (
     SELECT 1 AS turn, lane_group_id AS id, xmlelement(name edge, xmlattributes(s.name AS id, comes_from AS "from",
         goes_to AS "to", 100 - e.importance AS priority, streetgen._xml_text(a.kind) AS type,
-        s.lane_count AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed, streetgen._xml_text(street) AS name,
-        'center' AS "spreadType", streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits,
-            0.01) AS shape), elements) AS element
-    FROM origin, sumo_edge s JOIN lane_element USING (name)
+        s.lane_count + walk AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed,
+        streetgen._xml_text(street) AS name, 'center' AS "spreadType",
+        streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape), elements,
+        CASE WHEN back IS NOT NULL THEN xmlelement(name "stopOffset", xmlattributes(
+            round(back::numeric, digits) AS value)) END) AS element
+    FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
     LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
     UNION ALL SELECT * FROM ring_line)$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_edges(boolean) IS
+COMMENT ON FUNCTION streetgen._sumo_edges(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes, and the '
     'roundabouts of a model that computes them. A bus lane between lanes for all is written as one of these.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_going_on() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_edge('NULL', 'true') || $part$,
+    AS $$ SELECT streetgen._sumo_edge(subjects, 'NULL', 'true') || $part$,
 placed AS MATERIALIZED (
-    SELECT lane_id, along_axis, name, goes_to, since, until, i - 1 AS index
+    SELECT lane_id, along_axis, name, goes_to, since, until, i - 1 + walk AS index
     FROM sumo_edge, unnest(lanes) WITH ORDINALITY m(lane_id, i)),
 going_on AS MATERIALIZED (
     SELECT way_id AS id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out,
-        k.geom, a.goes_to, k.lane_in, k.lane_out, k.along_in, k.along_out
+        k.geom, a.goes_to, k.turn, k.lane_in, k.lane_out, k.along_in, k.along_out
     FROM way k JOIN placed a ON (a.lane_id, a.along_axis, a.until) = (k.lane_in, k.along_in, 1)
     JOIN placed b ON (b.lane_id, b.along_axis, b.since) = (k.lane_out, k.along_out, 0)
-    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL, a.goes_to, NULL, NULL, NULL, NULL
+    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL, a.goes_to, NULL, NULL, NULL, NULL, NULL
     FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE a.until = b.since)$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_going_on() IS
+COMMENT ON FUNCTION streetgen._sumo_going_on(text[]) IS
     'Query going_on of the files of SUMO over a model: which lane of an edge goes on to which lane of another.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_connections() RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_connections(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_going_on() || $part$,
+    AS $$ SELECT streetgen._sumo_going_on(subjects) || streetgen._sumo_crossings(subjects) || $part$,
 line AS (
     SELECT 1 AS turn, id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
         index_in AS "fromLane", index_out AS "toLane",
@@ -151,9 +178,15 @@ line AS (
     -- What is not said is invented: an edge without a way on goes into none.
     SELECT 2, a.lane_group_id, xmlelement(name delete, xmlattributes(a.name AS "from", b.name AS "to"))
     FROM sumo_edge a JOIN sumo_edge b ON b.comes_from = a.goes_to
-    WHERE NOT EXISTS (SELECT FROM going_on WHERE name_in = a.name))$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_connections() IS
-    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the connections.';
+    WHERE NOT EXISTS (SELECT FROM going_on WHERE name_in = a.name)
+    UNION ALL
+    SELECT 3, c.edge_id, xmlelement(name crossing, xmlattributes(c.place_id AS node,
+        array_to_string(names, ' ') AS edges, 1 AS priority, round(along::numeric, digits) AS width,
+        number AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))
+    FROM origin, crossed c)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_connections(text[]) IS
+    'Queries of a plain file of SUMO as streetgen._export_lines takes them: the connections, '
+    'and the crossings.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_types() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -167,9 +200,9 @@ COMMENT ON FUNCTION streetgen._sumo_types() IS
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_part(subjects text[]) RETURNS TABLE(part text, query text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES ('nodes', streetgen._sumo_nodes()), ('edges', streetgen._sumo_edges('roundabout' = ANY (subjects))),
-        ('connections', streetgen._sumo_connections()), ('types', streetgen._sumo_types()),
-        ('tlLogics', streetgen._sumo_signals('signal' = ANY (subjects))) $$;
+    AS $$ VALUES ('nodes', streetgen._sumo_nodes(subjects)), ('edges', streetgen._sumo_edges(subjects)),
+        ('connections', streetgen._sumo_connections(subjects)), ('types', streetgen._sumo_types()),
+        ('tlLogics', streetgen._sumo_signals(subjects)) $$;
 COMMENT ON FUNCTION streetgen._sumo_part(text[]) IS
     'The plain files of SUMO of a model that computes these subjects: the part, which is the name of its root element, '
     'and the queries of its lines.';
@@ -200,7 +233,9 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
     'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
-    'since netconvert invents what is not said. A node has the intersection as parameter surface; its shape is a place '
+    'since netconvert invents what is not said. With subject sidewalk, a sidewalk is lane 0 of its edge, or an edge '
+    'edge_id.walk beside no lane of its direction, and crossings between two of them are written (connections). A '
+    'node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
     'one. With subject roundabout, accepted rings are roundabouts (edges). '

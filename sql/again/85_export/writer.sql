@@ -150,8 +150,8 @@ way AS NOT MATERIALIZED (%5$s)$part$, model, (SELECT srid FROM streetgen.model m
                 'LEFT JOIN %1$I.junction j USING (junction_id)' END, model),
         format(CASE WHEN NOT joined THEN 'SELECT'
             WHEN grouped THEN 'SELECT coalesce(junction_movement_id, interconnections[1]) AS way_id, lane_in, '
-                'lane_out, along_in, along_out, geom FROM %I.movement WHERE connecting'
-            ELSE 'SELECT interconnection_id AS way_id, lane_in, lane_out, along_in, along_out, geom '
+                'lane_out, along_in, along_out, turn, geom FROM %I.movement WHERE connecting'
+            ELSE 'SELECT interconnection_id AS way_id, lane_in, lane_out, along_in, along_out, turn, geom '
                 'FROM %I.interconnection WHERE connecting' END, model))
     FROM (SELECT 'junction' = ANY (subjects) AS known, 'interconnection' = ANY (subjects) AS joined,
         options ->> 'junctions' = 'group' AS grouped FROM streetgen._subjects(model) subjects) o
@@ -160,7 +160,7 @@ COMMENT ON FUNCTION streetgen._export_edges(name, jsonb) IS
     'Queries that writers begin with, over their options $1: written_edge, the edges that are written; origin, whole '
     'metres from which coordinates are counted, with digits and tolerance; place, the junction that a node is or is '
     'part of, with its kind where the model knows that, and its surface; way, the pairs of lanes that connect, with '
-    'their path, of a model that computes them.';
+    'their turn and path, of a model that computes them.';
 
 CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, query text, opening text,
     closing text) RETURNS text

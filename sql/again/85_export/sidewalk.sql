@@ -1,0 +1,76 @@
+-- Sidewalks and crossings as the formats of simulators have them: beside the lanes of edges, and at the ends of edges.
+
+CREATE OR REPLACE FUNCTION streetgen._export_sidewalks(computed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN NOT computed THEN $part$,
+sidewalk_beside AS (SELECT NULL::bigint AS edge_id, NULL::text AS side, NULL::float8 AS width, NULL::bigint AS lane_id,
+    NULL::boolean AS along_axis, NULL::geometry AS line WHERE false)$part$
+    ELSE $part$,
+-- One that lies along less than half of its edge is none of its lanes.
+sidewalk_beside AS MATERIALIZED (
+    SELECT edge_id, side, s.width, o.lane_id, (side = 'right') = h.right_hand AS along_axis, streetgen.offset_line(
+            o.geom, CASE side WHEN 'left' THEN 1 ELSE -1 END * (o.width + s.width) / 2) AS line
+    FROM (SELECT edge_id, side, max(width) AS width, sum(ST_Area(surface)) AS area FROM %1$I.sidewalk
+            WHERE node_id IS NULL AND side IN ('left', 'right') AND edge_id IN (SELECT edge_id FROM written_edge)
+            GROUP BY edge_id, side) s
+        CROSS JOIN LATERAL (SELECT lane_id, width, geom FROM %1$I.lane l WHERE l.edge_id = s.edge_id
+            ORDER BY CASE s.side WHEN 'left' THEN lane_position ELSE -lane_position END LIMIT 1) o
+        CROSS JOIN (SELECT value <> 'left' AS right_hand FROM %1$I.setting WHERE name = 'driving_side') h
+    WHERE s.width > 0 AND area >= s.width * ST_Length(o.geom) / 2)$part$ END $$;
+COMMENT ON FUNCTION streetgen._export_sidewalks(boolean) IS
+    'Query sidewalk_beside of writers over a model, after streetgen._export_edges: the sidewalks along edges that are '
+    'lanes in a file, each with its side and width, the lane beside it, the direction of traffic that has it at its '
+    'kerb, and its line along the axis; nothing of a model that computes none.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_sidewalks(computed boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._export_sidewalks(computed) || $part$,
+sidewalk_lane AS MATERIALIZED (
+    SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1
+            ELSE lefts - cardinality(lanes) - 1 END || '" type="sidewalk" level="false"><width sOffset="0" a="'
+        || streetgen._opendrive_number(s.width, 5) || '" b="0" c="0" d="0"/>'
+        || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
+        || raised || '" outer="' || raised || '"/></lane>' AS text
+    FROM sidewalk_beside s
+        JOIN drawn d ON d.lanes[CASE s.side WHEN 'left' THEN 1 ELSE cardinality(d.lanes) END] = s.lane_id,
+        (SELECT k.raised FROM streetgen._mesh_kind() k WHERE k.kind = 'sidewalk') k)$part$ $$;
+COMMENT ON FUNCTION streetgen._opendrive_sidewalks(boolean) IS
+    'Query sidewalk_lane of a file of OpenDRIVE, after streetgen._opendrive_roads(): the sidewalk on a side of a road '
+    'as a lane, raised by a kerb; nothing of a model that computes none.';
+
+CREATE OR REPLACE FUNCTION streetgen._export_crossings(subjects text[]) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN subjects @> '{sidewalk}' AND subjects && '{junction,object}' THEN $part$,
+marked AS (
+    $part$ || concat_ws(' UNION ALL ',
+        CASE WHEN 'object' = ANY (subjects) THEN $part$SELECT edge_id, 1 AS turn, c.width, c.angle, o.geom
+    FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
+        JOIN %1$I.object_edge USING (street_object_id)$part$ END,
+        CASE WHEN 'junction' = ANY (subjects) THEN $part$SELECT edge_id, 2 AS turn, 4 AS width, 90 AS angle, geom
+    FROM %1$I.junction_crossing$part$ END) || $part$),
+-- A crossing on an edge is that of its nearer end. Where both a control point and an object say it, the object does.
+crossing AS MATERIALIZED (
+    SELECT DISTINCT ON (edge_id, at_start) edge_id, at_start, node_id, m.width AS along, across,
+        CASE WHEN at_start THEN line ELSE ST_Reverse(line) END AS line
+    FROM marked m JOIN written_edge e USING (edge_id),
+        LATERAL (SELECT ST_Length(e.geom) AS length, ST_LineLocatePoint(e.geom, m.geom) AS share) p,
+        LATERAL (SELECT share < 0.5 AS at_start, e.width + (e.width_end - e.width) * share AS across,
+            CASE WHEN share < 0.5 THEN share ELSE 1 - share END * length AS away) s,
+        LATERAL (SELECT CASE WHEN at_start THEN from_node ELSE to_node END AS node_id,
+            roadway_offset - across / 2 AS on_right, roadway_offset + across / 2 AS on_left,
+            1 / tan(radians(angle)) AS slope) b,
+        LATERAL (SELECT ST_SetSRID(ST_MakeLine(place ORDER BY aside), %2$s) AS line
+            FROM (VALUES (on_right), (on_left)) v(aside), LATERAL (SELECT streetgen._place_on(
+                ST_Force2D(e.geom)::bytea, greatest(least(share * length + aside * slope, length), 0), aside)
+                ::geometry AS place) o) l
+    WHERE away <= (SELECT value::float8 FROM %1$I.setting WHERE name = 'control_distance')
+        AND (SELECT count(*) FROM sidewalk_beside b WHERE b.edge_id = e.edge_id) = 2
+    ORDER BY edge_id, at_start, turn, away)$part$
+    ELSE $part$,
+crossing AS (SELECT NULL::bigint AS edge_id, NULL::boolean AS at_start, NULL::bigint AS node_id, NULL::float8 AS along,
+    NULL::float8 AS across, NULL::geometry AS line WHERE false)$part$ END $$;
+COMMENT ON FUNCTION streetgen._export_crossings(text[]) IS
+    'Query crossing of writers over a model that computes these subjects, after sidewalk_beside: where people on foot '
+    'cross an edge with sidewalks on both sides, within setting control_distance of its start or its end, one at each: '
+    'its node, its width along the edge, that of the roadway, and its line, from the right to the left of those who '
+    'leave the node. Objects of type crossing come before control points of junctions.';
