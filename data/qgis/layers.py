@@ -159,6 +159,7 @@ LAYERS = (
     by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
     by_hand('controller_override', 'axis_id', 'program', 'cycle', 'start_offset', 'durations'),
     by_hand('overpass_override', 'axis_above', 'axis_below', 'clearance'),
+    by_hand('free_place', 'rule_id'),
     by_hand('height_override', 'axis_id', 'abscissa', 'height'),
     by_hand('roundabout_override', 'confirmed'),
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),

@@ -166,8 +166,9 @@ SELECT 'and comes back', (SELECT count(*) FROM ruled.street_object WHERE type = 
 UPDATE ruled.axis SET geom = pg_temp.line('LINESTRING(0 0, 100 20, 200 0)'), width = 10 WHERE axis_id = 1;
 INSERT INTO ruled.axis (geom, width, importance) VALUES (pg_temp.line('LINESTRING(270 -50, 270 60)'), 7, 4);
 CREATE FUNCTION pg_temp.standing() RETURNS text LANGUAGE sql AS $$ SELECT md5(string_agg(concat_ws(' ', type, rule_id, axis_id, rule_place, ST_AsText(ST_SnapToGrid(geom, 1e-6))), ',' ORDER BY type, rule_id, axis_id, rule_place)) FROM ruled.street_object $$;
-CREATE TABLE edited AS SELECT pg_temp.standing() AS standing;
+CREATE TABLE edited AS SELECT pg_temp.standing() AS standing, (SELECT max(free_place_id) FROM ruled.free_place) AS last_free;
 DELETE FROM ruled.street_object WHERE placed_by = 'rule';
+DELETE FROM ruled.free_place WHERE free_place_id > (SELECT last_free FROM edited);
 SELECT count(*) FROM streetgen.generate('ruled', wait => true) \g /dev/null
 SELECT 'edits leave what a run from scratch gives', standing = pg_temp.standing() FROM edited;
 UPDATE ruled.placement_rule SET active = false WHERE type = 'tree';

@@ -45,3 +45,44 @@ SELECT 'refused: ' || said, test.state(format($$SELECT streetgen.set('town', 'pl
 SELECT streetgen.set('town', 'placement_function', 'none') \g /dev/null
 SELECT streetgen.generate('town') \g /dev/null
 SELECT 'without it what it placed goes, and the user''s stays', array_agg(placed_by) = '{user}' FROM town.street_object;
+
+-- What a user takes away stays away; what a user changes is the user's.
+SELECT streetgen.create_model('row', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO row.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0, 100 0)'), 8), (2, pg_temp.line('LINESTRING(100 0, 200 0)'), 8), (3, pg_temp.line('LINESTRING(100 0, 100 80)'), 6);
+INSERT INTO row.placement_rule (rule_id, type, side, every, axis_offset, distance_from_limit) VALUES (1, 'tree', 'left', 10, 1, 2);
+CREATE FUNCTION pg_temp.trees() RETURNS integer[] LANGUAGE sql AS $$ SELECT array_agg(round(ST_X(geom) - 650000)::integer ORDER BY ST_X(geom)) FROM row.street_object WHERE type = 'tree' AND placed_by = 'rule' AND abs(ST_Y(geom) - 6860005) < 1e-6 $$;
+SELECT 'a row of trees', pg_temp.trees() @> '{10,20,30,40,50,60,70,80,120,130,140,150,160,170,180,190}';
+DELETE FROM row.street_object_editing WHERE abs(ST_X(geom) - 650030) < 1 OR abs(ST_X(geom) - 650150) < 1;
+SELECT 'a tree that was deleted stays away', pg_temp.trees() @> '{20,40,140,160}' AND NOT pg_temp.trees() && '{30,150}';
+SELECT sum(inserted) FROM streetgen.generate('row', wait => true) \g /dev/null
+SELECT 'after a run too', NOT pg_temp.trees() && '{30,150}';
+UPDATE row.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+UPDATE row.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+UPDATE row.axis SET geom = pg_temp.line('LINESTRING(100 0, 140 0)') WHERE axis_id = 2;
+INSERT INTO row.axis (axis_id, geom, width) VALUES (4, pg_temp.line('LINESTRING(140 0, 200 0)'), 8);
+SELECT 'also where the axis is turned round, or split', pg_temp.trees() @> '{20,40,160}' AND NOT pg_temp.trees() && '{30,150}';
+DELETE FROM row.free_place WHERE abs(ST_X(geom) - 650030) < 1;
+SELECT 'taken back, it comes back', pg_temp.trees() @> '{30}' AND NOT pg_temp.trees() && '{150}';
+UPDATE row.street_object SET abscissa = abscissa + 4 WHERE placed_by = 'rule' AND (abs(ST_X(geom) - 650050) < 1 OR abs(ST_X(geom) - 650190) < 1);
+SELECT 'a tree that was moved in the table is the user''s, and its place stays free', count(*) = 2 AND NOT pg_temp.trees() && '{50,190}' FROM row.street_object WHERE placed_by = 'user' AND rule_id IS NULL;
+UPDATE row.axis SET geom = pg_temp.line('LINESTRING(100 0, 200 0)') WHERE axis_id = 2;
+DELETE FROM row.axis WHERE axis_id = 4;
+UPDATE row.axis SET geom = pg_temp.line('LINESTRING(0 0, 100 0, 200 0)') WHERE axis_id = 1;
+DELETE FROM row.axis WHERE axis_id = 2;
+SELECT 'two of one number come onto one axis', count(*) = 2 AND bool_and(axis_id = 1) AND NOT pg_temp.trees() && '{50,150,190}' FROM row.street_object WHERE placed_by = 'user';
+UPDATE row.placement_rule SET phase = 1;
+SELECT 'a rule with other places leaves the same ground free', pg_temp.trees() @> '{21,41,161}' AND NOT pg_temp.trees() && '{51,151,191}';
+SELECT 'a second run changes nothing of them', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('row', wait => true);
+SELECT 'nor is there an error of check_model', count(*) = 0 FROM streetgen.check_model('row') WHERE severity = 'error';
+DELETE FROM row.placement_rule;
+SELECT 'free places go with their rule', NOT EXISTS (SELECT FROM row.free_place);
+
+INSERT INTO row.placement_rule (rule_id, type, along, side, distance_from_limit) VALUES (2, 'crossing', 'arm', 'alternating', 2.5);
+INSERT INTO row.placement_rule (rule_id, type, side, every, axis_offset, distance_from_limit) VALUES (3, 'parking_bay', 'left', 6, 0, 2);
+CREATE TABLE crossings AS SELECT street_object_id, axis_id FROM row.pedestrian_crossing JOIN row.street_object USING (street_object_id);
+UPDATE row.pedestrian_crossing_editing SET width = 6 WHERE axis_id = 3;
+SELECT 'a crossing that was widened is the user''s', (SELECT placed_by = 'user' AND width = 6 FROM row.street_object JOIN row.pedestrian_crossing USING (street_object_id) WHERE axis_id = 3) AND (SELECT count(*) = 3 FROM row.pedestrian_crossing);
+SELECT 'and rules of bays look at it at once', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('row', wait => true);
+DELETE FROM row.pedestrian_crossing WHERE street_object_id = (SELECT max(street_object_id) FROM row.street_object WHERE placed_by = 'rule' AND type = 'crossing');
+SELECT 'a crossing of a rule that was deleted by its own table stays away', count(*) = 2 FROM row.pedestrian_crossing;
+SELECT 'and bays look at that too', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('row', wait => true);

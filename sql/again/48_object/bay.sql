@@ -93,16 +93,16 @@ CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
     UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
     WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
 CREATE OR REPLACE FUNCTION %1$I.redraw_bays() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM %1$I.street_object o USING old_bay b WHERE o.street_object_id = b.street_object_id;
     ELSE
-        -- A bay that a user edits belongs to that user from then on.
-        UPDATE %1$I.street_object o SET placed_by = 'user' FROM new_bay b
-            WHERE o.street_object_id = b.street_object_id AND o.placed_by = 'rule';
-        PERFORM %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay));
+        PERFORM %1$I._take_from_rules(ARRAY(SELECT street_object_id FROM new_bay)),
+            %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay)),
+            %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_bay JOIN %1$I.street_object
+                USING (street_object_id)));
     END IF;
     RETURN NULL;
 END $body$;

@@ -59,13 +59,16 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     WHERE n.street_object_id = c.street_object_id
         AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
 CREATE OR REPLACE FUNCTION %1$I.redraw_crossings() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM %1$I.street_object o USING old_crossing c WHERE o.street_object_id = c.street_object_id;
     ELSE
-        PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_crossing));
+        PERFORM %1$I._take_from_rules(ARRAY(SELECT street_object_id FROM new_crossing)),
+            %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_crossing)),
+            %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_crossing JOIN %1$I.street_object
+                USING (street_object_id)));
     END IF;
     RETURN NULL;
 END $body$;

@@ -48,7 +48,7 @@ BEGIN
         IF NEW.axis_id IS NULL THEN
             NEW.placement := 'absolute';
         ELSE
-            axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id);
+            axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
             SELECT l.* INTO at FROM (SELECT ST_Length2D(axis.line) AS length) s,
                 LATERAL (SELECT streetgen._locate_on(axis.line::bytea, dropped::bytea) AS place) f,
                 LATERAL streetgen.locate_on(axis.line, axis.width + (axis.width_end - axis.width) * place[1] / length,
@@ -80,8 +80,7 @@ BEGIN
     END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
         'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
-        'WHEN $11 THEN ''absolute'' ELSE method END, placed_by = CASE placed_by WHEN ''rule'' THEN ''user'' ELSE '
-        'placed_by END WHERE street_object_id = $1 RETURNING street_object_id', TG_TABLE_SCHEMA)
+        'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 RETURNING street_object_id', TG_TABLE_SCHEMA)
         INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
         NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
     IF held IS NULL THEN

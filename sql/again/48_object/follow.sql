@@ -12,7 +12,8 @@ BEGIN
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
             '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
-            '%1$I._has_rules(), %1$I.free_places(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
+            '%1$I._has_rules(), %1$I._take_from_rules(bigint[]), %1$I._renew_rules_beside(geometry[]), '
+            '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
@@ -105,11 +106,7 @@ BEGIN
     PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
         %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
         streetgen._join_specialised(%2$L, ARRAY(SELECT street_object_id FROM new_object));
-    -- What rules placed gives way.
-    IF %1$I._has_rules() THEN
-        PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM new_object n
-            JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
-    END IF;
+    PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_object));
     RETURN NULL;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I.rejoin_objects() RETURNS trigger

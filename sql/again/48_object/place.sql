@@ -44,19 +44,36 @@ COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, te
     'The direction that an object faces, degrees clockwise from the north, from 0 to below 360: a stretch in its '
     'middle.';
 
-CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, OUT line geometry, OUT width float8,
+CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holder text, OUT line geometry, OUT width float8,
     OUT width_end float8, OUT roadway_offset float8)
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     -- Who moves the axis waits, and then finds the object there.
-    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = $1 FOR SHARE', model) USING axis;
+    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = $1 FOR SHARE', model)
+        || CASE WHEN holder IS NULL THEN '' ELSE ' NOWAIT' END USING axis;
     EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
         model) INTO line, width, width_end, roadway_offset USING axis;
+EXCEPTION WHEN lock_not_available THEN
+    RAISE EXCEPTION 'another session edits axis %, by which % stands', axis, coalesce(holder, 'the object')
+        USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = CASE WHEN holder IS NULL
+            THEN 'Repeat the edit when it has ended, or raise lock_timeout.'
+            ELSE 'Repeat the edit when it has ended, or edit street_object_editing, which waits.' END;
 END $$;
-COMMENT ON FUNCTION streetgen._object_axis(name, bigint) IS
+COMMENT ON FUNCTION streetgen._object_axis(name, bigint, text) IS
     'The line, widths and roadway_offset (m) of an axis as the streets use them, '
-    'held until the transaction ends; NULL for none.';
+    'held until the transaction ends; NULL for none. holder: who holds its object already and must not wait for who '
+    'holds the axis, for whom that one may wait; NULL: nobody. An axis that another session edits: 55P03.';
+
+CREATE OR REPLACE FUNCTION streetgen._leave_free(model name, rule bigint, place geometry) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    EXECUTE format('INSERT INTO %I.free_place (rule_id, geom) VALUES ($1, $2)', model) USING rule, place;
+END $$;
+COMMENT ON FUNCTION streetgen._leave_free(name, bigint, geometry) IS
+    'Keeps a place free of objects of a rule; they are renewed later in the edit.';
 
 CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -70,6 +87,16 @@ BEGIN
     IF NEW.geom IS NOT NULL THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.geom := ST_Force2D(NEW.geom);
+    END IF;
+    IF TG_OP = 'UPDATE' AND NEW.placed_by = 'rule' AND OLD.placed_by = 'rule' AND (NEW.type, NEW.geom::bytea,
+        NEW.placement, NEW.axis_id, NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset, NEW.orientation,
+        NEW.orientation_kind) IS DISTINCT FROM (OLD.type, OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa,
+        OLD.abscissa_end, OLD.side, OLD.axis_offset, OLD.orientation, OLD.orientation_kind) THEN
+        -- It belongs to the user from then on, and the rule leaves its place free.
+        PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
+        NEW.placed_by := 'user';
+        NEW.rule_id := NULL;
+        NEW.rule_place := NULL;
     END IF;
     EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type WHERE type = $1)', TG_TABLE_SCHEMA) INTO known
         USING NEW.type;
@@ -103,7 +130,7 @@ BEGIN
             + coalesce(OLD.angle - OLD.orientation, 0), 'absolute');
         RETURN NEW;
     END IF;
-    axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id);
+    axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, CASE TG_OP WHEN 'UPDATE' THEN subject END);
     IF axis.line IS NULL THEN
         RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
             DETAIL = format('There is no axis %s.', NEW.axis_id),
@@ -138,5 +165,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
-    'without an axis it stands where its geometry lies. An abscissa beyond the axis, an axis or a type that is not '
+    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s. An abscissa beyond the axis, an axis or a type that is not '
     'there, a side that is missing, a number that is none: 22023.';

@@ -52,7 +52,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_rule_functions(model name) RETURNS vo
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    event text;
+    followed record;
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._has_rules() RETURNS boolean
@@ -68,6 +68,7 @@ CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
 DECLARE
     bays constant text[] := %1$I._types_below('parking_bay');
     crossings constant text[] := %1$I._types_below('crossing');
+    any_free constant boolean := EXISTS (SELECT FROM %1$I.free_place);
 BEGIN
     -- A rule that places something else now places it anew: rows of the former type go with their objects.
     DELETE FROM %1$I.street_object o USING %1$I.placement_rule r WHERE o.rule_id = r.rule_id
@@ -164,6 +165,10 @@ BEGIN
         UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t WHERE t.distance_least > 0
             AND EXISTS (SELECT FROM %1$I.street_object o WHERE o.placed_by <> 'rule'
                 AND ST_DWithin(o.geom, t.geom, t.distance_least))
+        -- By difference, since a hash join of all places of a rule would pass over the spatial index.
+        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN %1$I.free_place f
+            ON f.rule_id - t.rule_id = 0 AND ST_DWithin(f.geom, t.geom, least(3, coalesce(t.every, 2) / 2))
+            WHERE any_free
         -- Three metres: half of a crossing, and one for who looks along the street.
         UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
             WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
@@ -183,22 +188,28 @@ BEGIN
     free AS MATERIALIZED (
         SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
             WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
+    held AS MATERIALIZED (
+        SELECT * FROM %1$I.street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
+    compared AS MATERIALIZED (
+        SELECT f.type, f.geom, f.angle, CASE WHEN f.at_side IS NULL THEN 'axis' ELSE 'border' END AS placement,
+            f.axis_id, f.abscissa, f.at_side, f.aside, f.turned, f.rule_id, f.rule_place, h.street_object_id AS held,
+            (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
+                IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
+                h.method) AS differs
+        FROM free f FULL JOIN held h USING (rule_id, axis_id, rule_place)),
     gone AS (
-        DELETE FROM %1$I.street_object o WHERE o.placed_by = 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))
-            AND NOT EXISTS (SELECT FROM free f
-                WHERE (f.rule_id, f.axis_id, f.rule_place) = (o.rule_id, o.axis_id, o.rule_place)))
-    INSERT INTO %1$I.street_object AS o (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
-        orientation, placed_by, rule_id, rule_place, method)
-    SELECT type, geom, angle, CASE WHEN at_side IS NULL THEN 'axis' ELSE 'border' END, axis_id, abscissa, at_side,
-        aside, turned, 'rule', rule_id, rule_place, 'relative'
-    FROM free ORDER BY rule_id, axis_id, rule_place
-    ON CONFLICT (rule_id, axis_id, rule_place) DO UPDATE SET type = excluded.type, geom = excluded.geom,
-        angle = excluded.angle, placement = excluded.placement, abscissa = excluded.abscissa, side = excluded.side,
-        axis_offset = excluded.axis_offset, orientation = excluded.orientation, method = excluded.method
-    WHERE o.placed_by = 'rule' AND (o.type, o.geom::bytea, o.angle, o.placement, o.abscissa, o.side, o.axis_offset,
-        o.orientation, o.method) IS DISTINCT FROM (excluded.type, excluded.geom::bytea, excluded.angle,
-        excluded.placement, excluded.abscissa, excluded.side, excluded.axis_offset, excluded.orientation,
-        excluded.method);
+        DELETE FROM %1$I.street_object o USING compared c
+        WHERE c.type IS NULL AND o.street_object_id = c.held),
+    moved AS (
+        UPDATE %1$I.street_object o SET type = c.type, geom = c.geom, angle = c.angle, placement = c.placement,
+            abscissa = c.abscissa, side = c.at_side, axis_offset = c.aside, orientation = c.turned,
+            method = 'relative'
+        FROM compared c WHERE c.type IS NOT NULL AND c.differs AND o.street_object_id = c.held)
+    INSERT INTO %1$I.street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
+        placed_by, rule_id, rule_place, method)
+    SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
+        'relative'
+    FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
     INSERT INTO %1$I.pedestrian_crossing (street_object_id)
         SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
             AND o.type = ANY (%1$I._types_below('crossing')) AND (axes IS NULL OR o.axis_id = ANY (axes))
@@ -210,10 +221,54 @@ BEGIN
             AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
 END $body$;
+CREATE OR REPLACE FUNCTION %1$I._take_from_rules(objects bigint[]) RETURNS void
+    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+    INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM %1$I.street_object
+        WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
+    UPDATE %1$I.street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
+        WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
+CREATE OR REPLACE FUNCTION %1$I._renew_rules_beside(places geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+DECLARE
+    beside bigint[];
+BEGIN
+    IF %1$I._has_rules() THEN
+        beside := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
+            JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
+        PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+        PERFORM FROM %1$I._place_objects(beside);
+    END IF;
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I.enter_rules() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF TG_TABLE_NAME = 'placement_rule' THEN
+        PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
+    ELSIF %1$I._has_rules() THEN
+        PERFORM streetgen._begin_edit(%2$L);
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
+CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.enter_rules();
+CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.free_place
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.enter_rules();
+COMMENT ON TRIGGER enter_rules ON %1$I.placement_rule IS 'Locks the model: all its objects may follow';
+COMMENT ON TRIGGER enter_rules ON %1$I.street_object IS 'Locks the model beside other editors, where rules place objects';
+COMMENT ON TRIGGER enter_rules ON %1$I.free_place IS 'Locks the model beside other editors, where rules place objects';
 CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
 BEGIN
+    DELETE FROM %1$I.free_place f WHERE f.rule_id <> 0 AND NOT EXISTS (SELECT FROM %1$I.placement_rule r
+        WHERE r.rule_id = f.rule_id);
     IF streetgen._live(%2$L) THEN
         PERFORM FROM %1$I._place_objects(NULL);
     END IF;
@@ -226,21 +281,49 @@ CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
 BEGIN
-    IF %1$I._has_rules() THEN
-        PERFORM FROM %1$I._place_objects(ARRAY(SELECT DISTINCT a.axis_id FROM old_object n
-            JOIN %1$I.axis a ON ST_DWithin(a.geom, n.geom, 100)));
-    END IF;
+    INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
+        ORDER BY street_object_id;
+    PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_object));
     RETURN NULL;
 END $body$;
 CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS old_object
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.free_places();
-COMMENT ON TRIGGER free_places ON %1$I.street_object IS 'Rules take the places of objects that are gone'
+COMMENT ON TRIGGER free_places ON %1$I.street_object
+    IS 'Rules take the places of objects that are gone, and leave those of their own objects free';
+CREATE OR REPLACE FUNCTION %1$I.fill_places() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF TG_OP <> 'INSERT' THEN
+        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_place));
+    END IF;
+    IF TG_OP <> 'DELETE' THEN
+        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_place));
+    END IF;
+    RETURN NULL;
+END $body$;
 $sql$, model, model);
+    FOR followed IN SELECT * FROM (VALUES ('insert', 'NEW TABLE AS new_place'), ('delete', 'OLD TABLE AS old_place'),
+        ('update', 'OLD TABLE AS old_place NEW TABLE AS new_place')) f(event, tables)
+    LOOP
+        EXECUTE format($sql$
+CREATE OR REPLACE TRIGGER fill_places_%2$s AFTER %2$s ON %1$I.free_place REFERENCING %3$s
+    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    EXECUTE FUNCTION %1$I.fill_places();
+COMMENT ON TRIGGER fill_places_%2$s ON %1$I.free_place IS 'Rules place objects where they may again'
+$sql$, model, followed.event, followed.tables);
+    END LOOP;
     PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
         streetgen._own_function(model, '_renew_rule_objects(bigint[])',
         'Brings the objects that rules place along axes (NULL: along all) up to date'),
+        streetgen._own_function(model, '_take_from_rules(bigint[])',
+        'Makes objects of rules those of the user, and leaves their places free'),
+        streetgen._own_function(model, '_renew_rules_beside(geometry[])',
+        'Brings the objects that rules place within 100 m of places up to date, under locks'),
+        streetgen._own_function(model, 'enter_rules()', 'Before an edit of rules or objects: locks the model'),
         streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
+        streetgen._own_function(model, 'fill_places()', 'After an edit of free places: rules place objects there'),
         streetgen._own_function(model, 'free_places()', 'After objects were deleted: rules take their places');
 END $$;
 COMMENT ON FUNCTION streetgen._make_rule_functions(name) IS
