@@ -12,8 +12,9 @@ def set_form(vector, layer, words, vectors):
     for index, field in enumerate(vector.fields()):
         column = field.name()
         config.setReadOnly(index, column not in (layer.writable or ()))
-        if (table, column) in words:
-            widget = QgsEditorWidgetSetup('ValueMap', {'map': [{word: word} for word in words[table, column]]})
+        known = words.get((table, column)) or words.get((f'{table}_override', column))
+        if known:
+            widget = QgsEditorWidgetSetup('ValueMap', {'map': [{word: word} for word in known]})
         elif (table, column) in LISTED:
             relation, key = LISTED[table, column]
             widget = QgsEditorWidgetSetup('ValueRelation', {'Layer': vectors[relation].id(), 'LayerName': relation, 'LayerSource': vectors[relation].source(),

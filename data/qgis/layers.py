@@ -103,6 +103,22 @@ def handle_line(colour, seldom='false'):
                          ('by hand', 'by_hand', line(HAND, 0.5)))
 
 
+def lane_adjacency():
+    """A line on the side of the lane that one leaves: thin where one may not change."""
+    return rules(*((f'{label}, to the {side}', f"{condition} AND side = '{side}'", line(colour, width, offset=offset))
+                   for side, offset in (('left', 0.6), ('right', -0.6))
+                   for label, condition, colour, width in (
+                       ('allowed', "NOT by_hand AND change = 'allowed'", PATH, 0.4), ('forbidden', "NOT by_hand AND change = 'forbidden'", REPORT, 0.2),
+                       ('opposite', "change = 'opposite'", IMPLAUSIBLE, 0.1), ('allowed by hand', "by_hand AND change = 'allowed'", HAND, 0.6),
+                       ('forbidden by hand', "by_hand AND change = 'forbidden'", HAND, 0.3))))
+
+
+def junction_edge():
+    """Edges inside junctions, and the others that could be."""
+    return rules(('outside', 'NOT inside AND NOT by_hand', line(LIMIT, 0.2, dash='1;2')), ('inside', 'inside AND NOT by_hand', line(LIMIT, 1)),
+                 ('outside by hand', 'NOT inside AND by_hand', line(HAND, 0.4, dash='2;2')), ('inside by hand', 'inside AND by_hand', line(HAND, 1)))
+
+
 def roundabout():
     """Rings to look through: those decided by hand, accepted and refused by their score."""
     return rules(('confirmed', 'confirmed', line(HAND, 0.8)), ('refused by hand', 'NOT confirmed', line(HAND, 0.4, dash='2;2')),
@@ -128,6 +144,7 @@ LAYERS = (
     Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'road_arc_editing', 'road_arc_id', 'geom', handle('pentagon', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
     Layer('edit', 'kerb_point_editing', 'kerb_point_id', 'geom', lambda: single(point('square', HAND, 2.2)), ('axis_id', 'width'), scale=2500),
+    Layer('edit', 'junction_editing', 'junction_id', 'geom', handle('hexagon', 3, LIMIT), ('kind', 'by_hand'), scale=5000),
     Layer('edit', 'controller_editing', 'controller_id', 'geom', handle('circle', 3, '#c92a2a'), ('program', 'cycle', 'start_offset', 'durations', 'by_hand'), scale=5000),
     Layer('edit', 'overpass_editing', 'overpass_id', 'geom', handle('triangle', 2.4, AXIS), ('axis_above', 'clearance', 'by_hand'), scale=5000),
     Layer('edit', 'height_editing', 'height_id', 'geom', lambda: single(point('triangle', HAND, 2.2)), ('axis_id', 'height'), scale=5000),
@@ -137,8 +154,10 @@ LAYERS = (
     Layer('edit', 'roundabout_editing', 'roundabout_id', 'geom', roundabout, ('confirmed',), scale=10000),
     Layer('edit', 'interconnection_editing', 'interconnection_id', 'geom', handle_line(CONTROL, 'NOT connecting'), ('connecting', 'by_hand'), scale=1000),
     Layer('edit', 'sidewalk_editing', 'sidewalk_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('width', 'by_hand'), scale=2500),
+    Layer('edit', 'lane_adjacency_editing', 'lane_adjacency_id', 'geom', lane_adjacency, ('change', 'by_hand'), scale=1000),
     Layer('edit', 'lane_editing', 'lane_id', 'geom', handle_line('#ffffff'), ('along_axis', 'both_ways', 'width', 'by_hand'), scale=2500),
     Layer('edit', 'block_editing', 'block_id', 'geom', lambda: single(fill('#00000000', HAND, 0.3)), ('kind', 'by_hand'), scale=5000),
+    Layer('edit', 'junction_edge_editing', 'edge_id', 'geom', junction_edge, ('inside', 'by_hand'), scale=2500),
     Layer('edit', 'edge_editing', 'edge_id', 'geom', lambda: single(line(AXIS, 0.5, dash='3;1')), ()),
     Layer('edit', 'axis_editing', 'axis_id', 'geom', axis, ('width', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level')),
     Layer('edit', 'edit_log', 'edit_log_id', 'extent', lambda: single(fill('#00000000', HAND, 0.3))),
@@ -153,6 +172,7 @@ LAYERS = (
     by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
     by_hand('road_override', 'axis_id', 'abscissa', 'radius'),
     by_hand('junction_override', 'axis_id', 'inside', 'kind'),
+    by_hand('lane_adjacency_override', 'axis_id', 'abscissa', 'lane_from', 'lane_to', 'change'),
     by_hand('kerb_point_override', 'axis_id', 'abscissa', 'width'),
     by_hand('block_override', 'kind'),
     by_hand('sidewalk_override', 'axis_id', 'abscissa', 'side', 'width'),

@@ -35,10 +35,13 @@ def shaded(grey):
     return symbol
 
 
-def line(colour, width, unit='MM', dash=None, opacity=1.0):
+def line(colour, width, unit='MM', dash=None, opacity=1.0, offset=0):
+    """offset: millimetres to the right of the line."""
     properties = {'line_color': colour, 'line_width': str(width), 'line_width_unit': unit, 'capstyle': 'flat', 'joinstyle': 'round'}
     if dash:
         properties.update({'use_custom_dash': '1', 'customdash': dash, 'customdash_unit': 'MM'})
+    if offset:
+        properties.update({'offset': str(offset), 'offset_unit': 'MM'})
     symbol = QgsLineSymbol.createSimple(properties)
     symbol.setOpacity(opacity)
     return symbol

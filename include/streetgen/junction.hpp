@@ -63,9 +63,10 @@ struct JunctionGroups {
 //     degrees where both go through;
 //   the two ends of a slip lane, a one-way edge or chain of edges of no more than `extent` that
 //     leaves one street before a corner and comes upon another one behind it, and that corner.
-// The last two join from the shortest on, and only what then lies within `extent`.  The first is
-// never parted.  An edge that by hand is not inside joins nothing.  An edge of a roundabout is no
-// link and no slip lane.  Independent of the order of nodes and edges, but for `of_node`.
+// The last two join from the shortest on, and only what then lies within `extent`, not counting what
+// is joined by hand.  The first is never parted.  An edge that by hand is not inside joins nothing.
+// An edge of a roundabout is no link and no slip lane.  Independent of the order of nodes and edges,
+// but for `of_node`.
 JunctionGroups group_junctions(const JunctionNetwork& network, const JunctionRules& rules);
 
 }  // namespace streetgen

@@ -273,7 +273,7 @@ BEGIN
 END $$;
 SELECT format('%s reads few rows of %s for a window', v.view, v.relation), max(w.shown) > 0 AND sum(w.rows) BETWEEN 1 AND 0.1 * (SELECT reltuples FROM pg_class WHERE oid = ('wide.' || v.relation)::regclass)
 FROM (VALUES ('axis_editing', 'axis'), ('node_editing', 'node'), ('edge_editing', 'edge'), ('section_limit_editing', 'section_limit'), ('corner_editing', 'corner'), ('corner_editing', 'section_limit'),
-  ('kerb_point_editing', 'kerb_point_override'), ('lane_editing', 'lane'), ('interconnection_editing', 'interconnection')) v(view, relation), pg_temp.window_of(v.view) w WHERE w.relation = v.relation GROUP BY v.view, v.relation;
+  ('kerb_point_editing', 'kerb_point_override'), ('lane_editing', 'lane'), ('lane_adjacency_editing', 'lane_separator'), ('interconnection_editing', 'interconnection')) v(view, relation), pg_temp.window_of(v.view) w WHERE w.relation = v.relation GROUP BY v.view, v.relation;
 SELECT 'a corner without an arc has its handle on the kerb', count(*) > 0 AND bool_and(ST_DWithin(e.geom, l.border_line, 1e-6) AND ST_Distance(e.geom, l.geom) > 1)
 FROM wide.corner_editing e JOIN wide.corner c USING (corner_id) JOIN wide.section_limit l ON (l.edge_id, l.which) = (c.edge_a, c.end_a) WHERE c.centre IS NULL;
 SELECT 'no two corners of a node have one handle', count(*) = count(DISTINCT geom) FROM wide.corner_editing;

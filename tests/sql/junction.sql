@@ -68,6 +68,47 @@ SELECT 'so is a kind', (SELECT kind = 'stop' AND method = 'by_hand' FROM town.ju
 DELETE FROM town.axis WHERE axis_id = 6;
 SELECT 'an override whose axis is gone is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'junction override without its axis');
 DELETE FROM town.junction_override;
+-- Edit views.
+CREATE VIEW pg_temp.side AS SELECT * FROM town.junction_editing WHERE ST_DWithin(geom, 'SRID=2154;POINT(650000 6860010)', 11);
+CREATE VIEW pg_temp.link AS SELECT v.* FROM town.junction_edge_editing v JOIN town.edge USING (edge_id) WHERE axis_id = 4;
+CREATE TABLE before AS SELECT * FROM pg_temp.side;
+UPDATE town.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT junction_id FROM pg_temp.side);
+SELECT 'a kind typed is that of the junction', (SELECT kind = 'stop' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override) AND test.followed('town', 'anew');
+UPDATE town.junction_editing SET kind = 'signals' WHERE by_hand;
+SELECT 'typed anew it is one decision', (SELECT kind = 'signals' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override);
+UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1), kind = kind;
+SELECT 'what changes nothing writes nothing', (SELECT count(*) = 1 FROM town.junction_override) AND (SELECT kind = 'signals' FROM pg_temp.side);
+DELETE FROM town.junction_editing WHERE by_hand;
+SELECT 'deleted it is as the classifier says', (SELECT s = b FROM pg_temp.side s, before b) AND NOT EXISTS (SELECT FROM town.junction_override);
+UPDATE town.junction_editing SET by_hand = true WHERE junction_id = (SELECT junction_id FROM pg_temp.side);
+UPDATE town.axis SET importance = 3 WHERE axis_id IN (1, 2);
+SELECT 'by hand it stays what it was', (SELECT s.kind = b.kind FROM pg_temp.side s, before b);
+UPDATE town.junction_editing SET kind = NULL WHERE by_hand;
+SELECT 'no kind takes it back', (SELECT kind = 'right_before_left' AND NOT by_hand FROM pg_temp.side);
+UPDATE town.axis SET importance = 2 WHERE axis_id IN (1, 2);
+UPDATE town.junction_edge_editing SET inside = false WHERE edge_id = (SELECT edge_id FROM pg_temp.link);
+SELECT 'an edge put outside parts the junction', several() = 0 AND (SELECT NOT inside AND by_hand FROM pg_temp.link) AND test.followed('town', 'anew');
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 4;
+SELECT 'and stays so turned round', several() = 0 AND (SELECT by_hand FROM pg_temp.link);
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650004 6860010,650000 6860020)' WHERE axis_id = 4;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650008 6860010,650000 6860020)' WHERE axis_id = 4;
+SELECT 'and redrawn, where it lies on the axis', several() = 0 AND (SELECT bool_and(ST_DWithin(o.geom, a.geom, 1e-6)) FROM town.junction_override o JOIN town.axis a USING (axis_id));
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650008 6860010)' WHERE axis_id = 4;
+INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (14, 'SRID=2154;LINESTRING(650008 6860010,650000 6860020)', 7, 2, 'both', 3, 'lane');
+SELECT 'a split leaves it on a piece', (SELECT count(*) = 1 FROM town.junction_edge_editing v JOIN town.edge USING (edge_id) WHERE v.by_hand AND axis_id IN (4, 14)) AND test.followed('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 14;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860020)' WHERE axis_id = 4;
+DELETE FROM town.junction_edge_editing WHERE by_hand;
+SELECT 'taken back they are one again', several() = 1 AND NOT EXISTS (SELECT FROM town.junction_override) AND test.followed('town', 'anew');
+UPDATE town.junction_edge_editing SET inside = true WHERE edge_id = (SELECT e.edge_id FROM town.edge e WHERE axis_id = 3 ORDER BY start_abscissa DESC LIMIT 1);
+SELECT 'an edge put inside merges what is at its ends, whatever the extent', (SELECT count(*) = 3 FROM town.junction_node WHERE junction_id = (SELECT junction_id FROM town.junction WHERE method = 'grouped')) AND test.followed('town', 'anew');
+UPDATE town.junction_edge_editing SET by_hand = false WHERE by_hand;
+SELECT 'not by hand they are apart', (SELECT count(*) = 2 FROM town.junction_node WHERE junction_id = (SELECT junction_id FROM pg_temp.side));
+SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
+  ('a junction drawn', $$INSERT INTO town.junction_editing (kind) VALUES ('stop')$$, '0A000'), ('an edge drawn', 'INSERT INTO town.junction_edge_editing (inside) VALUES (true)', '0A000'),
+  ('a kind that is none', $$UPDATE town.junction_editing SET kind = 'circus'$$, '23514')) v(name, statement, state);
+SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of the new junction override % cannot be "circus"%';
+DROP TABLE before;
 DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'what an axis leaves behind is as from scratch', test.followed('town', 'anew');
 INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (1, 'SRID=2154;LINESTRING(649800 6860000,650000 6860000,650200 6860000)', 7, 2, 'direct', 2, 'avenue');
@@ -83,7 +124,7 @@ SELECT 'a function that is not there too', test.state($q$SELECT streetgen.set('t
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.
-DROP VIEW pg_temp.across;
+DROP VIEW pg_temp.across, pg_temp.side, pg_temp.link;
 SELECT FROM streetgen.switch_subject('town', 'junction', false) \g /dev/null
 SELECT 'switched off nothing is left of it', to_regclass('town.junction') IS NULL AND to_regclass('town.movement') IS NULL AND NOT EXISTS (SELECT FROM pg_proc WHERE pronamespace = 'town'::regnamespace AND proname = '_update_junctions');
 SELECT 'and an edit goes on', test.state('UPDATE town.axis SET width = 8 WHERE axis_id = 3') = 'none';

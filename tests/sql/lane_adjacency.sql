@@ -42,3 +42,25 @@ UPDATE town.axis SET change_backward = 'no|no' WHERE axis_id = 9;
 SELECT 'typed anew', bool_and(change = 'forbidden') FROM said WHERE NOT along_axis AND change <> 'opposite';
 SELECT 'other words are refused', test.state($$UPDATE town.axis SET change_forward = 'maybe' WHERE axis_id = 9$$) = '23514';
 SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |no', 'change') = 'yes|not_right|no' AND streetgen._osm_list('yes|perhaps', 'change') IS NULL;
+-- By hand.
+CREATE VIEW typed AS SELECT v.*, a.lane_position AS from_lane, b.lane_position AS to_lane FROM town.lane_adjacency_editing v JOIN town.lane a ON a.lane_id = lane_a JOIN town.lane b ON b.lane_id = lane_b JOIN town.edge e ON e.edge_id = a.edge_id WHERE axis_id = 1;
+UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (3, 4));
+SELECT 'a change typed holds one way', array_agg(concat(from_lane, to_lane, ' ', change, ' ', by_hand) ORDER BY from_lane, to_lane) = '{"12 allowed f","21 allowed f","34 forbidden t","43 allowed f"}' FROM typed WHERE change <> 'opposite';
+SELECT 'the interval of the paper goes with it', NOT EXISTS (SELECT FROM town.lane_interval i JOIN typed t ON (t.lane_a, t.lane_b) = (i.lane_id, i.l) WHERE t.by_hand);
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
+SELECT 'turned round the same lanes have it', array_agg(concat(from_lane, to_lane, ' ', change)) = '{"21 forbidden"}' FROM typed WHERE by_hand;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650180 6860180,650100 6860100,650100 6860050)' WHERE axis_id = 1;
+INSERT INTO town.axis (axis_id, geom, width, lane_count, importance) OVERRIDING SYSTEM VALUE VALUES (8, 'SRID=2154;LINESTRING(650100 6860050,650100 6860000,650000 6860000)', 14, 4, 3);
+SELECT 'a split leaves it on the piece where it lies', (SELECT count(*) = 1 FROM town.lane_adjacency_override o JOIN town.axis a USING (axis_id) WHERE ST_DWithin(o.geom, a.geom, 1e-6)) AND (SELECT count(*) = 1 FROM town.lane_adjacency WHERE by_hand);
+UPDATE town.axis SET lane_count = 2 WHERE axis_id IN (1, 8);
+SELECT 'one whose lanes are gone stays and is told', (SELECT count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'lane adjacency override without its lanes');
+UPDATE town.axis SET lane_count = 4 WHERE axis_id IN (1, 8);
+SELECT 'and holds again with them', (SELECT count(*) = 1 FROM town.lane_adjacency WHERE by_hand);
+DELETE FROM town.lane_adjacency_editing WHERE by_hand;
+SELECT 'deleted it is as painted', (SELECT bool_and(change = 'allowed') FROM typed WHERE change <> 'opposite') AND NOT EXISTS (SELECT FROM town.lane_adjacency_override);
+SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
+  ('a change drawn', $$INSERT INTO town.lane_adjacency_editing (change) VALUES ('allowed')$$, '0A000'), ('another lane', 'UPDATE town.lane_adjacency_editing SET lane_b = lane_a', '0A000'),
+  ('a word that is none', $$UPDATE town.lane_adjacency_editing SET change = 'perhaps' WHERE change = 'allowed'$$, '23514'), ('opposite', $$UPDATE town.lane_adjacency_editing SET change = 'opposite' WHERE change = 'allowed'$$, '22023'),
+  ('to lanes against one', $$UPDATE town.lane_adjacency_editing SET change = 'allowed' WHERE change = 'opposite'$$, '22023')) v(name, statement, state);
+UPDATE town.lane_adjacency_editing SET change = change, by_hand = by_hand;
+SELECT 'what changes nothing writes nothing', NOT EXISTS (SELECT FROM town.lane_adjacency_override);

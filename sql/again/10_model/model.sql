@@ -427,7 +427,7 @@ BEGIN
     IF kind = 'editor' THEN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
             '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
-            '%1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
+            '%1$I.lane_adjacency_override, %1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
             '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
             '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);

@@ -63,6 +63,11 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('lane_override', 'width', '0.1 to 200 m', 'Leave it empty to have it computed.'),
     ('lane_override', 'line', 'a line with every coordinate a number within 1e12',
         'Leave it empty to have it computed.'),
+    ('lane_adjacency_override', 'abscissa', '0 m or more along the axis', 'Edit lane_adjacency_editing, which fills '
+        'it.'),
+    ('lane_adjacency_override', 'lane_from', '1 to 60', 'Lanes are numbered from the middle outwards.'),
+    ('lane_adjacency_override', 'lane_to', '1 to 60', 'Lanes are numbered from the middle outwards.'),
+    ('lane_adjacency_override', 'change', 'allowed or forbidden', 'Delete the row to have it computed.'),
     ('sidewalk_override', 'abscissa', '0 m or more along the axis', 'Edit sidewalk_editing, which fills it.'),
     ('sidewalk_override', 'side', 'left or right', 'It is the side of the axis.'),
     ('sidewalk_override', 'width', '0 to 50 m', '0 takes the sidewalk away; delete the row to have it computed.'),

@@ -19,14 +19,22 @@ SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_i
     CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
     CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, x.start_abscissa, x.end_abscissa,
     CASE WHEN s.kind = 'centre' THEN 'opposite'
+        WHEN d.change IS NOT NULL THEN d.change
         WHEN 'parking' IN (l.kind, r.kind) OR (l.kind = 'cycle') <> (r.kind = 'cycle') THEN 'forbidden'
         WHEN c.word <> '' THEN CASE WHEN streetgen._may_change(c.word, c.leftwards) THEN 'allowed' ELSE 'forbidden' END
         WHEN s.dashed THEN 'allowed'
-        ELSE 'forbidden' END AS change
+        ELSE 'forbidden' END AS change,
+    s.kind <> 'centre' AND d.change IS NOT NULL AS by_hand, s.geom
 FROM %1$I.lane_separator s JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
     JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)
+    JOIN %1$I.edge e ON e.edge_id = s.edge_id
     JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
-    LEFT JOIN %1$I.axis a ON a.axis_id = x.axis_id
+    LEFT JOIN %1$I.axis a ON a.axis_id = e.axis_id
+    LEFT JOIN LATERAL (SELECT o.change FROM %1$I.lane_adjacency_override o
+        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+            AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
+                CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)
+        ORDER BY o.lane_adjacency_override_id DESC LIMIT 1) d ON true
     -- What the source says of lane_a, by its number among the lanes of its direction, from left to right.
     CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.change_forward ELSE a.change_backward END AS list,
         CASE v.side WHEN 'right' THEN l.lane_position ELSE r.lane_position END AS at) n
@@ -37,9 +45,9 @@ FROM %1$I.lane_separator s JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s
                     ELSE -1 END <= 0)::integer) END AS word) c;
 COMMENT ON VIEW %1$I.lane_adjacency IS
     'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
-    'lane_b. change is what change_forward or change_backward of the axis says, else it follows from the line between '
-    'them: allowed over a dashed one between lanes of one direction that '
-    'the same traffic uses, opposite where traffic comes against one, else forbidden';
+    'lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
+    'change_forward or change_backward of the axis says, else it follows from the line between them: allowed over a '
+    'dashed one between lanes of one direction that the same traffic uses, else forbidden';
 CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
 SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
     (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,

@@ -1,4 +1,4 @@
--- Edits of lanes and of how traffic goes on: lane_editing, interconnection_editing.
+-- Edits of lanes and of how traffic goes on: lane_editing, lane_adjacency_editing, interconnection_editing.
 
 CREATE OR REPLACE FUNCTION streetgen._edit_lane() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -76,6 +76,67 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_lane() IS
     'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width beyond 0.1 to '
     '200 m or a line that collapses or leaves the edge by more: 22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_lane_adjacency() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    place record;
+    known bigint[];
+    decided text;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
+            'There is a row for every two lanes side by side: set its change.');
+    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_adjacency_id, NEW.lane_a, NEW.lane_b, NEW.side)
+        IS DISTINCT FROM (OLD.lane_adjacency_id, OLD.lane_a, OLD.lane_b, OLD.side) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
+            'Only change and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW.geom := OLD.geom;
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+        decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.change END;
+        IF decided = 'opposite' OR decided IS NOT NULL AND OLD.change = 'opposite' THEN
+            RAISE EXCEPTION 'the change from lane % to lane % cannot be "%"', OLD.lane_a, OLD.lane_b, decided
+                USING ERRCODE = '22023', DETAIL = format('It is "%s"; "opposite" says that traffic comes against one.',
+                OLD.change), HINT = 'Turn a lane round in lane_editing; lanes of one direction take allowed or '
+                'forbidden.';
+        END IF;
+        NEW.by_hand := decided IS NOT NULL;
+    END IF;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.lane JOIN %1$I.edge USING (edge_id) '
+        'WHERE lane_id = %2$s', TG_TABLE_SCHEMA, OLD.lane_a));
+    EXECUTE format('SELECT e.axis_id, e.start_abscissa, e.end_abscissa, a.ordinality AS lane_from, '
+        'b.ordinality AS lane_to FROM %1$I.lane a JOIN %1$I.lane b USING (edge_id) JOIN %1$I.edge e USING (edge_id) '
+        'JOIN %1$I.axis x USING (axis_id) WHERE a.lane_id = $1 AND b.lane_id = $2', TG_TABLE_SCHEMA) INTO place
+        USING OLD.lane_a, OLD.lane_b;
+    IF place.axis_id IS NULL THEN
+        RAISE EXCEPTION 'lanes % and % no longer lie beside each other', OLD.lane_a, OLD.lane_b
+            USING ERRCODE = '22023', DETAIL = 'Somebody else changed their axis.', HINT = 'Refresh the layer.';
+    END IF;
+    EXECUTE format($sql$SELECT coalesce(array_agg(lane_adjacency_override_id
+        ORDER BY lane_adjacency_override_id DESC), '{}') FROM %I.lane_adjacency_override
+        WHERE axis_id = $1 AND abscissa >= $2 AND abscissa < $3 AND (lane_from, lane_to) = ($4, $5)$sql$,
+        TG_TABLE_SCHEMA) INTO known
+        USING place.axis_id, place.start_abscissa, place.end_abscissa, place.lane_from, place.lane_to;
+    EXECUTE format('DELETE FROM %I.lane_adjacency_override WHERE lane_adjacency_override_id = ANY ($1)',
+        TG_TABLE_SCHEMA) USING CASE WHEN decided IS NULL THEN known ELSE known[2:] END;
+    IF decided IS NOT NULL AND known = '{}' THEN
+        EXECUTE format('INSERT INTO %I.lane_adjacency_override (axis_id, abscissa, lane_from, lane_to, change) '
+            'VALUES ($1, $2, $3, $4, $5)', TG_TABLE_SCHEMA) USING place.axis_id,
+            (place.start_abscissa + place.end_abscissa) / 2, place.lane_from, place.lane_to, decided;
+    ELSIF decided IS NOT NULL THEN
+        EXECUTE format('UPDATE %I.lane_adjacency_override SET change = $2 WHERE lane_adjacency_override_id = $1',
+            TG_TABLE_SCHEMA) USING known[1], decided;
+    END IF;
+    RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_lane_adjacency() IS
+    'Trigger of lane_adjacency_editing: writes lane_adjacency_override; change NULL, or DELETE, takes it back. '
+    '"opposite", a change between lanes of opposite directions, lanes that are gone: 22023; another word: 23514; '
+    'INSERT: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_interconnection() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

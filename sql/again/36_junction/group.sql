@@ -11,6 +11,14 @@ COMMENT ON FUNCTION streetgen._group_junctions(streetgen.junction_edge_input[], 
         'its nodes apart, and the control points that speak to the traffic which comes to its start and to its end. '
         'gap, extent and control_distance in m. No edges (NULL): no row. Bad geometry, a number out of range: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._edge_of_override() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT '(SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = o.axis_id '
+        'ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)' $$;
+COMMENT ON FUNCTION streetgen._edge_of_override() IS
+    'The edge that a row o of junction_override is about, as SQL over a model {model}: of its axis the nearest to its '
+    'place.';
+
 CREATE OR REPLACE FUNCTION streetgen._junction_edge_query() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$
@@ -21,8 +29,7 @@ SELECT ROW (e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.from_node,
         AND EXISTS (SELECT FROM {model}.intersection i WHERE i.node_id = e.to_node OFFSET 0),
     {on_ring},
     (SELECT o.inside FROM {model}.junction_override o WHERE o.inside IS NOT NULL AND o.axis_id = e.axis_id
-        AND e.edge_id = (SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = o.axis_id
-            ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)
+        AND e.edge_id = $part$ || streetgen._edge_of_override() || $part$
         ORDER BY o.junction_override_id DESC LIMIT 1))::streetgen.junction_edge_input
 FROM {model}.edge e JOIN {model}.section s USING (edge_id) LEFT JOIN {model}.axis a USING (axis_id)$part$ $$;
 COMMENT ON FUNCTION streetgen._junction_edge_query() IS
@@ -82,9 +89,9 @@ BEGIN
     END LOOP;
     region := coalesce(region, ARRAY(SELECT node_id FROM {model}.node));
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model),
-        'control', 'ROW (axis_id, abscissa, kind, direction)::streetgen.street_control', 'edges', streetgen._fill_template(
-        streetgen._junction_edge_query(), jsonb_build_object('model', quote_ident(model),
-        'on_ring', streetgen._on_ring()))));
+        'control', 'ROW (axis_id, abscissa, kind, direction)::streetgen.street_control',
+        'edges', streetgen._fill_template(streetgen._junction_edge_query(), jsonb_build_object(
+        'model', quote_ident(model), 'on_ring', streetgen._on_ring()))));
     PERFORM streetgen._own_function(model, '_junction_members(bigint[])',
         'Of nodes touched by a change (NULL: all) those whose junctions may become others, and the junctions of these '
         'nodes and the roles of their edges');

@@ -24,11 +24,13 @@ SELECT 'notice', 'signals that the classifier alone says', 'controller', c.contr
     (93, 'signal', 'rule', $part$
 SELECT 'warning', 'cycle longer than decided, since its states last longer, s', 'controller', c.controller_id,
     c.cycle, c.geom FROM %1$I.controller c JOIN %1$I.controller_override o ON o.controller_override_id
-        = (streetgen._controller_overrides(%1$L, c.controller_id))[1] WHERE c.cycle > o.cycle + 1e-6$part$),
+        = (streetgen._overrides_at_junction(%1$L, 'controller_override', c.controller_id))[1]
+    WHERE c.cycle > o.cycle + 1e-6$part$),
     (94, 'signal', 'rule', $part$
 SELECT 'warning', 'durations by hand of another number of states', 'controller', c.controller_id,
     cardinality(o.durations), c.geom FROM %1$I.controller c JOIN %1$I.controller_override o
-        ON o.controller_override_id = (streetgen._controller_overrides(%1$L, c.controller_id))[1]
+        ON o.controller_override_id
+            = (streetgen._overrides_at_junction(%1$L, 'controller_override', c.controller_id))[1]
     WHERE cardinality(o.durations) <> (SELECT count(*) FROM %1$I.signal_state s
         WHERE s.controller_id = c.controller_id)$part$),
     (95, 'signal', 'rule', $part$

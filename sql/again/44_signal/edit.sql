@@ -1,28 +1,10 @@
 -- Signals by hand: the edit view of controllers, and green waves.
 
-CREATE OR REPLACE FUNCTION streetgen._controller_overrides(model name, controller bigint) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    known bigint[];
-BEGIN
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(o.controller_override_id ORDER BY o.controller_override_id DESC), '{}')
-FROM %1$I.controller_override o CROSS JOIN LATERAL (
-    SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-        JOIN %1$I.node n USING (node_id) WHERE e.axis_id = o.axis_id
-    ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN %1$I.junction_node m USING (node_id)
-WHERE m.junction_id = $1 $sql$, model) INTO known USING controller;
-    RETURN known;
-END $$;
-COMMENT ON FUNCTION streetgen._controller_overrides(name, bigint) IS
-    'The rows of controller_override that decide of a controller, the one that holds first.';
-
 CREATE OR REPLACE FUNCTION streetgen._decide_controller(model name, controller bigint, decided jsonb) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    known constant bigint[] := streetgen._controller_overrides(model, controller);
+    known constant bigint[] := streetgen._overrides_at_junction(model, 'controller_override', controller);
 BEGIN
     EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', model)
         USING known[2:];
@@ -44,15 +26,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
     'Writes what is decided of a controller (program, cycle, start_offset, durations; others stay as decided before).';
 
-CREATE OR REPLACE FUNCTION streetgen._lock_controllers(model name, controllers bigint[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._lock_axes(model, format('SELECT e.axis_id FROM %1$I.junction_node m JOIN %1$I.edge e '
-        'ON m.node_id IN (e.from_node, e.to_node) WHERE m.junction_id = ANY (%2$L)', model, controllers));
-END $$;
-COMMENT ON FUNCTION streetgen._lock_controllers(name, bigint[]) IS 'Locks the axes at the junctions of controllers.';
-
 CREATE OR REPLACE FUNCTION streetgen._edit_controller() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -67,12 +40,12 @@ BEGIN
             HINT = 'Put a row of kind signals into control_point, or give the junction that kind.';
     END IF;
     subject := 'controller ' || OLD.controller_id;
-    PERFORM streetgen._lock_controllers(TG_TABLE_SCHEMA, ARRAY[OLD.controller_id]);
+    PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.controller_id]);
     IF NOT taken_back THEN
         taken_back := OLD.by_hand AND NEW.by_hand IS NOT TRUE;
     END IF;
     IF taken_back THEN
-        known := streetgen._controller_overrides(TG_TABLE_SCHEMA, OLD.controller_id);
+        known := streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'controller_override', OLD.controller_id);
         EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', TG_TABLE_SCHEMA)
             USING known;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
@@ -173,7 +146,7 @@ BEGIN
         RAISE EXCEPTION 'there is no axis %', missing USING ERRCODE = '22023', HINT = 'Name axes in driving order.';
     END IF;
     passed := ARRAY(SELECT DISTINCT r.controller_id FROM streetgen._route_controllers(model, axes) r ORDER BY 1);
-    PERFORM streetgen._lock_controllers(model, passed);
+    PERFORM streetgen._lock_junctions(model, passed);
     EXECUTE format('SELECT max(c.cycle) FROM %I.controller c WHERE c.controller_id = ANY ($1)', model)
         INTO common USING passed;
     -- One cycle for all; then the starts of green are known.

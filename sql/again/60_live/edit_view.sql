@@ -78,6 +78,26 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
         FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk'),
+    ('lane_adjacency_editing', 'Edit layer: say whether traffic may change from a lane to the one beside it; DELETE '
+        'takes back what was decided by hand',
+        ARRAY['key', 'the lane that one leaves', 'the lane beside it', 'on which side of lane_a, left or right along '
+            'the axis', 'allowed or forbidden; opposite where traffic comes against one',
+            'decided by hand; false takes it back', 'the line between them'],
+        $sql$SELECT lane_adjacency_id, lane_a, lane_b, side, change, by_hand, geom
+        FROM %1$I.lane_adjacency$sql$, 'lane'),
+    ('junction_editing', 'Edit layer: say what kind of junction a place is; DELETE takes back what was decided by hand',
+        ARRAY['key', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
+            'decided by hand; false takes it back', 'the middle of its nodes'],
+        $sql$SELECT j.junction_id, j.kind, j.method = 'by_hand' AS by_hand, j.geom
+        FROM %1$I.junction j$sql$, 'junction'),
+    ('junction_edge_editing', 'Edit layer: say whether an edge lies inside a junction: what is at its ends is one '
+        'junction, or two; DELETE takes back what was decided by hand',
+        ARRAY['key', 'does it lie inside a junction', 'decided by hand; false takes it back', 'the edge'],
+        $sql$SELECT e.edge_id, EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
+            EXISTS (SELECT FROM %1$I.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
+                AND (SELECT n.edge_id FROM %1$I.edge n WHERE n.axis_id = o.axis_id
+                    ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1) = e.edge_id) AS by_hand, e.geom
+        FROM %1$I.edge e$sql$, 'junction'),
     ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
         'was decided by hand',
         ARRAY['key', 'phases, paper, or a function', 'seconds', 'seconds after which a cycle begins',

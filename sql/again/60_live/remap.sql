@@ -159,14 +159,22 @@ new AS (
 UPDATE %1$I.control_point o SET axis_id = n.axis_id, abscissa = n.abscissa, direction = n.direction FROM new n
 WHERE o.control_point_id = n.id AND (o.axis_id, o.abscissa, o.direction) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.direction)$sql$
-        WHEN 'junction_override' THEN $sql$,
-new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'junction_override')
-UPDATE %1$I.junction_override o SET axis_id = n.axis_id FROM new n
-WHERE o.junction_override_id = n.id AND o.axis_id <> n.axis_id$sql$
-        WHEN 'controller_override' THEN $sql$,
-new AS (SELECT f.override_id AS id, f.axis_id FROM found f WHERE f.relation = 'controller_override')
-UPDATE %1$I.controller_override o SET axis_id = n.axis_id FROM new n
-WHERE o.controller_override_id = n.id AND o.axis_id <> n.axis_id$sql$
+        WHEN 'lane_adjacency_override' THEN $sql$,
+new AS (
+    SELECT o.lane_adjacency_override_id AS id, f.axis_id, at.abscissa, at.geom, CASE WHEN f.turned
+        THEN streetgen._mirrored_ordinality(o.lane_from, l.lanes) ELSE o.lane_from END AS lane_from, CASE WHEN f.turned
+        THEN streetgen._mirrored_ordinality(o.lane_to, l.lanes) ELSE o.lane_to END AS lane_to
+    FROM found f JOIN %1$I.lane_adjacency_override o ON o.lane_adjacency_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+        CROSS JOIN LATERAL (SELECT CASE WHEN f.turned THEN streetgen._lanes_at(%1$L, o.axis_id, o.abscissa) END
+            AS lanes) l
+    WHERE f.relation = 'lane_adjacency_override')
+UPDATE %1$I.lane_adjacency_override o SET axis_id = n.axis_id, abscissa = n.abscissa, lane_from = n.lane_from,
+    lane_to = n.lane_to, geom = n.geom FROM new n
+WHERE o.lane_adjacency_override_id = n.id AND (o.axis_id, o.abscissa, o.lane_from, o.lane_to, o.geom)
+    IS DISTINCT FROM (n.axis_id, n.abscissa, n.lane_from, n.lane_to, n.geom)$sql$
+        WHEN 'junction_override' THEN streetgen._remap_by_place()
+        WHEN 'controller_override' THEN streetgen._remap_by_place()
         WHEN 'interconnection_override' THEN $sql$,
 new AS (
     SELECT o.interconnection_override_id AS id, coalesce(m.new_place, o.geom) AS geom,
@@ -211,6 +219,23 @@ WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.
 COMMENT ON FUNCTION streetgen._remap_statement(name, name) IS
     'The statement that puts the overrides of one relation near changed axes on the axis that they lie on now. What '
     'fits nowhere stays as it is, until an axis comes by.';
+
+CREATE OR REPLACE FUNCTION streetgen._remap_by_place() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT $sql$,
+new AS (
+    -- With its vertex, where that moved.
+    SELECT f.override_id AS id, f.axis_id, at.geom
+    FROM found f JOIN %1$I.%2$I o ON o.%2$I_id = f.override_id LEFT JOIN changed c ON c.axis_id = f.axis_id
+        CROSS JOIN LATERAL (SELECT streetgen._moved_vertex(c.before, c.after, f.geom,
+            3 * (SELECT value FROM tolerance)) AS vertex) v
+        CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn OR v.vertex IS NOT NULL,
+            0) at
+    WHERE f.relation = %2$L)
+UPDATE %1$I.%2$I o SET axis_id = n.axis_id, geom = n.geom FROM new n
+WHERE o.%2$I_id = n.id AND (o.axis_id, o.geom) IS DISTINCT FROM (n.axis_id, n.geom)$sql$ $$;
+COMMENT ON FUNCTION streetgen._remap_by_place() IS
+    'The end of the statements of _remap_statement for overrides that name an edge or a node by an axis and a place.';
 
 CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8,
     OUT abscissa float8, OUT geom geometry)
@@ -286,7 +311,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'controller_override,road_override,height_override}';
+        'controller_override,road_override,height_override,lane_adjacency_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -295,6 +320,8 @@ SELECT 'transition_override' AS relation, transition_override_id AS override_id,
     geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') AS reach FROM %1$I.transition_override
 UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM %1$I.setting
     WHERE name = 'tolerance') FROM %1$I.lane_override
+UNION ALL SELECT 'lane_adjacency_override', lane_adjacency_override_id, 'axis_id', axis_id, geom,
+    (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.lane_adjacency_override
 UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
 UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8

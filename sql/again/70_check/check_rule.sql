@@ -277,6 +277,13 @@ SELECT 'warning', 'lane override without its lane', 'lane_override', o.lane_over
     FROM %1$I.lane_override o
     WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN %1$I.lane l USING (edge_id) WHERE e.axis_id = o.axis_id
         AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa AND l.ordinality = o.ordinality)$part$),
+    (84, 'lane', 'rule', $part$
+SELECT 'warning', 'lane adjacency override without its lanes', 'lane_adjacency_override', o.lane_adjacency_override_id,
+    o.abscissa, o.geom FROM %1$I.lane_adjacency_override o
+    WHERE NOT EXISTS (SELECT FROM %1$I.edge e JOIN %1$I.lane f USING (edge_id) JOIN %1$I.lane t USING (edge_id)
+        WHERE e.axis_id = o.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+            AND (f.ordinality, t.ordinality) = (o.lane_from, o.lane_to)
+            AND abs(f.lane_position - t.lane_position) = 1 AND f.along_axis = t.along_axis)$part$),
     (80, 'sidewalk', 'rule', $part$
 SELECT 'error', 'invalid surface', 'sidewalk', sidewalk_id, ST_Area(surface), surface FROM %1$I.sidewalk
     WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)$part$),

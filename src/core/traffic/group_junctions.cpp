@@ -57,6 +57,7 @@ class Grouping {
     for (const Link& link : gaps) chains_.join(link.nodes[0], link.nodes[1]);
     const std::vector<SlipLane> slips = find_slip_lanes(edges_, rules_, ends_, chains_);
     join_links(gaps, slips);
+    join_by_hand();
     tell_roles(slips);
     tell_controls();
     return std::move(out_);
@@ -66,13 +67,19 @@ class Grouping {
   int size() const { return static_cast<int>(edges_.size()); }
   const RuleEdge& edge(int e) const { return edges_[e]; }
 
+  // Edges whose limits crossed; those inside by hand join chains here, and groups at the end.
   void join_certain() {
     for (int e = 0; e < size(); ++e) {
-      if (edge(e).from_node == edge(e).to_node) continue;
       if (!edge(e).by_hand.value_or(edge(e).crossed)) continue;
       chains_.join(edge(e).from_node, edge(e).to_node);
-      groups_.join(edge(e).from_node, edge(e).to_node);
+      if (edge(e).crossed) groups_.join(edge(e).from_node, edge(e).to_node);
     }
+  }
+
+  // After all rules, so that the extent of what they join does not count what is joined by hand.
+  void join_by_hand() {
+    for (int e = 0; e < size(); ++e)
+      if (edge(e).by_hand.value_or(false)) groups_.join(edge(e).from_node, edge(e).to_node);
   }
 
   std::vector<Link> gap_links() {

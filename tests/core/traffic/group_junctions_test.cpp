@@ -108,6 +108,15 @@ TEST(GroupJunctions, HandsDecide) {
   EXPECT_EQ(group_junctions(network, {}).of_node[7], group_junctions(network, {}).of_node[1]);
 }
 
+TEST(GroupJunctions, WhatHandsJoinTakesNoExtentFromTheRules) {
+  JunctionNetwork network = dual_carriageway(20);
+  network.edges[6].by_hand = true;
+  const JunctionGroups groups = group_junctions(network, {});
+  EXPECT_EQ(groups.of_node[0], groups.of_node[1]);
+  EXPECT_EQ(groups.of_node[1], groups.of_node[7]);
+  EXPECT_FALSE(groups.parted[0]);
+}
+
 TEST(GroupJunctions, RoundaboutsStayApart) {
   JunctionNetwork network = dual_carriageway(20);
   network.edges[0].on_ring = true;

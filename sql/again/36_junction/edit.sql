@@ -1,0 +1,123 @@
+-- Junctions by hand: their kinds (junction_editing), and the edges that lie in one (junction_edge_editing).
+
+CREATE OR REPLACE FUNCTION streetgen._overrides_at_junction(model name, relation name, junction bigint)
+    RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known bigint[];
+BEGIN
+    EXECUTE format($sql$
+SELECT coalesce(array_agg(o.%2$I_id ORDER BY o.%2$I_id DESC), '{}')
+FROM %1$I.%2$I o CROSS JOIN LATERAL (
+    SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+        JOIN %1$I.node n USING (node_id) WHERE e.axis_id = o.axis_id
+    ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN %1$I.junction_node m USING (node_id)
+WHERE m.junction_id = $1 $sql$, model, relation) INTO known USING junction;
+    RETURN known;
+END $$;
+COMMENT ON FUNCTION streetgen._overrides_at_junction(name, name, bigint) IS
+    'The rows of an override table whose nearest node on their axis lies in a junction, the one that holds first.';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_junctions(model name, junctions bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._lock_axes(model, format('SELECT e.axis_id FROM %1$I.junction_node m JOIN %1$I.edge e '
+        'ON m.node_id IN (e.from_node, e.to_node) WHERE m.junction_id = ANY (%2$L)', model, junctions));
+END $$;
+COMMENT ON FUNCTION streetgen._lock_junctions(name, bigint[]) IS 'Locks the axes at junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._decide_junction(model name, known bigint[], place geometry, axis bigint,
+    inside boolean, kind text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('DELETE FROM %I.junction_override WHERE junction_override_id = ANY ($1)', model)
+        USING CASE WHEN num_nonnulls(inside, kind) = 0 THEN known ELSE known[2:] END;
+    IF num_nonnulls(inside, kind) = 0 THEN
+        RETURN;
+    ELSIF known = '{}' THEN
+        EXECUTE format('INSERT INTO %I.junction_override (axis_id, geom, inside, kind) VALUES ($1, $2, $3, $4)', model)
+            USING axis, place, inside, kind;
+    ELSE
+        EXECUTE format('UPDATE %I.junction_override SET inside = $2, kind = $3 WHERE junction_override_id = $1', model)
+            USING known[1], inside, kind;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], geometry, bigint, boolean, text) IS
+    'Writes one decision on a junction: known are the rows that decided before, of which one stays; without them there '
+    'is a new row at the place on the axis. Neither inside nor kind: it is taken back.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known bigint[];
+    node record;
+    decided text;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
+            'A junction is where axes meet: draw these, or say in junction_edge_editing which edges lie inside.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW.junction_id := OLD.junction_id;
+        NEW.geom := OLD.geom;
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+        decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.kind END;
+        NEW.by_hand := decided IS NOT NULL;
+    END IF;
+    PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.junction_id]);
+    EXECUTE format('SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), ''{}'') '
+        'FROM %I.junction_override o WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY ($1)', TG_TABLE_SCHEMA)
+        INTO known USING streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id);
+    EXECUTE format('SELECT e.axis_id, ST_Force2D(n.geom) AS geom FROM %1$I.node n JOIN %1$I.edge e '
+        'ON n.node_id IN (e.from_node, e.to_node) WHERE n.node_id = $1 ORDER BY e.edge_id LIMIT 1', TG_TABLE_SCHEMA)
+        INTO node USING OLD.junction_id;
+    IF node IS NULL THEN
+        RAISE EXCEPTION 'junction % is gone', OLD.junction_id USING ERRCODE = '22023',
+            DETAIL = 'Somebody else changed its axes.', HINT = 'Refresh the layer, and edit what is there now.';
+    END IF;
+    PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, node.geom, node.axis_id, NULL, decided);
+    RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_junction() IS
+    'Trigger of junction_editing: writes the kind to junction_override, at a node of the junction; kind NULL, or '
+    'DELETE, takes it back. An unknown kind: 23514; a junction that is gone: 22023; INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_junction_edge() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    known bigint[];
+    edge record;
+    decided boolean;
+BEGIN
+    IF TG_OP = 'INSERT' THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Edges come from axes: draw these in axis_editing.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW.edge_id := OLD.edge_id;
+        NEW.geom := OLD.geom;
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+        decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.inside END;
+        NEW.by_hand := decided IS NOT NULL;
+    END IF;
+    PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
+        TG_TABLE_SCHEMA, OLD.edge_id));
+    edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, format('edge %s', OLD.edge_id), OLD.edge_id);
+    EXECUTE format('SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), ''{}'') '
+        'FROM %1$I.junction_override o WHERE o.axis_id = $1 AND o.inside IS NOT NULL AND %2$s = $2', TG_TABLE_SCHEMA,
+        streetgen._fill_template(streetgen._edge_of_override(), jsonb_build_object('model',
+        quote_ident(TG_TABLE_SCHEMA)))) INTO known USING edge.axis_id, OLD.edge_id;
+    PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known,
+        ST_LineInterpolatePoint(ST_Force2D(edge.geom), 0.5), edge.axis_id, decided, NULL);
+    RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_junction_edge() IS
+    'Trigger of junction_edge_editing: writes to junction_override, in the middle of the edge, whether the edge lies '
+    'inside a junction, which merges or parts what is at its ends; inside NULL, or DELETE, takes it back. An edge '
+    'whose axis is gone: 22023; INSERT: 0A000.';
