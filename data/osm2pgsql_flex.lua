@@ -80,7 +80,7 @@ local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
     { column = 'excepted', type = 'text' }, -- traffic that it does not hold for
     { column = 'from_way', type = 'bigint' },
     { column = 'to_way', type = 'bigint' },
-    { column = 'via_way', type = 'bool' },
+    { column = 'via_ways', type = 'text' }, -- in their order, parted by commas
     { column = 'geom', type = 'geometry', projection = srid }, -- of all members; points: via nodes
 })
 
@@ -88,14 +88,14 @@ function osm2pgsql.process_relation(object)
     if object.tags.type ~= 'restriction' then
         return
     end
-    local from, to, via_way = {}, {}, false
+    local from, to, via = {}, {}, {}
     for _, member in ipairs(object.members) do
         if member.type == 'w' and member.role == 'from' then
             from[#from + 1] = member.ref
         elseif member.type == 'w' and member.role == 'to' then
             to[#to + 1] = member.ref
         elseif member.type == 'w' and member.role == 'via' then
-            via_way = true
+            via[#via + 1] = member.ref
         end
     end
     local geom = object:as_geometrycollection()
@@ -103,7 +103,8 @@ function osm2pgsql.process_relation(object)
     for i = 1, math.max(#from, 1) do
         for j = 1, math.max(#to, 1) do
             restriction:insert({ restriction = object.tags.restriction, excepted = object.tags.except,
-                                 from_way = from[i], to_way = to[j], via_way = via_way, geom = geom })
+                                 from_way = from[i], to_way = to[j], geom = geom,
+                                 via_ways = #via > 0 and table.concat(via, ',') or nil })
         end
     end
 end

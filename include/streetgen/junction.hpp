@@ -58,9 +58,9 @@ struct JunctionGroups {
 
 // One junction are
 //   the two nodes of an edge whose limits crossed, and of one that is inside by hand;
-//   the two nodes of a link of no more than `gap` between the carriageways of a street: at its ends
-//     are one-way edges, across the link, of opposite directions and of one name, or within 30
-//     degrees where both go through;
+//   the nodes of a link of no more than `gap` between the carriageways of a street, an edge or
+//     several that go on from each other at nodes of two: at its ends are one-way edges, across the
+//     link, of opposite directions and of one name, or within 30 degrees where both go through;
 //   the two ends of a slip lane, a one-way edge or chain of edges of no more than `extent` that
 //     leaves one street before a corner and comes upon another one behind it, and that corner.
 // The last two join from the shortest on, and only what then lies within `extent`, not counting what

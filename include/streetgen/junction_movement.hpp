@@ -35,6 +35,7 @@ struct JunctionLane {
 // An edge inside the junction.
 struct InnerEdge {
   std::int64_t axis_id = 0;
+  int edge = 0;  // tells it from other edges, as JunctionLeg::edge does
   int from_node = 0, to_node = 0;
   bool along = true, against = true;  // the directions of its traffic
   double offset_along = 0;    // of that traffic's lanes, metres to the left of the line
@@ -50,6 +51,16 @@ struct LaneStep {
   bool plausible = true;
 };
 
+// Of traffic that comes by one axis, passes edges inside in their order, whatever lies between, and
+// goes on by another axis.
+struct WayRestriction {
+  std::int64_t from_axis = 0;
+  std::int64_t to_axis = 0;
+  std::vector<int> via;  // InnerEdge::edge
+  bool only = false;     // the only way on, wherever the next of these begins; else: no way
+  std::vector<LaneKind> except{};  // it binds no pair with a lane of these kinds
+};
+
 struct JunctionPlace {
   std::vector<Point> nodes;
   std::vector<JunctionLeg> legs;
@@ -57,6 +68,7 @@ struct JunctionPlace {
   std::vector<InnerEdge> inner;
   std::vector<LaneStep> steps;
   std::vector<TurnRestriction> restrictions;
+  std::vector<WayRestriction> way_restrictions;
   MultiPolygon surface;
 };
 
@@ -71,8 +83,8 @@ struct JunctionMovement {
 };
 
 // Every lane that comes in with every lane that goes out by another leg, where the edges inside lead
-// from the one to the other in their directions.  A pair whose every such way is forbidden by a
-// restriction at one of its nodes is there, and not plausible.  Paths are tangent to both lanes and
+// from the one to the other in their directions.  A pair whose every such way is forbidden by
+// restrictions, at a node or via edges, is there, and not plausible.  Paths are tangent to both lanes and
 // go clear of the kerbs of `surface` where a path does; the rules of plausible pairs are those of
 // one node.  More pairs than settings.most: none are made.  By (lane_in, lane_out).
 std::vector<JunctionMovement> junction_movements(const JunctionPlace& place,

@@ -43,10 +43,11 @@ COMMENT ON COLUMN streetgen.junction_lane.kind IS 'general, bus or cycle';
 COMMENT ON COLUMN streetgen.junction_lane.turn IS 'turns painted on it; NULL: none';
 COMMENT ON COLUMN streetgen.junction_lane.geom IS 'LINESTRING in the direction of that traffic, EWKB';
 
-CREATE TYPE streetgen.junction_inner_edge AS (junction_id bigint, axis_id bigint, from_node bigint, to_node bigint,
-    along boolean, against boolean, offset_along float8, offset_against float8, geom bytea);
+CREATE TYPE streetgen.junction_inner_edge AS (junction_id bigint, edge_id bigint, axis_id bigint, from_node bigint,
+    to_node bigint, along boolean, against boolean, offset_along float8, offset_against float8, geom bytea);
 COMMENT ON TYPE streetgen.junction_inner_edge IS 'An edge inside a junction.';
 COMMENT ON COLUMN streetgen.junction_inner_edge.junction_id IS 'the junction';
+COMMENT ON COLUMN streetgen.junction_inner_edge.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.junction_inner_edge.axis_id IS 'its axis';
 COMMENT ON COLUMN streetgen.junction_inner_edge.from_node IS 'the node at its start';
 COMMENT ON COLUMN streetgen.junction_inner_edge.to_node IS 'the node at its end';
@@ -79,6 +80,19 @@ COMMENT ON COLUMN streetgen.junction_restriction.y IS 'its ordinate';
 COMMENT ON COLUMN streetgen.junction_restriction.kind IS 'no or only';
 COMMENT ON COLUMN streetgen.junction_restriction.turn IS 'through, left, right or u_turn; NULL: any';
 COMMENT ON COLUMN streetgen.junction_restriction.except_kinds IS
+    'kinds of lanes that it does not bind; NULL: it binds all';
+
+CREATE TYPE streetgen.junction_way_restriction AS (junction_id bigint, turn_restriction_id bigint, from_axis bigint,
+    to_axis bigint, edge_id bigint, kind text, except_kinds text);
+COMMENT ON TYPE streetgen.junction_way_restriction IS
+    'What traffic may not do via edges inside a junction, or only may: a row for each edge, in their order.';
+COMMENT ON COLUMN streetgen.junction_way_restriction.junction_id IS 'the junction';
+COMMENT ON COLUMN streetgen.junction_way_restriction.turn_restriction_id IS 'the restriction';
+COMMENT ON COLUMN streetgen.junction_way_restriction.from_axis IS 'the axis that traffic comes by';
+COMMENT ON COLUMN streetgen.junction_way_restriction.to_axis IS 'the axis that it goes on by';
+COMMENT ON COLUMN streetgen.junction_way_restriction.edge_id IS 'an edge that it passes';
+COMMENT ON COLUMN streetgen.junction_way_restriction.kind IS 'no or only';
+COMMENT ON COLUMN streetgen.junction_way_restriction.except_kinds IS
     'kinds of lanes that it does not bind; NULL: it binds all';
 
 CREATE TYPE streetgen.junction_ground AS (junction_id bigint, surface bytea);

@@ -38,8 +38,8 @@ struct MovementCall {
   } lanes;
   struct {
     int count;
-    Column junction_id, axis_id, from_node, to_node, along, against, offset_along, offset_against;
-    Column geom;
+    Column junction_id, edge_id, axis_id, from_node, to_node, along, against, offset_along;
+    Column offset_against, geom;
   } inner;
   struct {
     int count;
@@ -49,6 +49,10 @@ struct MovementCall {
     int count;
     Column junction_id, from_axis, to_axis, x, y, kind, turn, except_kinds;
   } restrictions;
+  struct {
+    int count;
+    Column junction_id, turn_restriction_id, from_axis, to_axis, edge_id, kind, except_kinds;
+  } way_restrictions;
 };
 
 void take(FunctionCallInfo fcinfo, MovementCall* call) {
@@ -79,6 +83,7 @@ void take(FunctionCallInfo fcinfo, MovementCall* call) {
   const Rows inner = rows(fcinfo, 3, "edges inside junctions");
   call->inner = {inner.count,
                  column(inner, "junction_id", INT8OID),
+                 column(inner, "edge_id", INT8OID),
                  column(inner, "axis_id", INT8OID),
                  column(inner, "from_node", INT8OID),
                  column(inner, "to_node", INT8OID),
@@ -106,6 +111,15 @@ void take(FunctionCallInfo fcinfo, MovementCall* call) {
                         column(restrictions, "kind", TEXTOID),
                         column_or_null(restrictions, "turn", TEXTOID),
                         column_or_null(restrictions, "except_kinds", TEXTOID)};
+  const Rows ways = rows(fcinfo, 6, "turn restrictions via edges");
+  call->way_restrictions = {ways.count,
+                            column(ways, "junction_id", INT8OID),
+                            column(ways, "turn_restriction_id", INT8OID),
+                            column(ways, "from_axis", INT8OID),
+                            column(ways, "to_axis", INT8OID),
+                            column(ways, "edge_id", INT8OID),
+                            column(ways, "kind", TEXTOID),
+                            column_or_null(ways, "except_kinds", TEXTOID)};
 }
 
 // A junction as it is read, with the numbers by which its rows name each other.
@@ -115,6 +129,9 @@ struct ReadPlace {
   std::map<std::pair<std::int64_t, bool>, int> legs;
   std::unordered_map<std::int64_t, int> edges;
 
+  int edge(std::int64_t id) {
+    return edges.emplace(id, static_cast<int>(edges.size())).first->second;
+  }
   int node(std::int64_t id) {
     const auto [found, fresh] = nodes.emplace(id, static_cast<int>(nodes.size()));
     if (fresh) place.nodes.emplace_back();
@@ -136,7 +153,7 @@ void read_legs(const MovementCall& call, Places& places) {
     const std::int64_t edge = id(call.legs.edge_id, i);
     JunctionLeg leg;
     leg.axis_id = id(call.legs.axis_id, i);
-    leg.edge = read.edges.emplace(edge, static_cast<int>(read.edges.size())).first->second;
+    leg.edge = read.edge(edge);
     leg.node = read.node(id(call.legs.node_id, i));
     leg.importance = DatumGetInt32(call.legs.importance.values[i]);
     leg.speed = in_range(DatumGetFloat8(call.legs.speed.values[i]), 0, 1000, "speed");
@@ -173,6 +190,7 @@ void read_inner(const MovementCall& call, Places& places) {
     ReadPlace& read = places[id(rows.junction_id, i)];
     InnerEdge edge;
     edge.axis_id = id(rows.axis_id, i);
+    edge.edge = read.edge(id(rows.edge_id, i));
     edge.from_node = read.node(id(rows.from_node, i));
     edge.to_node = read.node(id(rows.to_node, i));
     edge.along = flag(rows.along, i);
@@ -194,6 +212,11 @@ void read_steps(const MovementCall& call, Places& places) {
          flag(rows.along_in, i), flag(rows.along_out, i), flag(rows.plausible, i)});
 }
 
+std::vector<LaneKind> exceptions(const Column& column, int row) {
+  return column.nulls[row] ? std::vector<LaneKind>{}
+                           : read_kinds(text_of(column.values[row]), "exception");
+}
+
 void read_restrictions(const MovementCall& call, Places& places) {
   const auto& rows = call.restrictions;
   for (int i = 0; i < rows.count; ++i) {
@@ -203,11 +226,24 @@ void read_restrictions(const MovementCall& call, Places& places) {
     restriction.via = {finite(DatumGetFloat8(rows.x.values[i]), "x of a turn restriction"),
                        finite(DatumGetFloat8(rows.y.values[i]), "y of a turn restriction"), 0};
     restriction.only = text_of(rows.kind.values[i]) == "only";
-    // Its very word matters at single nodes.
-    if (!rows.turn.nulls[i]) restriction.turn = Turn::through;
-    if (!rows.except_kinds.nulls[i])
-      restriction.except = read_kinds(text_of(rows.except_kinds.values[i]), "exception");
+    if (!rows.turn.nulls[i]) restriction.turn = read_turn(text_of(rows.turn.values[i]));
+    restriction.except = exceptions(rows.except_kinds, i);
     places[id(rows.junction_id, i)].place.restrictions.push_back(std::move(restriction));
+  }
+}
+
+// A row for each edge, those of one restriction after each other.
+void read_way_restrictions(const MovementCall& call, Places& places) {
+  const auto& rows = call.way_restrictions;
+  for (int i = 0; i < rows.count; ++i) {
+    ReadPlace& read = places[id(rows.junction_id, i)];
+    const bool goes_on = i > 0 && id(rows.junction_id, i) == id(rows.junction_id, i - 1) &&
+                         id(rows.turn_restriction_id, i) == id(rows.turn_restriction_id, i - 1);
+    if (!goes_on)
+      read.place.way_restrictions.push_back({id(rows.from_axis, i), id(rows.to_axis, i), {},
+                                             text_of(rows.kind.values[i]) == "only",
+                                             exceptions(rows.except_kinds, i)});
+    read.place.way_restrictions.back().via.push_back(read.edge(id(rows.edge_id, i)));
   }
 }
 
@@ -226,6 +262,7 @@ void compute_movements(const MovementCall& call, const InterconnectionSettings& 
   read_inner(call, places);
   read_steps(call, places);
   read_restrictions(call, places);
+  read_way_restrictions(call, places);
   for (int i = 0; i < call.grounds.count; ++i)
     places[id(call.grounds.junction_id, i)].place.surface =
         read_surface(bytes_of(call.grounds.surface.values[i]), "the ground of a junction");
@@ -278,13 +315,13 @@ STREETGEN_FUNCTION(streetgen_junction_movements) {
   using namespace streetgen::pg;
   MovementCall call;
   take(fcinfo, &call);
-  const int srid = PG_GETARG_INT32(6);
+  const int srid = PG_GETARG_INT32(7);
   InterconnectionSettings settings;
-  settings.u_turn = PG_GETARG_BOOL(7);
-  settings.rule = PG_GETARG_BOOL(8) ? TrajectoryRule::arcs : TrajectoryRule::bezier;
-  settings.tolerance = PG_GETARG_FLOAT8(9);
-  settings.node_tolerance = PG_GETARG_FLOAT8(10);
-  settings.most = static_cast<std::size_t>(PG_GETARG_INT32(11));
+  settings.u_turn = PG_GETARG_BOOL(8);
+  settings.rule = PG_GETARG_BOOL(9) ? TrajectoryRule::arcs : TrajectoryRule::bezier;
+  settings.tolerance = PG_GETARG_FLOAT8(10);
+  settings.node_tolerance = PG_GETARG_FLOAT8(11);
+  settings.most = static_cast<std::size_t>(PG_GETARG_INT32(12));
   InitMaterializedSRF(fcinfo, 0);
   Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {

@@ -42,6 +42,27 @@ SELECT 'lines are painted at the rim', NOT EXISTS (SELECT FROM town.rim_marking 
 INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind) VALUES (1, 4, 'SRID=2154;POINT(650000 6860000)', 'no');
 SELECT 'a restriction at one node holds for the whole turn', (SELECT bool_and(NOT plausible AND reason = 'restriction') FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 5));
 DELETE FROM town.turn_restriction;
+-- Via axes.
+INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind, via_axes, via_geom, to_geom) VALUES (1, 2, 'SRID=2154;POINT(650000 6860000)', 'no', '{4}', 'SRID=2154;MULTIPOINT(650000 6860010)', 'SRID=2154;POINT(650000 6860020)');
+SELECT 'one via an axis forbids the turn over it, and no other', (SELECT bool_and(NOT plausible AND reason = 'restriction') FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 2)) AND (SELECT bool_or(plausible) FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 5)) AND test.followed('town', 'anew');
+SELECT 'no path at a single node is bound by it', NOT EXISTS (SELECT FROM town.interconnection WHERE reason = 'restriction') AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = 'turn_restriction');
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860008)' WHERE axis_id = 4;
+INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (14, 'SRID=2154;LINESTRING(650000 6860008,650000 6860020)', 7, 2, 'both', 3, 'lane');
+SELECT 'a split via axis is found by its place', (SELECT via_axes = '{14}' FROM town.turn_restriction) AND (SELECT bool_and(reason = 'restriction') FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 2)) AND test.followed('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 14;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860020)' WHERE axis_id = 4;
+SELECT 'and made one again', (SELECT via_axes = '{4}' FROM town.turn_restriction);
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649950 6860020)' WHERE axis_id = 2;
+INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (12, 'SRID=2154;LINESTRING(649950 6860020,649800 6860020)', 7, 2, 'direct', 2, 'avenue');
+SELECT 'what it leads to stays the piece at its place', (SELECT to_axis = 2 FROM town.turn_restriction);
+DELETE FROM town.axis WHERE axis_id = 12;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649800 6860020)' WHERE axis_id = 2;
+UPDATE town.turn_restriction SET kind = 'only', to_axis = 5;
+SELECT 'only that way forbids all others', (SELECT bool_and((axis_out = 5) = plausible) FROM pg_temp.across WHERE axis_in = 1 AND ST_X(ST_EndPoint(line_in)) < 650000) AND (SELECT bool_or(plausible) FROM pg_temp.across WHERE axis_in = 3) AND test.followed('town', 'anew');
+UPDATE town.turn_restriction SET via_axes = '{3}', via_geom = 'SRID=2154;MULTIPOINT(650000 6859850)';
+SELECT 'one via an axis outside is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'turn restriction via axes outside a junction, not obeyed') AND (SELECT bool_or(plausible) FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 1));
+SELECT 'each axis has its place', test.state($$UPDATE town.turn_restriction SET via_axes = '{3,4}'$$) = '23514' AND test.state($$UPDATE town.turn_restriction SET to_geom = NULL$$) = '23514';
+DELETE FROM town.turn_restriction;
 -- Edits.
 SELECT 'a second run changes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 INSERT INTO town.control_point (geom, kind) VALUES ('SRID=2154;POINT(649985 6860000)', 'signals');

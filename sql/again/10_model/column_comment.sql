@@ -186,6 +186,10 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('turn_restriction', 'except_kinds',
         'kinds of lanes that it does not bind, whether one comes or goes on by them: bus, cycle or bus|cycle; NULL: '
         'it binds all'),
+    ('turn_restriction', 'via_axes', 'axes that it leads via, in their order; NULL: from axis to axis at one node'),
+    ('turn_restriction', 'via_geom', 'a place on each of these axes'),
+    ('turn_restriction', 'to_geom', 'place of the node where traffic leaves the last of these axes; geom is where it '
+        'comes upon the first'),
     ('turn_restriction', 'source', 'table that it was imported from'),
     ('turn_restriction', 'source_ref', 'its identity in the source'),
     ('transition_override', 'transition_override_id', 'key'),

@@ -222,7 +222,8 @@ BEGIN
         streetgen._make_controller_override_table(model, srid),
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
-        streetgen._add_both_ways(model), streetgen._add_sidewalks(model), streetgen._add_roadway_offset(model),
+        streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
+        streetgen._add_roadway_offset(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     PERFORM streetgen._give_to_owner(model, before);

@@ -2,18 +2,29 @@
 
 CREATE OR REPLACE FUNCTION streetgen._junction_movements(grounds streetgen.junction_ground[],
     legs streetgen.junction_leg[], lanes streetgen.junction_lane[], inner_edges streetgen.junction_inner_edge[],
-    steps streetgen.junction_step[], restrictions streetgen.junction_restriction[], srid integer, u_turn boolean,
-    arcs boolean, tolerance float8, node_tolerance float8, most integer)
+    steps streetgen.junction_step[], restrictions streetgen.junction_restriction[],
+    way_restrictions streetgen.junction_way_restriction[], srid integer, u_turn boolean, arcs boolean,
+    tolerance float8, node_tolerance float8, most integer)
     RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
         angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_junction_movements';
 COMMENT ON FUNCTION streetgen._junction_movements(streetgen.junction_ground[], streetgen.junction_leg[],
     streetgen.junction_lane[], streetgen.junction_inner_edge[], streetgen.junction_step[],
-    streetgen.junction_restriction[], integer, boolean, boolean, float8, float8, integer)
+    streetgen.junction_restriction[], streetgen.junction_way_restriction[], integer, boolean, boolean, float8, float8,
+    integer)
     IS 'The paths across junctions of several nodes, lane to lane, with the chain of paths at single nodes that lead '
         'the same way. u_turn: also back by the edge that one came by; arcs: by rule arcs, else bezier; tolerances in '
         'm; most: pairs of lanes above which a junction gets none. geom: LINESTRING, EWKB. Bad geometry, a number out '
         'of its range: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._via_edges() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'SELECT o.i, ' || streetgen._edge_of_override() || ' AS edge_id '
+        'FROM (SELECT u.axis_id, u.i, ST_GeometryN(r.via_geom, u.i::integer) AS geom '
+        'FROM unnest(r.via_axes) WITH ORDINALITY u(axis_id, i)) o' $$;
+COMMENT ON FUNCTION streetgen._via_edges() IS
+    'The edges that a row r of turn_restriction leads via, as SQL over a model {model}: number i and edge_id, NULL '
+    'where the axis has none.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_found_movements(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -63,8 +74,9 @@ BEGIN
                 CASE WHEN driven_along THEN geom ELSE ST_Reverse(geom) END::bytea)::streetgen.junction_lane
             FROM way ORDER BY junction_id, edge_id, at_start, comes_in,
                 CASE WHEN driven_along THEN lane_position ELSE -lane_position END),
-        ARRAY(SELECT ROW (j.junction_id, e.axis_id, e.from_node, e.to_node, e.lanes_forward + e.lanes_both > 0,
-                e.lanes_backward + e.lanes_both > 0, coalesce(o.along, 0), coalesce(o.against, 0),
+        ARRAY(SELECT ROW (j.junction_id, e.edge_id, e.axis_id, e.from_node, e.to_node,
+                e.lanes_forward + e.lanes_both > 0, e.lanes_backward + e.lanes_both > 0, coalesce(o.along, 0),
+                coalesce(o.against, 0),
                 ST_Force2D(e.geom)::bytea)::streetgen.junction_inner_edge
             FROM {model}.junction_edge j JOIN {model}.edge e USING (edge_id) LEFT JOIN LATERAL (
                 SELECT avg(l.axis_offset) FILTER (WHERE l.along_axis) AS along,
@@ -79,10 +91,22 @@ BEGIN
                 r.except_kinds)::streetgen.junction_restriction
             FROM member m JOIN {model}.node n USING (node_id)
                 JOIN {model}.turn_restriction r ON ST_DWithin(r.geom, n.geom, 3 * rules.tolerance)
-            ORDER BY m.junction_id, r.turn_restriction_id),
+            WHERE r.via_axes IS NULL ORDER BY m.junction_id, r.turn_restriction_id),
+        -- Those via axes whose edges all lie in one junction.
+        ARRAY(SELECT ROW (junction_id, turn_restriction_id, from_axis, to_axis, edge_id, kind,
+                except_kinds)::streetgen.junction_way_restriction
+            FROM (SELECT DISTINCT m.junction_id, r.turn_restriction_id, r.from_axis, r.to_axis, v.edge_id, r.kind,
+                    r.except_kinds, v.i, bool_and(coalesce(j.junction_id = m.junction_id, false))
+                    OVER (PARTITION BY m.junction_id, r.turn_restriction_id) AS inside
+                FROM member m JOIN {model}.node n USING (node_id)
+                    JOIN {model}.turn_restriction r ON ST_DWithin(r.geom, n.geom, 3 * rules.tolerance)
+                    CROSS JOIN LATERAL ({via}) v LEFT JOIN {model}.junction_edge j USING (edge_id)
+                WHERE r.via_axes IS NOT NULL) w
+            WHERE inside ORDER BY junction_id, turn_restriction_id, i),
         {srid}, rules.u_turn, rules.arcs, rules.chords, rules.tolerance, rules.most);
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'srid', (SELECT srid FROM streetgen.model m
-        WHERE m.name = model)));
+        WHERE m.name = model), 'via', streetgen._fill_template(streetgen._via_edges(), jsonb_build_object('model',
+        quote_ident(model)))));
     PERFORM streetgen._own_function(model, '_found_movements(bigint[])', 'The paths across junctions of several nodes');
 END $$;
 COMMENT ON FUNCTION streetgen._make_found_movements(name) IS

@@ -72,7 +72,7 @@ computed AS MATERIALIZED (
         restrictions => (
             SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn,
                 except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
-            FROM {model}.turn_restriction WHERE {whole} OR from_axis = ANY ($2)),
+            FROM {model}.turn_restriction WHERE via_axes IS NULL AND ({whole} OR from_axis = ANY ($2))),
         controls => (
             SELECT array_agg(ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
                 ORDER BY control_point_id)

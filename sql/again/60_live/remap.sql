@@ -200,6 +200,27 @@ UPDATE %1$I.interconnection_override o SET geom = n.geom, control = n.control, a
 WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.axis_out, o.lane_out, o.along_in,
     o.along_out)
     IS DISTINCT FROM (n.geom, n.axis_in, n.lane_in, n.axis_out, n.lane_out, n.along_in, n.along_out)$sql$
+        WHEN 'turn_restriction' THEN $sql$,
+new AS (
+    SELECT o.turn_restriction_id AS id,
+        coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)),
+        o.geom) AS geom, coalesce(a.axis_id, o.from_axis) AS from_axis, coalesce(b.axis_id, o.to_axis) AS to_axis,
+        v.axes AS via_axes
+    FROM %1$I.turn_restriction o
+    LEFT JOIN moved m ON (m.relation, m.override_id) = ('turn_restriction', o.turn_restriction_id)
+    LEFT JOIN found a ON (a.relation, a.override_id, a.role) = ('turn_restriction', o.turn_restriction_id, 'from_axis')
+    LEFT JOIN found b ON (b.relation, b.override_id, b.role) = ('turn_restriction', o.turn_restriction_id, 'to_axis')
+    LEFT JOIN LATERAL (
+        SELECT array_agg(coalesce(f.axis_id, u.axis_id) ORDER BY u.i) AS axes
+        FROM unnest(o.via_axes) WITH ORDINALITY u(axis_id, i) LEFT JOIN found f
+            ON (f.relation, f.override_id, f.role) = ('turn_restriction', o.turn_restriction_id, 'via_axis ' || u.i)
+        ) v ON o.via_axes IS NOT NULL
+    WHERE o.turn_restriction_id IN (SELECT override_id FROM moved WHERE relation = 'turn_restriction'
+        UNION ALL SELECT override_id FROM found WHERE relation = 'turn_restriction'))
+UPDATE %1$I.turn_restriction o SET geom = n.geom, from_axis = n.from_axis, to_axis = n.to_axis,
+    via_axes = n.via_axes FROM new n
+WHERE o.turn_restriction_id = n.id AND (o.geom, o.from_axis, o.to_axis, o.via_axes)
+    IS DISTINCT FROM (n.geom, n.from_axis, n.to_axis, n.via_axes)$sql$
         ELSE $sql$,
 new AS (
     SELECT o.%2$I_id AS id,
@@ -212,13 +233,20 @@ new AS (
     WHERE m.override_id IS NOT NULL OR a.override_id IS NOT NULL OR b.override_id IS NOT NULL)
 UPDATE %1$I.%2$I o SET geom = n.geom, %3$I = n.axis_a, %4$I = n.axis_b FROM new n
 WHERE o.%2$I_id = n.id AND (o.geom, o.%3$I, o.%4$I) IS DISTINCT FROM (n.geom, n.axis_a, n.axis_b)$sql$ END, model,
-    relation, CASE relation WHEN 'corner_override' THEN 'axis_a' WHEN 'overpass_override' THEN 'axis_above'
-    ELSE 'from_axis' END, CASE relation WHEN 'corner_override' THEN 'axis_b' WHEN 'overpass_override'
-    THEN 'axis_below' ELSE 'to_axis' END)
+    relation, CASE relation WHEN 'corner_override' THEN 'axis_a' ELSE 'axis_above' END,
+    CASE relation WHEN 'corner_override' THEN 'axis_b' ELSE 'axis_below' END)
     $$;
 COMMENT ON FUNCTION streetgen._remap_statement(name, name) IS
     'The statement that puts the overrides of one relation near changed axes on the axis that they lie on now. What '
     'fits nowhere stays as it is, until an axis comes by.';
+
+CREATE OR REPLACE FUNCTION streetgen._remap_window(relation name) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE relation WHEN 'turn_restriction' THEN '(geom && ST_Expand(extent, 110) '
+        'OR coalesce(to_geom, geom) && ST_Expand(extent, 110) '
+        'OR via_axes IS NOT NULL AND via_geom && ST_Expand(extent, 110))' ELSE 'geom && ST_Expand(extent, 110)' END $$;
+COMMENT ON FUNCTION streetgen._remap_window(name) IS
+    'Whether a row of overrides has a place near the extent of changed axes, as SQL.';
 
 CREATE OR REPLACE FUNCTION streetgen._remap_by_place() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -349,8 +377,11 @@ UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_
     3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
 UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis, geom, 3 * (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
-UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, coalesce(to_geom, geom),
+    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
+UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'via_axis ' || v.i, v.axis_id,
+    ST_GeometryN(via_geom, v.i::integer), 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance')
+    FROM %1$I.turn_restriction, unnest(via_axes) WITH ORDINALITY v(axis_id, i) WHERE via_axes IS NOT NULL
 UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_above', axis_above, geom, 20
     FROM %1$I.overpass_override
 UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_below', axis_below, geom, 20
@@ -410,12 +441,12 @@ BEGIN
 END $body$ $sql$, model,
         -- No kerb lies farther from its axis than 100 m, and three tolerances are 30 m at most.
         (SELECT string_agg(format('held := held || ARRAY(SELECT concat(%2$L, id) FROM (SELECT %2$I_id AS id FROM '
-            '%1$I.%2$I WHERE geom && ST_Expand(extent, 110) ORDER BY id FOR UPDATE) r);', model, relation),
+            '%1$I.%2$I WHERE %3$s ORDER BY id FOR UPDATE) r);', model, relation, streetgen._remap_window(relation)),
             E'\n            ' ORDER BY n)
          FROM unnest(overrides) WITH ORDINALITY r(relation, n)), model,
-        (SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE geom && ST_Expand(extent, 110)) THEN%3$s;' ||
-            E'\n    END IF;', model, relation,
-            streetgen._remap_statement(model, relation)), E'\n    ' ORDER BY n)
+        (SELECT string_agg(format('IF EXISTS (SELECT FROM %1$I.%2$I WHERE %4$s) THEN%3$s;' || E'\n    END IF;', model,
+            relation, streetgen._remap_statement(model, relation), streetgen._remap_window(relation)),
+            E'\n    ' ORDER BY n)
          FROM unnest(overrides) WITH ORDINALITY r(relation, n)));
     PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])',
         'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and '

@@ -181,13 +181,16 @@ SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'no
     (31, 'network', 'rule', $part$
 SELECT 'warning', 'turn restriction without a place', 'turn_restriction', r.turn_restriction_id, 0, r.geom
     FROM %1$I.turn_restriction r
-    WHERE NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id) WHERE a.axis_id = r.from_axis
-        AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))$part$),
+    WHERE CASE WHEN via_axes IS NULL THEN NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id)
+            WHERE a.axis_id = r.from_axis AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))
+        ELSE EXISTS (SELECT FROM unnest(via_axes || ARRAY[from_axis, to_axis]) u(axis_id)
+            WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)) END$part$),
     (32, 'network', 'rule', $part$
 SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction', a.turn_restriction_id,
     b.turn_restriction_id, a.geom FROM %1$I.turn_restriction a
     JOIN %1$I.turn_restriction b ON (a.from_axis, a.to_axis, a.kind, b.kind) = (b.from_axis, b.to_axis, 'no', 'only')
-        AND (a.turn = b.turn) IS NOT FALSE CROSS JOIN tolerance t WHERE ST_DWithin(a.geom, b.geom, 3 * t.value)$part$),
+        AND (a.turn = b.turn) IS NOT FALSE AND a.via_axes IS NOT DISTINCT FROM b.via_axes CROSS JOIN tolerance t
+    WHERE ST_DWithin(a.geom, b.geom, 3 * t.value)$part$),
     (33, 'interconnection', 'rule', $part$
 SELECT 'warning', 'interconnection override without a place', 'interconnection_override',
     d.interconnection_override_id, 0, d.geom FROM %1$I.interconnection_override d
@@ -335,6 +338,16 @@ SELECT 'notice', 'junction wider than junction_extent, m', 'junction', j.junctio
         FROM %1$I.junction_node n JOIN %1$I.node p USING (node_id) GROUP BY n.junction_id HAVING count(*) > 1) c
         USING (junction_id)
     WHERE c.width > (SELECT value::float8 FROM %1$I.setting WHERE name = 'junction_extent')$part$),
+    (71, 'junction', 'rule', $part$
+SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'turn_restriction', r.turn_restriction_id,
+    cardinality(r.via_axes), r.geom FROM %1$I.turn_restriction r
+    WHERE r.via_axes IS NOT NULL AND 1 <> (SELECT count(DISTINCT coalesce(j.junction_id, -1))
+            + count(*) FILTER (WHERE j.junction_id IS NULL)
+        FROM (SELECT u.axis_id, ST_GeometryN(r.via_geom, u.i::integer) AS geom
+            FROM unnest(r.via_axes) WITH ORDINALITY u(axis_id, i)) o CROSS JOIN LATERAL (
+            SELECT n.edge_id FROM %1$I.edge n WHERE n.axis_id = o.axis_id
+            ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1) e
+            LEFT JOIN %1$I.junction_edge j USING (edge_id))$part$),
     (72, 'junction', 'rule', $part$
 SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
     FROM %1$I.junction_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$),

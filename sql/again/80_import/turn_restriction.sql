@@ -4,9 +4,11 @@ CREATE OR REPLACE FUNCTION streetgen._import_restrictions(model name, line regcl
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Tables written by an older flex file lack it.
+    -- Tables written by an older flex file lack them.
     excepted constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = restriction
         AND attname = 'excepted' AND NOT attisdropped), 'NULL::text');
+    via_ways constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = restriction
+        AND attname = 'via_ways' AND NOT attisdropped), $q$CASE WHEN via_way THEN '0' END$q$);
 BEGIN
     IF restriction IS NULL THEN
         RETURN QUERY SELECT 'no table of turn restrictions, those of the model stay', NULL::text, 0::bigint,
@@ -19,17 +21,38 @@ SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_w
        a.axis_id AS from_axis, b.axis_id AS to_axis, substring(restriction FROM '^(no|only)_') AS kind,
        CASE substring(restriction FROM '^(?:no|only)_(.*)$') WHEN 'left_turn' THEN 'left' WHEN 'right_turn'
            THEN 'right' WHEN 'straight_on' THEN 'through' WHEN 'u_turn' THEN 'u_turn' END AS turn,
-       ST_Transform(ST_Force2D(ST_GeometryN(ST_CollectionExtract(r.geom, 1), 1)), (SELECT srid FROM streetgen.model
-           WHERE name = %4$L)) AS geom,
+       CASE WHEN v.axes IS NULL THEN ST_Transform(ST_Force2D(ST_GeometryN(ST_CollectionExtract(r.geom, 1), 1)),
+               (SELECT srid FROM streetgen.model WHERE name = %4$L))
+           WHEN v.follow THEN ST_ClosestPoint(v.lines[1], ST_Force2D(a.geom)) END AS geom,
+       CASE WHEN v.follow THEN v.axes END AS via_axes,
+       CASE WHEN v.follow THEN (SELECT ST_Multi(ST_Collect(ST_LineInterpolatePoint(line, 0.5) ORDER BY i))
+           FROM unnest(v.lines) WITH ORDINALITY l(line, i)) END AS via_geom,
+       CASE WHEN v.follow THEN ST_ClosestPoint(v.lines[cardinality(v.lines)], ST_Force2D(b.geom)) END AS to_geom,
        CASE WHEN restriction IS NULL THEN 'not for all traffic'
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$'
                 THEN 'not understood'
             WHEN from_way IS NULL OR to_way IS NULL THEN 'without the way that it leads from or to'
-            WHEN via_way THEN 'via a way' WHEN ST_IsEmpty(ST_CollectionExtract(r.geom, 1)) THEN 'without a place'
-            WHEN a.axis_id IS NULL OR b.axis_id IS NULL THEN 'of ways that are no axes' END AS left_out,
+            WHEN v.axes IS NULL AND ST_IsEmpty(ST_CollectionExtract(r.geom, 1)) THEN 'without a place'
+            WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
+                THEN 'of ways that are no axes'
+            WHEN NOT v.follow THEN 'via ways that do not follow each other' END AS left_out,
        except_kinds, except_others
 FROM %1$s r LEFT JOIN %2$I.axis a ON (a.source, a.source_ref) = (%3$L, from_way::text)
     LEFT JOIN %2$I.axis b ON (b.source, b.source_ref) = (%3$L, to_way::text)
+CROSS JOIN LATERAL (
+    -- A relation may have its members from the last to the first.
+    SELECT w.axes, w.lines, f.follow FROM (VALUES (1), (-1)) o(along) CROSS JOIN LATERAL (
+        SELECT array_agg(c.axis_id ORDER BY along * i) AS axes,
+            array_agg(ST_Force2D(c.geom) ORDER BY along * i) AS lines
+        FROM unnest(string_to_array(%6$s, ',')) WITH ORDINALITY u(way, i)
+            LEFT JOIN %2$I.axis c ON (c.source, c.source_ref) = (%3$L, way)) w
+        CROSS JOIN LATERAL (
+        SELECT bool_and(ST_DWithin(line, before, t.value) AND ST_DWithin(line, next, t.value)) AS follow
+        FROM (SELECT 3 * streetgen._tolerance(%4$L) AS value) t CROSS JOIN (
+            SELECT line, lag(line, 1, ST_Force2D(a.geom)) OVER (ORDER BY i) AS before,
+                lead(line, 1, ST_Force2D(b.geom)) OVER (ORDER BY i) AS next
+            FROM unnest(w.lines) WITH ORDINALITY l(line, i)) c) f
+    ORDER BY f.follow IS NOT TRUE, o.along DESC LIMIT 1) v
 CROSS JOIN LATERAL (
     -- Traffic that has lanes of its own, and traffic that shares those of all.
     SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
@@ -37,7 +60,7 @@ CROSS JOIN LATERAL (
     CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus' WHEN 'bicycle' THEN 'cycle'
         END AS kind) k
     WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted
-$sql$, restriction, model, line::text, model, excepted);
+$sql$, restriction, model, line::text, model, excepted, via_ways);
     RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
         WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
@@ -45,24 +68,29 @@ $sql$, restriction, model, line::text, model, excepted);
     EXECUTE format('DELETE FROM %I.turn_restriction t WHERE source = %L AND NOT EXISTS (SELECT FROM '
         'pg_temp._import_restriction r WHERE r.source_ref = t.source_ref)', model, restriction::text);
     EXECUTE format($sql$
-INSERT INTO %I.turn_restriction AS t (from_axis, to_axis, geom, kind, turn, except_kinds, source, source_ref)
-SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, except_kinds, %L, source_ref
-    FROM pg_temp._import_restriction ORDER BY source_ref
+INSERT INTO %I.turn_restriction AS t (from_axis, to_axis, geom, kind, turn, except_kinds, via_axes, via_geom, to_geom,
+    source, source_ref)
+SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, except_kinds, via_axes, via_geom, to_geom, %L,
+    source_ref FROM pg_temp._import_restriction ORDER BY source_ref
 ON CONFLICT (source, source_ref) DO UPDATE SET from_axis = excluded.from_axis, to_axis = excluded.to_axis,
-    geom = excluded.geom, kind = excluded.kind, turn = excluded.turn, except_kinds = excluded.except_kinds
-WHERE (t.from_axis, t.to_axis, t.geom::bytea, t.kind, t.turn, t.except_kinds)
+    geom = excluded.geom, kind = excluded.kind, turn = excluded.turn, except_kinds = excluded.except_kinds,
+    via_axes = excluded.via_axes, via_geom = excluded.via_geom, to_geom = excluded.to_geom
+WHERE (t.from_axis, t.to_axis, t.geom::bytea, t.kind, t.turn, t.except_kinds, t.via_axes, t.via_geom::bytea,
+        t.to_geom::bytea)
     IS DISTINCT FROM (excluded.from_axis, excluded.to_axis, excluded.geom::bytea, excluded.kind, excluded.turn,
-        excluded.except_kinds)
+        excluded.except_kinds, excluded.via_axes, excluded.via_geom::bytea, excluded.to_geom::bytea)
 $sql$, model, restriction::text);
     RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.except_others GROUP BY r.class
         ORDER BY r.class;
-    RETURN QUERY SELECT 'turn restrictions', r.class, count(*), NULL::text[] FROM pg_temp._import_restriction r
-        GROUP BY r.class ORDER BY r.class;
+    RETURN QUERY SELECT CASE WHEN via THEN 'turn restrictions via ways, obeyed where these lie in a junction'
+            ELSE 'turn restrictions' END, r.class, count(*), NULL::text[]
+        FROM (SELECT *, via_axes IS NOT NULL AS via FROM pg_temp._import_restriction) r
+        GROUP BY via, r.class ORDER BY via, r.class;
     DROP TABLE pg_temp._import_restriction;
 END $$;
 COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS
-    'Takes the turn restrictions of an OSM table between ways that are axes, at a node; importing again follows the '
-    'table. Those via a way, for some traffic only, of unknown wording, without a way or of ways that are no axes are '
-    'left out and reported. What one excepts is read where it has lanes of its own (psv, bus, bicycle), else '
-    'reported. A NULL table leaves all as it was.';
+    'Takes the turn restrictions of an OSM table between ways that are axes, at a node or via such ways; importing '
+    'again follows the table. Those for some traffic only, of unknown wording, without a way, of ways that are no axes '
+    'or via ways that do not follow each other are left out and reported. What one excepts is read where it has lanes '
+    'of its own (psv, bus, bicycle), else reported. A NULL table leaves all as it was.';

@@ -54,7 +54,8 @@ class Grouping {
   JunctionGroups run() {
     join_certain();
     const std::vector<Link> gaps = gap_links();
-    for (const Link& link : gaps) chains_.join(link.nodes[0], link.nodes[1]);
+    for (const Link& link : gaps)
+      for (const int node : link.nodes) chains_.join(link.nodes.front(), node);
     const std::vector<SlipLane> slips = find_slip_lanes(edges_, rules_, ends_, chains_);
     join_links(gaps, slips);
     join_by_hand();
@@ -86,11 +87,38 @@ class Grouping {
     std::vector<Link> links;
     for (int e = 0; e < size(); ++e) {
       poll_cancel();
-      if (joins_carriageways(e))
-        links.push_back(
-            link_of({edge(e).from_node, edge(e).to_node}, {e}, edge(e).length));
+      for (const int node : {edge(e).from_node, edge(e).to_node}) {
+        const Chain chain = chain_from(e, node);
+        // A chain is found from both its ends.
+        if (chain.edges.empty()) continue;
+        const bool first = chain.edges.size() == 1 ? node == edge(e).from_node
+                                                   : chain.edges.front() < chain.edges.back();
+        if (first && joins_carriageways(chain))
+          links.push_back(link_of(chain.nodes, chain.edges, chain.length));
+      }
     }
     return links;
+  }
+
+  // Edges that go on from each other at nodes of two, from a node of more.
+  struct Chain {
+    std::vector<int> nodes, edges;
+    double length = 0;
+  };
+
+  Chain chain_from(int e, int node) const {
+    Chain chain{{node}, {}, 0};
+    if (ends_[node].size() < 3) return chain;
+    while (true) {
+      node = other_end(e, node);
+      chain.edges.push_back(e);
+      chain.nodes.push_back(node);
+      chain.length += edge(e).length;
+      if (ends_[node].size() != 2 || chain.length > rules_.gap) return chain;
+      const int next = ends_[node][0] == e ? ends_[node][1] : ends_[node][0];
+      if (next == e) return chain;
+      e = next;
+    }
   }
 
   Link link_of(std::vector<int> nodes, std::vector<int> edges, double length) const {
@@ -99,28 +127,39 @@ class Grouping {
     return {nodes, std::move(edges), length, sum * (1.0 / static_cast<double>(nodes.size()))};
   }
 
-  bool joins_carriageways(int e) const {
-    const RuleEdge& link = edge(e);
-    if (link.length > rules_.gap || link.on_ring || link.by_hand || link.crossed ||
-        link.from_node == link.to_node || ends_[link.from_node].size() < 3 ||
-        ends_[link.to_node].size() < 3)
-      return false;
-    for (const int a : ends_[link.from_node])
-      for (const int b : ends_[link.to_node])
-        if (a != e && b != e && a != b && are_carriageways(a, b, link)) return true;
+  bool joins_carriageways(const Chain& chain) const {
+    const int from = chain.nodes.front(), to = chain.nodes.back();
+    if (chain.length > rules_.gap || from == to || ends_[to].size() < 3) return false;
+    bool joined = true;  // by what is certain
+    for (const int e : chain.edges) {
+      if (edge(e).on_ring || edge(e).by_hand == false) return false;
+      joined = joined && (edge(e).crossed || edge(e).by_hand);
+    }
+    if (joined) return false;
+    for (const int a : ends_[from])
+      for (const int b : ends_[to])
+        if (a != chain.edges.front() && b != chain.edges.back() && a != b &&
+            are_carriageways(a, b, chain))
+          return true;
     return false;
   }
 
   // Of the street that the link crosses.
-  bool are_carriageways(int a, int b, const RuleEdge& link) const {
+  bool are_carriageways(int a, int b, const Chain& link) const {
     if (!edge(a).one_way() || !edge(b).one_way() || edge(a).on_ring || edge(b).on_ring) return false;
-    const Point first = heading(a, link.from_node), second = heading(b, link.to_node);
-    if (std::abs(cross(first, link.leaves_from)) < across ||
-        std::abs(cross(second, link.leaves_to)) < across)
+    const int from = link.nodes.front(), to = link.nodes.back();
+    const Point first = heading(a, from), second = heading(b, to);
+    if (std::abs(cross(first, course_from(link.edges.front(), from))) < across ||
+        std::abs(cross(second, course_from(link.edges.back(), to))) < across)
       return false;
     const double cosine = -dot(first, second);
     if (cosine > 0 && edge(a).name != 0 && edge(a).name == edge(b).name) return true;
-    return cosine >= opposite && goes_through(a, link.from_node) && goes_through(b, link.to_node);
+    return cosine >= opposite && goes_through(a, from) && goes_through(b, to);
+  }
+
+  // In which an edge leaves a node.
+  Point course_from(int e, int node) const {
+    return edge(e).from_node == node ? edge(e).leaves_from : edge(e).leaves_to;
   }
 
   // Whether the traffic of a one-way edge has another such edge ahead of it, or behind it, there.
@@ -137,9 +176,7 @@ class Grouping {
 
   // Of the traffic of a one-way edge at a node.
   Point heading(int e, int node) const {
-    const bool at_start = edge(e).from_node == node;
-    const Point leaves = at_start ? edge(e).leaves_from : edge(e).leaves_to;
-    return leaves * (at_start == edge(e).along ? 1 : -1);
+    return course_from(e, node) * (leaves(e, node) ? 1 : -1);
   }
 
   // From the shortest on, as far as the extent allows.

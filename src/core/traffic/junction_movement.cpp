@@ -33,8 +33,6 @@ class Across {
   Across(const JunctionPlace& place, const InterconnectionSettings& settings)
       : place_(place),
         settings_(settings),
-        free_(place, settings.node_tolerance, false),
-        obeyed_(place, settings.node_tolerance, true),
         lanes_(place.legs.size()),
         kerbs_(place.surface, borders(place)) {
     for (int i = 0; i < static_cast<int>(place.lanes.size()); ++i) {
@@ -49,18 +47,17 @@ class Across {
     for (std::size_t leg = 0; leg < place_.legs.size(); ++leg) ends.push_back(ends_of(leg));
     std::vector<Movement> movements;
     std::vector<std::vector<JunctionMovement>> drawn;
-    for (int from = 0; from < static_cast<int>(place_.legs.size()); ++from)
+    for (int from = 0; from < static_cast<int>(place_.legs.size()); ++from) {
+      if (lanes_[from].in.empty()) continue;
+      const std::vector<Way> ways = ways_from(from);
       for (int to = 0; to < static_cast<int>(place_.legs.size()); ++to) {
-        if (lanes_[from].in.empty() || lanes_[to].out.empty() || turns_back(from, to)) continue;
+        if (lanes_[to].out.empty() || turns_back(from, to) || !ways[to].route) continue;
         poll_cancel();
-        const auto obeyed = obeyed_.between(from, to);
-        const auto route = obeyed ? obeyed : free_.between(from, to);
-        if (!route) continue;
-        Movement movement{from, to, {}, 0, {}, {}, {}};
-        if (!obeyed) movement.restricted.set();
-        drawn.push_back(draw(ends, *route, movement));
+        Movement movement{from, to, ways[to].restricted, 0, {}, {}, {}};
+        drawn.push_back(draw(ends, *ways[to].route, movement));
         movements.push_back(std::move(movement));
       }
+    }
     choose_lanes(ends, movements);
     return with_verdicts(movements, drawn);
   }
@@ -79,6 +76,31 @@ class Across {
       out += leg.out.size();
     }
     return in * out;
+  }
+
+  // To a leg: by where, and whose traffic may not.
+  struct Way {
+    std::optional<JunctionRoute> route;
+    LaneKinds restricted;
+  };
+
+  // The way of general traffic, else of such that some restriction excepts, else by forbidden turns.
+  std::vector<Way> ways_from(int leg) const {
+    std::vector<Way> ways(place_.legs.size());
+    const bool bound = !place_.restrictions.empty() || !place_.way_restrictions.empty();
+    if (bound)
+      for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle})
+        take_ways(JunctionRoutes(place_, settings_.node_tolerance, kind).from(leg), kind, ways);
+    take_ways(JunctionRoutes(place_, settings_.node_tolerance, std::nullopt).from(leg), {}, ways);
+    return ways;
+  }
+
+  static void take_ways(std::vector<std::optional<JunctionRoute>> routes,
+                        std::optional<LaneKind> kind, std::vector<Way>& ways) {
+    for (std::size_t to = 0; to < ways.size(); ++to) {
+      if (kind && !routes[to]) ways[to].restricted.set(index_of(*kind));
+      if (!ways[to].route) ways[to].route = std::move(routes[to]);
+    }
   }
 
   bool turns_back(int from, int to) const {
@@ -208,7 +230,6 @@ class Across {
 
   const JunctionPlace& place_;
   const InterconnectionSettings& settings_;
-  JunctionRoutes free_, obeyed_;
   std::vector<LegLanes> lanes_;  // by leg
   Kerbs kerbs_;
 };

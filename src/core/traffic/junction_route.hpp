@@ -1,4 +1,4 @@
-// The way over the edges inside a junction, from one of its legs to another.
+// The ways over the edges inside a junction, from one of its legs to the others.
 #pragma once
 
 #include <optional>
@@ -18,19 +18,40 @@ using JunctionRoute = std::vector<RoutePiece>;  // empty: both legs meet at one 
 // The shortest ways from a leg to all others.
 class JunctionRoutes {
  public:
-  // `obeyed`: no way takes a turn that a restriction forbids to general traffic.
-  JunctionRoutes(const JunctionPlace& place, double node_tolerance, bool obeyed);
+  // `kind`: no way takes a turn that is forbidden to such traffic; without: restrictions are not
+  // asked.
+  JunctionRoutes(const JunctionPlace& place, double node_tolerance, std::optional<LaneKind> kind);
 
-  // None where no way leads to the leg.  By edge and not by node: a way may pass a node twice.
-  std::optional<JunctionRoute> between(int from_leg, int to_leg) const;
+  // By leg; none where no way leads there.  By edge and not by node: a way may pass a node twice.
+  std::vector<std::optional<JunctionRoute>> from(int leg) const;
 
  private:
-  bool allowed(int node, std::int64_t from_axis, std::int64_t to_axis) const;
-  double size(int inner) const;
+  // An edge inside or a leg, as a turn at a node begins or ends with it.
+  struct Arm {
+    std::int64_t axis_id = 0;
+    int edge = 0;
+    Point heading;
+  };
+  // By restriction via edges how far a way follows it: 0 not at all, 1 on the axis that it leads
+  // from, 1 + i past the i-th of its edges.
+  using Followed = std::vector<int>;
+
+  Arm arm_of(int state, bool at_start) const;
+  Arm arm_of_leg(int leg, bool comes_in) const;
+  int first_node(int state) const;
+  int last_node(int state) const { return first_node(state ^ 1); }
+  bool open(int state) const;
+  bool allowed(int node, const Arm& from, const Arm& to, const Followed& followed) const;
+  bool turn_allowed(int node, const Arm& from, const Arm& to) const;
+  bool way_allowed(const WayRestriction& restriction, int followed, int node, const Arm& to) const;
+  int ends_at(int node, std::int64_t axis_id) const;
+  bool touches(int node, int edge) const;
+  Followed follow(Followed followed, const Arm& arm) const;
 
   const JunctionPlace& place_;
   double node_tolerance_;
-  bool obeyed_;
+  std::vector<TurnRestriction> turns_;  // those that bind the traffic
+  std::vector<WayRestriction> ways_;
 };
 
 }  // namespace streetgen

@@ -320,12 +320,7 @@ std::vector<TurnRestriction> restrictions_of(const StreetsCall& call) {
     restriction.via = place_of(rows.x, rows.y, i, "a turn restriction");
     restriction.only = word_of<bool>(text_of(rows.kind.values[i]), "kind of a turn restriction",
                                      {{"no", false}, {"only", true}});
-    if (!rows.turn.nulls[i])
-      restriction.turn = word_of<Turn>(text_of(rows.turn.values[i]), "turn of a turn restriction",
-                                       {{turn_name(Turn::through), Turn::through},
-                                        {turn_name(Turn::left), Turn::left},
-                                        {turn_name(Turn::right), Turn::right},
-                                        {turn_name(Turn::u_turn), Turn::u_turn}});
+    if (!rows.turn.nulls[i]) restriction.turn = read_turn(text_of(rows.turn.values[i]));
     restriction.except =
         read_kinds(text_or_empty(rows.except_kinds, i), "exception of a turn restriction");
     restrictions.push_back(restriction);

@@ -72,6 +72,14 @@ std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& wh
   return read;
 }
 
+Turn read_turn(const std::string& word) {
+  return word_of<Turn>(word, "turn of a turn restriction",
+                       {{turn_name(Turn::through), Turn::through},
+                        {turn_name(Turn::left), Turn::left},
+                        {turn_name(Turn::right), Turn::right},
+                        {turn_name(Turn::u_turn), Turn::u_turn}});
+}
+
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
                                  const std::string& what) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
 
 namespace streetgen::pg {
@@ -26,6 +27,9 @@ bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes);
 
 // "bus|cycle"; none of an empty text.  `what` as word_of has it.
 std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& what);
+
+// "left" and its like, of a turn restriction.
+Turn read_turn(const std::string& word);
 
 // "left;through"; empty where nothing is said.
 std::string turn_text(unsigned turns);

@@ -54,6 +54,22 @@ TEST(GroupJunctions, BeyondTheGapTheyAreTwo) {
   EXPECT_FALSE(groups.parted[0]);
 }
 
+TEST(GroupJunctions, ALinkInSeveralEdgesIsOne) {
+  JunctionNetwork network = dual_carriageway(20);
+  network.nodes.push_back({0, 9});
+  network.edges[0].to_node = 8;
+  network.edges[0].line = {network.nodes[0], network.nodes[8]};
+  add(network, 8, 1);
+  const JunctionGroups groups = group_junctions(network, {});
+  EXPECT_EQ(groups.of_node[0], groups.of_node[1]);
+  EXPECT_EQ(groups.of_node[0], groups.of_node[8]);
+  EXPECT_EQ(groups.roles[0], EdgeRole::inside);
+  EXPECT_EQ(groups.roles[7], EdgeRole::inside);
+  network.edges[7].by_hand = false;
+  const JunctionGroups parted = group_junctions(network, {});
+  EXPECT_NE(parted.of_node[0], parted.of_node[1]);
+}
+
 TEST(GroupJunctions, TwoWayStreetsAreNoCarriageways) {
   JunctionNetwork network = dual_carriageway(20);
   for (JunctionEdge& edge : network.edges) edge.against = true;

@@ -32,7 +32,7 @@ class DualCarriageway : public ::testing::Test {
     lane(4, false, {{-2, -12}, {-2, -50}});
     lane(5, true, {{-2, 70}, {-2, 32}});
     lane(5, false, {{2, 32}, {2, 70}});
-    place.inner.push_back({7, 0, 1, true, true, -2, 2, {{0, 0}, {0, 20}}});
+    place.inner.push_back({7, inside, 0, 1, true, true, -2, 2, {{0, 0}, {0, 20}}});
     place.surface = {{{{-12, -4}, {-4, -4}, {-4, -12}, {4, -12}, {4, -4}, {12, -4}, {12, 4}, {4, 4},
                        {4, 16}, {12, 16}, {12, 24}, {4, 24}, {4, 32}, {-4, 32}, {-4, 24},
                        {-12, 24}, {-12, 16}, {-4, 16}, {-4, 4}, {-12, 4}, {-12, -4}}}};
@@ -56,6 +56,7 @@ class DualCarriageway : public ::testing::Test {
     return found == all.end() ? nullptr : &*found;
   }
 
+  static constexpr int inside = 6;  // the edge between the carriageways
   JunctionPlace place;
   InterconnectionSettings settings;
 };
@@ -110,6 +111,54 @@ TEST_F(DualCarriageway, ARestrictionAtOneNodeForbidsTheWholeTurn) {
   EXPECT_FALSE(between(all, 0, 7)->plausible);
   EXPECT_EQ(between(all, 0, 7)->reason, Reason::restriction);
   EXPECT_TRUE(between(all, 0, 1)->plausible);
+}
+
+TEST_F(DualCarriageway, ARestrictionOfATurnBindsThatTurn) {
+  place.legs[4].axis_id = 7;  // the cross street is one axis, below the carriageway too
+  TurnRestriction no_left;
+  no_left.from_axis = 1;
+  no_left.to_axis = 7;
+  no_left.via = {0, 0};
+  no_left.turn = Turn::left;
+  place.restrictions.push_back(no_left);
+  const auto all = junction_movements(place, settings);
+  EXPECT_EQ(between(all, 0, 7)->reason, Reason::restriction);
+  EXPECT_NE(between(all, 0, 5)->reason, Reason::restriction);
+}
+
+TEST_F(DualCarriageway, WhomARestrictionExceptsItDoesNotBind) {
+  TurnRestriction no_left;
+  no_left.from_axis = 1;
+  no_left.to_axis = 7;
+  no_left.via = {0, 0};
+  no_left.except = {LaneKind::bus};
+  place.restrictions.push_back(no_left);
+  EXPECT_EQ(between(junction_movements(place, settings), 0, 7)->reason, Reason::restriction);
+  place.lanes[0].kind = place.lanes[7].kind = LaneKind::bus;
+  EXPECT_TRUE(between(junction_movements(place, settings), 0, 7)->plausible);
+}
+
+TEST_F(DualCarriageway, ARestrictionViaAnEdgeForbidsTheTurnOverIt) {
+  place.way_restrictions.push_back({1, 4, {inside}});
+  const auto all = junction_movements(place, settings);
+  EXPECT_FALSE(between(all, 0, 3)->plausible);
+  EXPECT_EQ(between(all, 0, 3)->reason, Reason::restriction);
+  EXPECT_TRUE(between(all, 0, 7)->plausible);
+  EXPECT_NE(between(all, 4, 3)->reason, Reason::restriction);
+}
+
+TEST_F(DualCarriageway, OneThatSaysOnlyForbidsAllElse) {
+  place.way_restrictions.push_back({1, 6, {inside}, true});
+  const auto all = junction_movements(place, settings);
+  EXPECT_TRUE(between(all, 0, 7)->plausible);
+  for (const int out : {1, 3, 5}) EXPECT_EQ(between(all, 0, out)->reason, Reason::restriction);
+  for (const int out : {1, 3, 7}) EXPECT_NE(between(all, 4, out)->reason, Reason::restriction);
+}
+
+TEST_F(DualCarriageway, WhatLeadsThereByAnotherEdgeHolds) {
+  place.way_restrictions.push_back({1, 4, {inside}});
+  place.inner.push_back({8, inside + 1, 0, 1, true, true, -2, 2, {{0, 0}, {3, 10}, {0, 20}}});
+  EXPECT_NE(between(junction_movements(place, settings), 0, 3)->reason, Reason::restriction);
 }
 
 TEST_F(DualCarriageway, StepsAtSingleNodesLeadTheSameWay) {
