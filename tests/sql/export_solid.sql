@@ -40,6 +40,16 @@ SELECT 'every level side of a kerb has the roadway below and the sidewalk above,
     FROM side s JOIN vertex a ON a.vertex = s.a JOIN vertex b ON b.vertex = s.b WHERE function = 'kerbstone' AND NOT EXISTS (SELECT FROM side o WHERE (o.a, o.b) = (s.b, s.a) AND o.function = 'kerbstone') AND (a.x, a.y) <> (b.x, b.y);
 SELECT 'no side has two triangles of one way', max(n) = 1 FROM (SELECT count(*) AS n FROM side GROUP BY a, b) u;
 SELECT 'no place has two vertices, and each is used', (SELECT count(*) = count(DISTINCT (x, y, z)) FROM vertex) AND (SELECT count(DISTINCT a) FROM side) = (SELECT count(*) FROM vertex);
+-- The sidewalk of a corner has the level of its node, whatever the level of its edge.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ramp', 2154, subjects => '{lane,sidewalk}');
+  INSERT INTO ramp.axis (geom, width, level, sidewalk_left, sidewalk_right) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650030 6860000)', 8, 1, 2, 2),
+    ('SRID=2154;LINESTRING(650000 6860009, 650024 6860009)', 8, 1, 2, 2), ('SRID=2154;LINESTRING(650024 6860009, 650100 6860040)', 8, 0, 2, 2);
+END $$;
+SELECT 'a corner at a node of another level than its edge', count(*) > 0 FROM ramp.sidewalk s JOIN ramp.kerb k USING (edge_id, side, part) JOIN ramp.edge e USING (edge_id) WHERE k.level <> e.level;
+SELECT 'no side of the ground has two triangles of one way there', max(n) = 1 FROM (SELECT count(*) AS n FROM (SELECT (t.b #>> '{0,0}')::bigint AS a, (t.b #>> '{0,1}')::bigint AS b, (t.b #>> '{0,2}')::bigint AS c
+    FROM pg_temp.city('ramp') city, jsonb_each(city -> 'CityObjects') o, LATERAL (SELECT o.value #> '{geometry,0}' AS g) g, jsonb_array_elements(g -> 'boundaries') WITH ORDINALITY t(b, n)
+    WHERE g #>> ARRAY['semantics', 'surfaces', g #>> ARRAY['semantics', 'values', (t.n - 1)::text], 'function'] <> 'kerbstone') f, LATERAL (VALUES (a, b), (b, c), (c, a)) v(p, q) GROUP BY p, q) u;
 SELECT 'heights are those of the axes, and sidewalks lie above', min(z) BETWEEN 89.9 AND 90.01 AND max(z) BETWEEN 119.9 AND 120.2 FROM vertex;
 SELECT 'a model with surfaces alone has them alone', NOT EXISTS (SELECT FROM jsonb_each(c -> 'CityObjects') o WHERE o.value #> '{geometry,0,semantics,surfaces}' <> '[{"type": "TrafficArea", "function": "roadway"}]') FROM pg_temp.city('flat') c;
 SELECT 'a level alone', (SELECT array_agg(DISTINCT level) FROM town.edge JOIN (SELECT substr(jsonb_object_keys(pg_temp.city('town', '{"level": 1}') -> 'CityObjects'), 6)::bigint AS edge_id) e USING (edge_id)) = '{1}';

@@ -25,7 +25,8 @@ ground AS NOT MATERIALIZED (
     UNION ALL %3$s),
 paint AS NOT MATERIALIZED (%4$s)$q$, model, streetgen._roadway_query(model),
         format(CASE WHEN 'sidewalk' = ANY (subjects) THEN 'SELECT ''sidewalk'', sidewalk_id, part, edge_id, '
-                'node_id, level, surface, geom FROM %1$I.sidewalk JOIN %1$I.edge USING (edge_id)'
+                's.node_id, k.level, s.surface, e.geom FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) '
+                'JOIN %1$I.kerb k USING (edge_id, side, part)'
             ELSE 'SELECT NULL, 0, 0, NULL, NULL, 0, NULL, NULL WHERE false' END, model),
         format(CASE WHEN 'lane' = ANY (subjects) THEN 'SELECT 2 * lane_separator_id AS id, edge_id, level, s.surface, '
                 'e.geom AS line FROM %1$I.lane_separator s JOIN %1$I.edge e USING (edge_id) UNION ALL '
