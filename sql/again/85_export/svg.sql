@@ -99,14 +99,14 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     SELECT -1 + g.level * 10, CASE kind WHEN 'block' THEN 'block' ELSE 'block ' || kind END, false, surface, block_id
         FROM %1$I.block, (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level') g$part$),
     (12, 'kerb', $part$
-    SELECT level * 10, 'kerb', false, surface, kerb_id FROM %1$I.kerb, size WHERE pixel < 0.5$part$),
+    SELECT 0.5 + level * 10, 'kerb', false, surface, kerb_id FROM %1$I.kerb, size WHERE pixel < 0.5$part$),
     (45, 'roundabout', $part$
     SELECT 904, CASE WHEN accepted THEN 'ring' ELSE 'ring refused' END, true, ST_Collect(geom, ST_SetSRID(ST_MakeLine(
         ST_MakePoint(ST_X(centre) - radius * score / 2, ST_Y(centre)),
         ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
         FROM %1$I.roundabout, size WHERE pixel < 3$part$),
     (35, 'sidewalk', $part$
-    SELECT 0 + e.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
+    SELECT e.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
         JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
     (40, 'junction', $part$
     SELECT 3 + i.level * 10, 'junction', false, j.surface, j.junction_id FROM %1$I.junction j
