@@ -1,8 +1,10 @@
 // Sidewalks: strips on the left of kerbs, which have the roadway on their right.
 //
 // Each is as wide as wanted behind its kerb, round about outer bends. Where the widths of two
-// sections differ, the width changes linearly along the kerb of the corner between them. Ground
-// that two sidewalks want belongs to the nearer kerb, and none lies on a roadway.
+// sections differ, the width changes linearly along the kerb of the corner between them. Behind a
+// straight piece of kerb the back line is straight, and it goes on to meet that of the next piece:
+// it has no dent, and the sidewalk is nowhere narrower. Ground that two sidewalks want belongs to
+// the nearer kerb, and none lies on a roadway.
 #pragma once
 
 #include <optional>

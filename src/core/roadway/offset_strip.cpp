@@ -1,9 +1,10 @@
 #include <utility>
 
 #include "alignment/curve_chords.hpp"
-#include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/ring_simplicity.hpp"
+#include "roadway/back_line.hpp"
+#include "roadway/kerb_front.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/surface.hpp"
 
@@ -11,8 +12,7 @@ namespace streetgen {
 
 namespace {
 
-// For any line: the strips of its segments and the sectors at its bends, united.
-MultiPolygon united_strip(const Line& kerb, double width_start, double width_end) {
+std::vector<double> widths_along(const Line& kerb, double width_start, double width_end) {
   const double total = length(kerb);
   std::vector<double> widths;
   double abscissa = 0;
@@ -20,8 +20,20 @@ MultiPolygon united_strip(const Line& kerb, double width_start, double width_end
     if (i > 0) abscissa += distance(kerb[i - 1], kerb[i]);
     widths.push_back(width_start + (width_end - width_start) * abscissa / total);
   }
-  Geos geos;
-  return build_buffer(geos, kerb, widths, std::vector<double>(kerb.size(), 0), false);
+  return widths;
+}
+
+// Empty where the strip is no ring.
+Ring ring_of_strip(const Line& kerb, const std::vector<double>& widths) {
+  std::vector<KerbSegment> segments;
+  for (std::size_t i = 1; i < kerb.size(); ++i)
+    segments.push_back({kerb[i - 1], kerb[i], widths[i - 1], widths[i], 0});
+  const FrontPassed passed = pass_front(segments, false, {}, {});
+  if (!passed.grounds[0].whole) return {};
+  Ring ring = ring_behind(kerb, passed.grounds[0], BackLine(segments, passed, false), 0,
+                          static_cast<int>(segments.size()) - 1);
+  if (ring.empty() || signed_area(ring) <= 0 || !simple({{ring}}).value_or(false)) return {};
+  return ring;
 }
 
 }  // namespace
@@ -29,16 +41,14 @@ MultiPolygon united_strip(const Line& kerb, double width_start, double width_end
 MultiPolygon offset_strip(const Line& kerb, double width_start, double width_end) {
   const Line line = distinct(planar(kerb));
   if (line.size() < 2 || (width_start <= 0 && width_end <= 0)) return {};
-  const Line behind = offset_line(line, 0, length(line), width_start, width_end);
-  Ring ring = reversed(line);
-  ring.insert(ring.end(), behind.begin(), behind.end());
-  ring.push_back(ring.front());
-  ring = closed(std::move(ring));
-  // The strip lies on the left of the line, so that the line is walked backwards.
-  if (!ring.empty() && signed_area(ring) < 0) ring = reversed(std::move(ring));
-  const bool around = distance(line.front(), line.back()) == 0;
-  if (!around && !ring.empty() && simple({{ring}}).value_or(false)) return {{ring}};
-  return united_strip(line, width_start, width_end);
+  const std::vector<double> widths = widths_along(line, width_start, width_end);
+  if (distance(line.front(), line.back()) > 0) {
+    Ring ring = ring_of_strip(line, widths);
+    if (!ring.empty()) return {{std::move(ring)}};
+  }
+  // For any line: the strips of its segments and the sectors at its bends, united.
+  Geos geos;
+  return build_buffer(geos, line, widths, std::vector<double>(line.size(), 0), false);
 }
 
 MultiPolygon offset_strip(const CurvedLine& kerb, double width_start, double width_end) {

@@ -21,12 +21,7 @@ double middle_width(const std::vector<WidthKnot>& widths) {
 
 std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition) {
   const KerbChains chains(kerbs, transition);
-  std::vector<Strip> strips;
-  strips.reserve(kerbs.size());
-  for (int i = 0; i < static_cast<int>(kerbs.size()); ++i) {
-    poll_cancel();
-    strips.push_back(strip_behind(kerbs, chains, i));
-  }
+  const std::vector<Strip> strips = strips_behind(kerbs, chains);
   SharedGround shared(kerbs, chains, strips);
   std::vector<Sidewalk> sidewalks;
   for (int i = 0; i < static_cast<int>(kerbs.size()); ++i) {
@@ -34,15 +29,16 @@ std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, dou
     Sidewalk sidewalk;
     sidewalk.kerb = i;
     sidewalk.width = kerbs[i].width.value_or(middle_width(chains.widths(i)));
-    if (kerbs[i].by_hand) sidewalk.method = Method::by_hand;
+    if (strips[i].narrow) sidewalk.method = Method::contested;
     const std::vector<int> rivals = shared.rivals(i);
     if (rivals.empty() && strips[i].plain) {
       sidewalk.surface = strips[i].surface;
     } else {
       sidewalk.surface = shared.ground_of(i, rivals);
       const double lost = area(strips[i].surface) - area(sidewalk.surface);
-      if (lost > noticed && !kerbs[i].by_hand) sidewalk.method = Method::contested;
+      if (lost > noticed) sidewalk.method = Method::contested;
     }
+    if (kerbs[i].by_hand) sidewalk.method = Method::by_hand;
     if (!sidewalk.surface.empty()) sidewalks.push_back(std::move(sidewalk));
   }
   return sidewalks;

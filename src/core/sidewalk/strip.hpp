@@ -1,18 +1,21 @@
-// The strip behind one kerb, before others take part of it.
+// The strips behind kerbs, before others take part of them.
 #pragma once
+
+#include <vector>
 
 #include "sidewalk/kerb_chain.hpp"
 
 namespace streetgen {
 
 struct Strip {
-  MultiPolygon surface;
-  double widest = 0;  // metres
-  bool plain = true;  // one ring along the kerb, which it cannot cross
+  MultiPolygon surface;  // empty where the kerb has no sidewalk
+  double widest = 0;     // metres
+  bool plain = true;     // one ring along the kerb, which it cannot cross
+  bool narrow = false;   // another kerb of its chain, across, has part of what it wants
 };
 
-// Empty where the kerb has no sidewalk. Kerbs that follow each other share the side between their
-// strips: the bisector of an inner bend; about an outer one the later kerb goes round.
-Strip strip_behind(const std::vector<SidewalkKerb>& kerbs, const KerbChains& chains, int kerb);
+// One for each kerb. Kerbs that follow each other part their ground by pass_front; where that
+// cannot tell, all within the width of the sidewalk is the strip of a kerb.
+std::vector<Strip> strips_behind(const std::vector<SidewalkKerb>& kerbs, const KerbChains& chains);
 
 }  // namespace streetgen

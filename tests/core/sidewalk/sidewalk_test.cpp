@@ -8,6 +8,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "geometry/surface_union.hpp"
 
 namespace streetgen {
 namespace {
@@ -66,9 +67,64 @@ TEST(Sidewalk, ChangesItsWidthAlongTheArcOfACorner) {
   EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, 3);
   // A ring whose width goes from 2 to 4 m over 5 m in the middle of a quarter of radius 6.
   const double size = 6 * M_PI_2, flat = (size - 5) / 2;
-  const double expected =
+  const double linear =
       flat * (2 - 4.0 / 12) + flat * (4 - 16.0 / 12) + 5 * (3 - (4 + 16 + 8) / 3.0 / 12);
-  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), expected, 0.2);
+  EXPECT_GT(area(of_kerb(sidewalks, 1).surface), linear - 0.05);
+  // The straight back lines of the chords, 2 m wider in 5, meet up to 0.4 widths ahead: there the
+  // sidewalk is wider by 0.4 times as much.
+  const double ahead = 0.16 * 5 * (3 - (4 + 16 + 8) / 3.0 / 6);
+  EXPECT_LT(area(of_kerb(sidewalks, 1).surface), linear + ahead);
+}
+
+// The back line turns with the kerb, and aside by the slope of the change where this begins and
+// ends. It has no dent, whether the arc is wider than the sidewalks or not.
+TEST(Sidewalk, HasASmoothBackWhereItsWidthChangesAlongAnArc) {
+  for (const double radius : {1.0, 2.0, 3.0, 6.0, 15.0})
+    for (const auto& [first, second] : {std::pair(3.0, 1.5), {1.5, 3.0}, {2.0, 3.5}, {3.0, 3.0}}) {
+      const Line down{{0, 50, 0}, {0, radius, 0}}, east{{radius, 0, 0}, {60, 0, 0}};
+      const auto sidewalks = find_sidewalks(
+          {kerb(down, first), kerb(quarter({radius, radius, 0}, radius, M_PI), std::nullopt),
+           kerb(east, second)},
+          5);
+      ASSERT_EQ(sidewalks.size(), 3u);
+      Geos geos;
+      std::vector<MultiPolygon> all;
+      for (const Sidewalk& sidewalk : sidewalks) all.push_back(sidewalk.surface);
+      const MultiPolygon ground = united(geos, all);
+      ASSERT_EQ(ground.size(), 1u) << radius << ": " << first << " to " << second;
+      EXPECT_NEAR(total(sidewalks), area(ground), 1e-6);
+      double aside = 0, together = 0;
+      const Ring& ring = ground[0][0];
+      const double way = signed_area(ring) > 0 ? 1 : -1;
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        const Point &before = ring[i - 1], &at = ring[i], &after = ring[i + 1];
+        const bool on_arc = std::abs(distance(at, {radius, radius, 0}) - radius) < 1e-3 &&
+                            std::max(at.x, at.y) <= radius;
+        if (on_arc || std::min(at.x, at.y) < 0.5 || std::max(at.x, at.y) > 40) continue;
+        const double turn =
+            way * std::atan2(cross(at - before, after - at), dot(at - before, after - at));
+        together += turn;
+        aside += std::max(turn, 0.0);
+      }
+      // A ring about the ground walks its back against the kerb: inner bends turn clockwise.
+      EXPECT_NEAR(together, -M_PI_2, 1e-6) << radius << ": " << first << " to " << second;
+      EXPECT_LT(aside, std::atan(std::abs(first - second) / 5) + 1e-6)
+          << radius << ": " << first << " to " << second;
+    }
+}
+
+// Each side is as wide as wanted up to where the two back lines meet.
+TEST(Sidewalk, OfATightArcMeetsAtTheCornerOfTheTwoBackLines) {
+  const Line down{{0, 50, 0}, {0, 2, 0}}, east{{2, 0, 0}, {60, 0, 0}};
+  const auto sidewalks = find_sidewalks(
+      {kerb(down, 3), kerb(quarter({2, 2, 0}, 2, M_PI), std::nullopt), kerb(east, 3)}, 5);
+  ASSERT_EQ(sidewalks.size(), 3u);
+  // The place where both are 3 m away lies 1 m beyond the centre of the arc. Bisectors between the
+  // arc and its tangents lean by a quarter of the angle of a chord.
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 47 * 3 + 1 * 2.5, 0.02);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), M_PI, 0.03);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 2).surface), 57 * 3 + 1 * 2.5, 0.02);
+  for (const Sidewalk& sidewalk : sidewalks) EXPECT_EQ(sidewalk.method, Method::hypothesis);
 }
 
 // Half of the transition lies before the meeting of the two kerbs, and half behind.
@@ -120,6 +176,22 @@ TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenItsKerbs) {
   EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 100, 0.5);
   EXPECT_NEAR(total(sidewalks), 200, 1e-3);
   EXPECT_EQ(of_kerb(sidewalks, 0).method, Method::contested);
+}
+
+// The same between kerbs that follow each other about the block.
+TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenKerbsOfOneRing) {
+  const Line ring{{0, 0, 0}, {50, 0, 0}, {50, 4, 0}, {0, 4, 0}, {0, 0, 0}};
+  std::vector<SidewalkKerb> kerbs;
+  for (int i = 0; i < 4; ++i) kerbs.push_back(kerb({ring[i], ring[i + 1]}, 3));
+  const auto sidewalks = find_sidewalks(kerbs, 5);
+  EXPECT_NEAR(total(sidewalks), 200, 1e-6);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), (50 + 46) / 2.0 * 2, 1e-6);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 4, 1e-6);
+  EXPECT_EQ(of_kerb(sidewalks, 0).method, Method::contested);
+  kerbs[2].width = 1;
+  const auto uneven = find_sidewalks(kerbs, 5);
+  EXPECT_NEAR(total(uneven), 200, 1e-3);
+  EXPECT_GT(area(of_kerb(uneven, 0).surface), 40 * 3);
 }
 
 TEST(Sidewalk, EndsAtTheKerbAcrossANarrowBlock) {

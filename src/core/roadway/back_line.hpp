@@ -1,0 +1,41 @@
+// Where the strips behind kerbs that follow each other end.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "roadway/kerb_front.hpp"
+
+namespace streetgen {
+
+// Behind each segment a straight line from one width to the other. It goes on to that of the next
+// segment, and round about an outer bend; lines that others leave no room for are left out.
+class BackLine {
+ public:
+  // Of the segments that `passed` says.
+  BackLine(const std::vector<KerbSegment>& segments, const FrontPassed& passed, bool is_closed);
+
+  struct Place {
+    Point point;
+    int before = 0;      // the vertex of the back line before it
+    int way_before = 0;  // the vertex of the way
+  };
+  // Where a way from a kerb meets it first; `segment` is beside its start.
+  std::optional<Place> meeting(const Line& way, int segment) const;
+  // What lies between two places.
+  Line between(const Place& from, const Place& to) const;
+
+ private:
+  int count() const { return static_cast<int>(line_.size()); }
+
+  Line line_;
+  std::vector<int> segment_of_;  // that a vertex lies behind
+  bool is_closed_;
+};
+
+// From a kerb to the back line, or to where other kerbs lie behind it; `first` and `last` are its
+// segments. Empty: that is no ring. It may cross itself.
+Ring ring_behind(const Line& kerb, const KerbGround& ground, const BackLine& back, int first,
+                 int last);
+
+}  // namespace streetgen

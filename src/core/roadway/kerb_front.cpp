@@ -1,0 +1,222 @@
+#include "roadway/kerb_front.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "roadway/bend.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double fastest = 1e8;         // of the corner between two sides that face each other
+constexpr double facing_cosine = -0.5;  // sides that face each other more than they follow
+constexpr double square_cosine = 0.5;   // sharper bends to a kerb without strip end square
+constexpr double beyond = 250;          // metres from kerbs: farther than any strip goes
+constexpr double uneven = 1e-9;         // metres between two widths
+
+// A corner of the front. Times are distances from the kerbs.
+struct Joint {
+  Point at;
+  Point speed;
+  double time = 0;
+
+  Point place(double when) const { return at + speed * (when - time); }
+};
+
+Point bisecting_speed(const Point& normal, const Point& other) {
+  const Point sum = normal + other;
+  const double share = 1 + dot(normal, other);
+  return share * fastest > norm(sum) ? sum * (1 / share) : left_normal(normal) * fastest;
+}
+
+class Front {
+ public:
+  Front(const std::vector<KerbSegment>& segments, bool is_closed, const Point& before,
+        const Point& after)
+      : segments_(segments), sides_(segments.size()) {
+    passed_.grounds.resize(segments.back().kerb + 1);
+    passed_.bounds_back.assign(segments.size(), true);
+    for (int i = 0; i < count(); ++i) {
+      Side& side = sides_[i];
+      side.along = unit(segments_[i].to - segments_[i].from);
+      side.normal = left_normal(side.along);
+      side.start = {segments_[i].from, side.normal, 0};
+      side.end = {segments_[i].to, side.normal, 0};
+      widest_ = std::max({widest_, segments_[i].width_from, segments_[i].width_to});
+    }
+    for (int i = 1; i < count(); ++i) join(i - 1, i, segments_[i].from, 0);
+    if (is_closed) {
+      join(count() - 1, 0, segments_[0].from, 0);
+    } else {
+      if (ends_aslant(before, sides_.front().along))
+        sides_.front().start.speed = bisecting_speed(left_normal(before), sides_.front().normal);
+      if (ends_aslant(sides_.back().along, after))
+        sides_.back().end.speed = bisecting_speed(sides_.back().normal, left_normal(after));
+    }
+    for (int i = 0; i < count(); ++i) expect(i);
+  }
+
+  FrontPassed pass() {
+    while (!meetings_.empty() && !met_all_) {
+      const auto [time, side, version] = meetings_.top();
+      meetings_.pop();
+      if (sides_[side].there && sides_[side].version == version) meet(side, time);
+    }
+    for (KerbGround& ground : passed_.grounds) ground.is_open = false;
+    for (int i = 0; i < count() && !met_all_; ++i)
+      if (sides_[i].there) leave_open(i);
+    return std::move(passed_);
+  }
+
+ private:
+  struct Side {
+    Point along, normal;
+    Joint start, end;
+    int previous = -1, next = -1;
+    bool goes_round = false;  // about an outer bend at its start
+    bool there = true;
+    int version = 0;
+  };
+  using Meeting = std::tuple<double, int, int>;  // time, side, its version
+
+  static bool ends_aslant(const Point& before, const Point& after) {
+    return dot(before, after) > square_cosine && !is_outer_bend(before, after);
+  }
+  int count() const { return static_cast<int>(sides_.size()); }
+  KerbGround& ground(int side) { return passed_.grounds[segments_[side].kerb]; }
+  bool goes_round(int side) const { return side >= 0 && sides_[side].goes_round; }
+  const Point& normal_before(int i) const { return sides_[(i + count() - 1) % count()].normal; }
+  bool of_one_kerb(int side, int other) const {
+    return side >= 0 && other >= 0 && segments_[side].kerb == segments_[other].kerb;
+  }
+
+  double width_at(int i, const Point& at) const {
+    const auto& [from, to, width_from, width_to, kerb] = segments_[i];
+    const double share = dot(at - from, sides_[i].along) / distance(from, to);
+    return width_from + (width_to - width_from) * std::clamp(share, 0.0, 1.0);
+  }
+
+  void join(int before, int after, const Point& at, double time) {
+    Side &a = sides_[before], &b = sides_[after];
+    if (is_outer_bend(a.along, b.along)) {
+      a.end = {at, a.normal, time};
+      b.start = {at, b.normal, time};
+      if (time == 0)
+        b.goes_round = true;
+      else  // What lies between them has been passed before.
+        ground(before).whole = ground(after).whole = false;
+    } else {
+      a.end = b.start = {at, bisecting_speed(a.normal, b.normal), time};
+    }
+    a.next = after;
+    b.previous = before;
+  }
+
+  // When the side shrinks to nothing.
+  void expect(int i) {
+    Side& side = sides_[i];
+    ++side.version;
+    const double start_speed = dot(side.along, side.start.speed);
+    const double end_speed = dot(side.along, side.end.speed);
+    const double closing = start_speed - end_speed;
+    const double size = dot(side.along, side.end.at - side.start.at) - end_speed * side.end.time +
+                        start_speed * side.start.time;
+    if (size >= closing * widest_) return;
+    meetings_.push({std::max({size / closing, side.start.time, side.end.time}), i, side.version});
+  }
+
+  // The side shrinks to a place where its neighbours meet.
+  void meet(int i, double time) {
+    Side& side = sides_[i];
+    const int l = side.previous, r = side.next;
+    const Joint& slower = norm(side.start.speed) < norm(side.end.speed) ? side.start : side.end;
+    const Point at = slower.place(time);
+    note_meeting(l, i, r, at, time);
+    if (!of_one_kerb(l, i)) {
+      if (l >= 0) ground(l).end.push_back(at);
+      ground(i).start.push_back(at);
+    }
+    if (!of_one_kerb(i, r)) {
+      ground(i).end.push_back(at);
+      if (r >= 0) ground(r).start.push_back(at);
+    }
+    side.there = false;
+    passed_.bounds_back[i] = time >= width_at(i, at);
+    if (l >= 0 && r >= 0) {
+      met_all_ = l == sides_[r].next && !goes_round(l);
+      for (const int last : {l, r})
+        if (met_all_) passed_.bounds_back[last] = time >= width_at(last, at);
+      join(l, r, at, time);
+    } else if (l >= 0) {
+      sides_[l].next = -1;
+      sides_[l].end = {at, go_on(side.end.speed, l), time};
+    } else if (r >= 0) {
+      sides_[r].previous = -1;
+      sides_[r].start = {at, go_on(side.start.speed, r), time};
+    }
+    if (l >= 0) expect(l);
+    if (r >= 0) expect(r);
+  }
+
+  // What it means for strips that are so wide.
+  void note_meeting(int l, int i, int r, const Point& at, double time) {
+    double least = width_at(i, at), most = least;
+    for (const int other : {l, r}) {
+      if (other < 0) continue;
+      least = std::min(least, width_at(other, at));
+      most = std::max(most, width_at(other, at));
+    }
+    if (time >= most) return;
+    const bool is_narrow =
+        l >= 0 && r >= 0 && dot(sides_[l].normal, sides_[r].normal) < facing_cosine;
+    // Ground that the kerb across does not want goes to this one.
+    const bool is_whole =
+        !goes_round(i) && !goes_round(r) && (!is_narrow || most - least <= uneven);
+    for (const int each : {l, i, r}) {
+      if (each < 0) continue;
+      ground(each).whole = ground(each).whole && is_whole;
+      ground(each).narrow = ground(each).narrow || is_narrow;
+    }
+  }
+
+  // Along the end of the chain.
+  Point go_on(const Point& speed, int side) {
+    const double away = dot(speed, sides_[side].normal);
+    if (away * fastest > norm(speed)) return speed * (1 / away);
+    ground(side).whole = false;
+    return sides_[side].normal;
+  }
+
+  void leave_open(int i) {
+    const Side& side = sides_[i];
+    KerbGround& ground = this->ground(i);
+    ground.is_open = true;
+    if (!of_one_kerb(side.previous, i))
+      ground.start.push_back(goes_round(i) ? segments_[i].from + normal_before(i) * beyond
+                                           : side.start.place(beyond));
+    if (!of_one_kerb(i, side.next)) ground.end.push_back(side.end.place(beyond));
+  }
+
+  const std::vector<KerbSegment>& segments_;
+  std::vector<Side> sides_;
+  FrontPassed passed_;
+  double widest_ = 0;
+  bool met_all_ = false;  // nothing is left before a closed front
+  std::priority_queue<Meeting, std::vector<Meeting>, std::greater<Meeting>> meetings_;
+};
+
+}  // namespace
+
+FrontPassed pass_front(const std::vector<KerbSegment>& segments, bool is_closed,
+                       const Point& before, const Point& after) {
+  return Front(segments, is_closed, before, after).pass();
+}
+
+}  // namespace streetgen
