@@ -10,7 +10,11 @@
 
 namespace streetgen {
 
-enum class OneWay { no, along, against };  // in the direction of the axis; no: unknown, or both ways
+enum class OneWay {
+  no,
+  along,
+  against
+};  // in the direction of the axis; no: unknown, or both ways
 
 struct RingAxis {
   std::int64_t axis_id = 0;
@@ -25,7 +29,7 @@ struct RingSettings {
   // Of the circle fitted to a ring, metres; the smallest circle about it is no greater than the
   // second.
   double radius_least = 3, radius_greatest = 60;
-  double shape_least = 0.4;       // a ring whose area is a smaller share of that circle's is none
+  double shape_least = 0.5;       // a ring of less compactness is none
   bool counter_clockwise = true;  // traffic goes round so: one drives on the right
 };
 
@@ -36,27 +40,37 @@ struct RingEdge {
   // Of the ring: whether traffic that goes round drives along the axis.  Of an arm: whether traffic
   // that comes to the ring does.
   bool along_axis = true;
+  int face = 1;  // of the ring, whose face of that number it bounds
 };
 
-// A face of the network within the bounds of radius and shape.  What hangs into it is left out.
+// A closed way of edges within the bounds of radius and shape, with no edge between it and the
+// ground within.  What hangs into that ground is left out, and what crosses without a node, above
+// or below, parts nothing.  Edges may lie on several levels, as those of a ring over a motorway.
+// Two faces that are nearly circles (compactness of 0.9, one radius at most twice the other) and
+// share one piece of way are one ring, a double roundabout, where neither has another such
+// neighbour.  Their shape is that of the less round one; so is that of a peanut, whose narrowest
+// place parts two such halves.
 struct NetworkRing {
-  int level = 0;
-  std::vector<RingEdge> edges;  // counter-clockwise, from the smallest place of the face on
+  int level = 0;                // on which the most of the line lies, the lower one of two alike
+  std::vector<RingEdge> edges;  // face by face, counter-clockwise from its smallest place on
   std::vector<RingEdge> arms;   // edges that leave it outwards, in the same order
-  Ring line;                    // counter-clockwise, closed
-  Point centre;                 // of the circle of least squares
+  std::vector<Ring> faces;      // counter-clockwise, closed; two of a double roundabout
+  Ring line;                    // about all of them
+  bool waist = false;           // a peanut: its halves are rounder than the whole
+  Point centre;                 // of the circle of least squares of this line
   double radius = 0;            // metres
-  double on_circle = 0;         // share of the line within a tenth of the radius of this circle
-  double fill = 0;              // area by that of the smallest circle about it
-  double one_way = 0;           // share of the line whose traffic goes round, and of that
-  double against = 0;           // which goes the other way
-  double single_arm = 0;        // share of the nodes with arms that have one arm
-  int arm_nodes = 0;            // nodes with arms
-  int inside = 0;               // edges that hang into the face, and islands of edges within it
+  double on_circle = 0;         // share of its line within a tenth of the radius of its circle
+  double compactness = 0;  // area by that of the circle of the same length, as Polsby and Popper
+  double one_way = 0;      // share of the line whose traffic goes round, and of that
+  double against = 0;      // which goes the other way
+  double single_arm = 0;   // share of the nodes with arms that have one arm
+  int arm_nodes = 0;       // nodes with arms
+  int inside = 0;          // nodes of its level within, and loops that hang on the ring there
 };
 
-// In the order of level, then of the smallest places.  Deterministic, and independent of the order
-// of the axes.  The edges are those of streetgen::network with the same axes.
+// Those of one level come first, level by level, each in the order of the smallest places; then
+// those that edges of several levels close.  Deterministic, and independent of the order of the
+// axes.  The edges are those of streetgen::network with the same axes.
 std::vector<NetworkRing> network_rings(const std::vector<RingAxis>& axes,
                                        const RingSettings& settings);
 

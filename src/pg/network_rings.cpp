@@ -50,6 +50,7 @@ std::vector<RingAxis> read_axes(const AxisColumns& columns, Form* form) {
 struct GivenRings {
   std::vector<NetworkRing> rings;
   std::vector<std::string> lines, centres;
+  std::vector<std::vector<std::string>> faces;
 };
 
 // A column of edges as an array.
@@ -58,31 +59,52 @@ Datum array_of(const std::vector<RingEdge>& edges, Oid type, int width, Value va
   auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * (edges.size() + 1)));
   for (std::size_t i = 0; i < edges.size(); ++i) values[i] = value(edges[i]);
   return PointerGetDatum(construct_array(values, static_cast<int>(edges.size()), type, width, true,
-                                         width == 8 ? 'd' : 'c'));
+                                         width == 8   ? 'd'
+                                         : width == 4 ? 'i'
+                                                      : 'c'));
+}
+
+Datum array_of(const std::vector<std::string>& lines) {
+  auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * lines.size()));
+  for (std::size_t i = 0; i < lines.size(); ++i) values[i] = bytes_datum(lines[i]);
+  return PointerGetDatum(
+      construct_array(values, static_cast<int>(lines.size()), BYTEAOID, -1, false, 'i'));
 }
 
 void put_edges(const std::vector<RingEdge>& edges, Datum* values) {
-  values[0] = array_of(edges, INT8OID, 8, [](const RingEdge& e) { return Int64GetDatum(e.axis_id); });
+  values[0] =
+      array_of(edges, INT8OID, 8, [](const RingEdge& e) { return Int64GetDatum(e.axis_id); });
   values[1] = array_of(edges, FLOAT8OID, 8,
                        [](const RingEdge& e) { return Float8GetDatum(e.start_abscissa); });
   values[2] = array_of(edges, FLOAT8OID, 8,
                        [](const RingEdge& e) { return Float8GetDatum(e.end_abscissa); });
-  values[3] = array_of(edges, BOOLOID, 1, [](const RingEdge& e) { return BoolGetDatum(e.along_axis); });
+  values[3] =
+      array_of(edges, BOOLOID, 1, [](const RingEdge& e) { return BoolGetDatum(e.along_axis); });
 }
 
 void give(const GivenRings& found, ReturnSetInfo* result) {
   for (std::size_t i = 0; i < found.rings.size(); ++i) {
     CHECK_FOR_INTERRUPTS();
     const NetworkRing& ring = found.rings[i];
-    Datum values[20] = {Int32GetDatum(static_cast<int>(i) + 1), Int32GetDatum(ring.level),
-                        bytes_datum(found.lines[i]), bytes_datum(found.centres[i]),
-                        Float8GetDatum(ring.radius), Float8GetDatum(ring.on_circle),
-                        Float8GetDatum(ring.fill), Float8GetDatum(ring.one_way),
-                        Float8GetDatum(ring.against), Float8GetDatum(ring.single_arm),
-                        Int32GetDatum(ring.arm_nodes), Int32GetDatum(ring.inside)};
+    Datum values[23] = {Int32GetDatum(static_cast<int>(i) + 1),
+                        Int32GetDatum(ring.level),
+                        bytes_datum(found.lines[i]),
+                        bytes_datum(found.centres[i]),
+                        Float8GetDatum(ring.radius),
+                        Float8GetDatum(ring.on_circle),
+                        Float8GetDatum(ring.compactness),
+                        Float8GetDatum(ring.one_way),
+                        Float8GetDatum(ring.against),
+                        Float8GetDatum(ring.single_arm),
+                        Int32GetDatum(ring.arm_nodes),
+                        Int32GetDatum(ring.inside)};
     put_edges(ring.edges, values + 12);
     put_edges(ring.arms, values + 16);
-    const bool nulls[20] = {false};
+    values[20] =
+        array_of(ring.edges, INT4OID, 4, [](const RingEdge& e) { return Int32GetDatum(e.face); });
+    values[21] = array_of(found.faces[i]);
+    values[22] = BoolGetDatum(ring.waist);
+    const bool nulls[23] = {false};
     tuplestore_putvalues(result->setResult, result->setDesc, values, const_cast<bool*>(nulls));
   }
 }
@@ -107,14 +129,16 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
     GivenRings& found = *slot->value;
     Form form;
     const std::vector<RingAxis> axes = read_axes(columns, &form);
-    found.rings = network_rings(
-        axes, {in_range(numbers[0], 1e-6, 1000, "tolerance"),
-               split ? Crossing::split : Crossing::over,
-               in_range(numbers[1], 1e-3, 1000, "radius_least"),
-               in_range(numbers[2], numbers[1], 1000, "radius_greatest"),
-               in_range(numbers[3], 0, 1, "shape_least"), counter_clockwise});
+    found.rings =
+        network_rings(axes, {in_range(numbers[0], 1e-6, 1000, "tolerance"),
+                             split ? Crossing::split : Crossing::over,
+                             in_range(numbers[1], 1e-3, 1000, "radius_least"),
+                             in_range(numbers[2], numbers[1], 1000, "radius_greatest"),
+                             in_range(numbers[3], 0, 1, "shape_least"), counter_clockwise});
     for (const NetworkRing& ring : found.rings) {
       found.lines.push_back(write_line(ring.line, {form.srid, false}));
+      std::vector<std::string>& faces = found.faces.emplace_back();
+      for (const Ring& face : ring.faces) faces.push_back(write_line(face, {form.srid, false}));
       found.centres.push_back(write_point(ring.centre, {form.srid, false}));
     }
   }));

@@ -48,6 +48,48 @@ SELECT 'the block of a ring is the ground within', (SELECT abs(ST_Area(ST_Inters
 SELECT FROM streetgen.switch_subject('waist', 'block', false);
 SELECT 'without blocks there is no such view', to_regclass('waist.roundabout_block') IS NULL AND to_regclass('waist.roundabout') IS NOT NULL;
 
+-- Two rings with a piece of way between them.
+CREATE FUNCTION way(x float8, radius float8, start float8, stop float8) RETURNS geometry LANGUAGE sql AS $$
+  SELECT ST_MakeLine(ST_SetSRID(ST_MakePoint(650000 + x + radius * cos(radians(a)), 6860000 + radius * sin(radians(a))), 2154) ORDER BY i)
+  FROM generate_series(0, 20) i, LATERAL (SELECT start + (stop - start) * i / 20.0 AS a) p $$;
+CREATE PROCEDURE draw_double(model name, joined boolean) LANGUAGE plpgsql AS $$ BEGIN
+  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) VALUES (1, way(0, 18, 30, 330), 6, 1), (2, way(36 * cos(radians(30)), 18, -150, 150), 6, 1)', model);
+  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) SELECT 10 + a, arm(x, 0, 18, b), 6, 2
+    FROM (VALUES (1, 0, 90), (2, 0, 180), (3, 0, 270), (4, 36 * cos(radians(30)), 90), (5, 36 * cos(radians(30)), 0), (6, 36 * cos(radians(30)), 270)) v(a, x, b)', model);
+  IF joined THEN
+    EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) SELECT 3, ST_MakeLine(ST_EndPoint(a.geom), ST_StartPoint(a.geom)), 6, 2 FROM %1$I.axis a WHERE axis_id = 1', model);
+  END IF;
+END $$;
+DO $$ BEGIN PERFORM streetgen.create_model('two', 2154, subjects => '{interconnection,roundabout,block}', driving_side => 'right'); END $$;
+CALL draw_double('two', true);
+SELECT 'a double roundabout is one row of two faces', (SELECT array_agg(kind || ' ' || accepted) = '{double true}' FROM two.roundabout)
+  AND (SELECT count(DISTINCT face) = 2 AND min(ordinality) = 1 AND max(ordinality) = count(*) FROM two.roundabout_edge);
+SELECT 'its ring goes about both', ST_IsClosed(geom) AND ST_IsSimple(geom) AND NOT ST_IsPolygonCCW(ST_Reverse(ST_MakePolygon(geom))) AND abs(ST_Area(ST_MakePolygon(geom)) - 1930) < 40 FROM two.roundabout;
+SELECT 'it has an island in each face', ST_NumGeometries(island) = 2 AND ST_IsValid(island) FROM two.roundabout;
+SELECT 'the piece between the faces is in both, and no arm', (SELECT count(*) = 2 AND count(DISTINCT along_axis) = 2 FROM two.roundabout_edge JOIN two.edge USING (edge_id) WHERE axis_id = 3)
+  AND (SELECT count(*) = 6 FROM two.roundabout_arm);
+SELECT 'traffic goes round both, and both ways between them', (SELECT bool_and((ways = 2) = (axis_id = 3)) FROM (SELECT axis_id, count(DISTINCT l.along_axis) AS ways
+  FROM two.lane l JOIN two.edge e USING (edge_id) WHERE axis_id < 10 GROUP BY edge_id, axis_id) w);
+SELECT 'its block is that of its first face', (SELECT ST_Intersects(b.surface, ST_GeometryN(r.island, 1)) OR ST_Intersects(b.surface, ST_GeometryN(r.island, 2)) FROM two.roundabout r JOIN two.roundabout_block USING (roundabout_id) JOIN two.block b USING (block_id));
+SELECT 'check_model has no error of a double one', NOT EXISTS (SELECT FROM streetgen.check_model('two') WHERE severity = 'error' OR rule LIKE '%roundabout%');
+SELECT 'SUMO gets each face as a roundabout', (SELECT count(*) = 2 FROM streetgen.export_sumo('two', 'edges') WHERE line LIKE '%<roundabout %');
+SELECT 'SymuVia gets its nodes as places', NOT EXISTS (SELECT FROM streetgen.export_symuvia('two') WHERE line LIKE '%<GIRATOIRE %');
+UPDATE two.roundabout_editing SET confirmed = false;
+SELECT 'it is refused as a whole', (SELECT count(*) = 1 AND NOT bool_or(accepted) FROM two.roundabout)
+  AND (SELECT bool_and(ways = 2) FROM (SELECT count(DISTINCT l.along_axis) AS ways FROM two.lane l JOIN two.edge USING (edge_id) WHERE lane_count = 2 AND axis_id < 10 GROUP BY edge_id) w);
+DELETE FROM two.roundabout_editing;
+SELECT 'and taken back as a whole', (SELECT count(*) = 1 AND bool_and(accepted) FROM two.roundabout) AND NOT EXISTS (SELECT FROM two.roundabout_override);
+DELETE FROM two.axis WHERE axis_id = 3;
+SELECT 'without the piece between it is a peanut', (SELECT array_agg(kind || ' ' || accepted) = '{peanut true}' FROM two.roundabout);
+DO $$ BEGIN PERFORM streetgen.create_model('two_anew', 2154, subjects => '{interconnection,roundabout,block}', driving_side => 'right'); END $$;
+CALL draw_double('two_anew', false);
+SELECT 'edits of a double one give what a model from scratch has', test.same('two', 'two_anew');
+INSERT INTO two.axis (axis_id, geom, width, lane_count) SELECT 3, ST_MakeLine(ST_EndPoint(geom), ST_StartPoint(geom)), 6, 2 FROM two.axis WHERE axis_id = 1;
+DELETE FROM two.axis WHERE axis_id IN (14, 15, 16);
+DELETE FROM two.axis WHERE axis_id = 2;
+SELECT 'with half of it gone the other half is none', (SELECT count(*) = 1 AND bool_and(kind = 'ring') FROM two.roundabout);
+SELECT 'and a run over all leaves what edits made of rings', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('two') WHERE relation ~ 'roundabout|lane|interconnection';
+
 -- The list to work through.
 SELECT 'the least certain ring comes first', array_agg(nearness) = array_agg(nearness ORDER BY nearness) FROM town.roundabout_editing;
 UPDATE town.roundabout_editing SET confirmed = false WHERE accepted;

@@ -1,24 +1,25 @@
 -- The terms of a ring's score, each from 0 to 1, and the score of all three.
 
-CREATE OR REPLACE FUNCTION streetgen.roundabout_shape(on_circle float8, fill float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen.roundabout_shape(on_circle float8, compactness float8) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
-    RETURN 0.2 * least(greatest(on_circle, 0), 1) + 0.8 * least(greatest((fill - 0.5) / 0.4, 0), 1);
+    RETURN 0.3 * least(greatest(on_circle, 0), 1) + 0.7 * least(greatest((compactness - 0.8) / 0.1, 0), 1);
 COMMENT ON FUNCTION streetgen.roundabout_shape(float8, float8) IS
-    'How round a ring is, 0 to 1: a fifth of the share of the ring on its circle (within a tenth of its radius), and '
-    'four fifths of its area against the smallest circle about it (fill), 0 up to half of that area, all from nine '
-    'tenths on. NULL for NULL.';
+    'How round a ring is, 0 to 1: three tenths of the share of the ring on its circle (within a tenth of its radius), '
+    'and seven tenths of its compactness (area against the circle of the same length, Polsby and Popper), 0 up to '
+    '0.8, all from 0.9 on. A square has 0.79, so that corners of blocks count nothing; an oval twice as long as wide '
+    'has 0.84, an octagon 0.95. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.roundabout_network(one_way float8, against float8, arm_nodes integer,
     single_arm float8, inside integer) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
-    RETURN least(greatest(0.75 + 0.25 * one_way - against, 0), 1)
+    RETURN least(greatest(0.75 + 0.25 * one_way - against - 2 * one_way * greatest(1 - one_way - against, 0), 0), 1)
         * (0.2 * least(greatest(arm_nodes, 0), 3) + 0.4 * least(greatest(arm_nodes - 3, 0), 3) / 3)
-        * (0.7 + 0.3 * least(greatest(single_arm, 0), 1)) * CASE WHEN inside > 0 THEN 0.7 ELSE 1 END;
+        * (0.6 + 0.4 * least(greatest(single_arm, 0), 1)) * CASE WHEN inside > 0 THEN 0.7 ELSE 1 END;
 COMMENT ON FUNCTION streetgen.roundabout_network(float8, float8, integer, float8, integer) IS
-    'How much the network about a ring is that of a roundabout, 0 to 1. One-way traffic that goes round (one_way, the '
-    'share of the ring) raises it by up to a quarter, such traffic the other way (against) lowers it. Nodes with arms '
-    '(arm_nodes) count up to six, the first three more; nodes with more than one arm (1 - single_arm, a share) and '
-    'what lies inside (a number) lower it. NULL for NULL.';
+    'How much the network about a ring is that of a roundabout, 0 to 1. One-way traffic all round (one_way, the share '
+    'of the ring) raises it by up to a quarter; such traffic on a part of the ring, or the other way (against), lowers '
+    'it. Nodes with arms (arm_nodes) count up to six, the first three more; nodes with more than one arm '
+    '(1 - single_arm, a share) and what lies inside (a number) lower it. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.roundabout_name(names text[], patterns text[], folding text DEFAULT 'plain')
     RETURNS float8

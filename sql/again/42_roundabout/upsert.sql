@@ -6,9 +6,10 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_ring_score(places jsonb) RETURNS te
     AS $$ SELECT streetgen._fill_template($part$
 ring_found AS MATERIALIZED (
     SELECT r.number, r.level, r.geom::geometry AS geom, r.centre::geometry AS centre, r.radius,
-        streetgen.roundabout_shape(on_circle, fill) AS term_shape,
+        streetgen.roundabout_shape(on_circle, compactness) AS term_shape,
         streetgen.roundabout_network(one_way, against, arm_nodes, single_arm, inside) AS term_network,
-        edge_axes, edge_starts, edge_ends, edge_along, arm_axes, arm_starts, arm_ends, arm_along
+        edge_axes, edge_starts, edge_ends, edge_along, edge_faces, faces, waist, arm_axes, arm_starts, arm_ends,
+        arm_along
     FROM (SELECT array_agg(axis_id ORDER BY axis_id) AS axis_ids, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id)
             AS lines, array_agg(level ORDER BY axis_id) AS levels,
             array_agg(CASE direction WHEN 'direct' THEN 1 WHEN 'reverse' THEN -1 ELSE 0 END ORDER BY axis_id)
@@ -43,21 +44,23 @@ COMMENT ON FUNCTION streetgen._upsert_ring_score(jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._upsert_ring(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._upsert_ring_score(places), streetgen._fill_template($part$
--- An edit moves the rings that an axis touches or lies within, as it is or was.
+-- An edit moves the rings that an axis touches or lies within, as it is or was, and their neighbours, since two of
+-- them may be a double roundabout: these are no wider than a ring may be.
 ring_line AS MATERIALIZED (
-    SELECT geom FROM used WHERE NOT {whole} AND axis_id IN (SELECT unnest($3))
-    UNION ALL SELECT geom FROM {model}.edge WHERE NOT {whole} AND axis_id = ANY ($3)),
+    SELECT geom, 2 * (v ->> 'roundabout_radius_greatest')::float8 + 5 AS reach FROM (
+        SELECT geom FROM used WHERE NOT {whole} AND axis_id IN (SELECT unnest($3))
+        UNION ALL SELECT geom FROM {model}.edge WHERE NOT {whole} AND axis_id = ANY ($3)) l, setting),
 old_ring AS MATERIALIZED (
     SELECT roundabout_id, accepted FROM {model}.roundabout r WHERE NOT {empty} AND ({whole} OR EXISTS (
-        SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, 5)
-            AND r.geom && ST_Expand(l.geom, 5)))),
+        SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, reach)
+            AND r.geom && ST_Expand(l.geom, reach)))),
 new_ring AS MATERIALIZED (
     SELECT r.*, row_number() OVER (ORDER BY number)::integer AS ring FROM ring r
-    WHERE {whole} OR EXISTS (SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, 5))),
+    WHERE {whole} OR EXISTS (SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, reach))),
 new_ring_edge AS MATERIALIZED (
-    SELECT ring, accepted, n::integer AS ordinality, axis_id, start_abscissa, end_abscissa, along_axis
-    FROM new_ring, unnest(edge_axes, edge_starts, edge_ends, edge_along) WITH ORDINALITY
-        e(axis_id, start_abscissa, end_abscissa, along_axis, n)),
+    SELECT ring, accepted, n::integer AS ordinality, face, axis_id, start_abscissa, end_abscissa, along_axis
+    FROM new_ring, unnest(edge_axes, edge_starts, edge_ends, edge_along, edge_faces) WITH ORDINALITY
+        e(axis_id, start_abscissa, end_abscissa, along_axis, face, n)),
 new_ring_arm AS MATERIALIZED (
     SELECT DISTINCT ON (ring, axis_id, start_abscissa, along_axis) ring, accepted, axis_id, start_abscissa,
         end_abscissa, along_axis
@@ -71,7 +74,7 @@ circulated AS MATERIALIZED (
     FROM {model}.edge e JOIN {model}.roundabout_edge r USING (edge_id) JOIN {model}.roundabout USING (roundabout_id)
     WHERE NOT {whole} AND e.axis_id = ANY ($2) AND accepted AND roundabout_id NOT IN (SELECT roundabout_id
         FROM old_ring)) c
-    -- Between the halves of a double roundabout traffic goes as the axis says.
+    -- Between the faces of a double roundabout traffic goes as the axis says.
     GROUP BY 1, 2, 3 HAVING bool_and(along_axis) = bool_or(along_axis)),
 yielding AS MATERIALIZED (
     SELECT axis_id, start_abscissa, end_abscissa, along_axis FROM new_ring_arm WHERE accepted
@@ -108,27 +111,28 @@ ring_edge_id AS MATERIALIZED (
     WHERE NOT {whole} AND axis_id NOT IN (SELECT axis_id FROM written_edge)),
 named_ring_edge AS MATERIALIZED (SELECT r.*, i.edge_id, i.width FROM new_ring_edge r
     JOIN ring_edge_id i USING (axis_id, start_abscissa, end_abscissa)),
--- A face beside another accepted one, with an edge between, is half of a double roundabout.
-double_ring AS MATERIALIZED (SELECT ring FROM named_ring_edge e WHERE accepted AND EXISTS (SELECT
-    FROM named_ring_edge o WHERE o.edge_id = e.edge_id AND o.ring <> e.ring AND o.accepted)),
+-- Of each face by itself: the ground between two of them is roadway.
 ring_island AS MATERIALIZED (
-    SELECT ring, coalesce(ST_Multi(ST_CollectionExtract(ST_Buffer(ST_MakeValid(ST_MakePolygon(n.geom)),
-        -(SELECT max(width) / 2 FROM named_ring_edge e WHERE e.ring = n.ring)), 3)),
-        ST_SetSRID('MULTIPOLYGON EMPTY'::geometry, {srid})) AS island FROM new_ring n)$part$, places),
+    SELECT ring, coalesce(ST_Multi(ST_CollectionExtract(ST_Union(ST_Buffer(
+            ST_MakeValid(ST_MakePolygon(f.line::geometry)), -(SELECT max(width) / 2 FROM named_ring_edge e
+                WHERE (e.ring, e.face) = (n.ring, f.face))) ORDER BY f.face), 3)),
+        ST_SetSRID('MULTIPOLYGON EMPTY'::geometry, {srid})) AS island
+    FROM new_ring n, unnest(n.faces) WITH ORDINALITY f(line, face) GROUP BY ring)$part$, places),
     streetgen._upsert_rows(places, 'roundabout', named => true,
         columns => 'edge_id, along_axis, level, kind, centre, radius, geom, island, score, term_shape, term_name, '
             'term_network, accepted, confirmed, method', rows => $part$
-        SELECT ring AS number, e.edge_id, e.along_axis, level, CASE WHEN ST_IsEmpty(island) THEN 'mini'
-            WHEN ring IN (SELECT ring FROM double_ring) THEN 'double'
-            WHEN ST_Area(ST_MakePolygon(geom)) < 0.95 * ST_Area(ST_ConvexHull(geom)) THEN 'peanut'
+        SELECT ring AS number, e.edge_id, e.along_axis, level, CASE WHEN cardinality(faces) > 1 THEN 'double'
+            WHEN ST_IsEmpty(island) THEN 'mini'
+            WHEN waist THEN 'peanut'
             ELSE 'ring' END AS kind, centre, radius, geom, island, score, term_shape, term_name, term_network,
             n.accepted, confirmed, method
         FROM new_ring n JOIN ring_island USING (ring) JOIN named_ring_edge e USING (ring) WHERE ordinality = 1$part$,
         there => 'SELECT roundabout_id FROM old_ring'),
-    streetgen._upsert_rows(places, 'roundabout_edge', columns => 'edge_id, along_axis, roundabout_id, ordinality',
+    streetgen._upsert_rows(places, 'roundabout_edge', columns => 'edge_id, along_axis, roundabout_id, face, '
+            'ordinality',
         rows => $part$
         SELECT row_number() OVER (ORDER BY ring, ordinality)::integer AS number, edge_id, along_axis,
-            (SELECT ids FROM roundabout_ids)[ring] AS roundabout_id, ordinality
+            (SELECT ids FROM roundabout_ids)[ring] AS roundabout_id, face, ordinality
         FROM named_ring_edge WHERE ring IN (SELECT ring FROM named_ring_edge WHERE ordinality = 1)$part$,
         there => 'SELECT roundabout_edge_id FROM {model}.roundabout_edge JOIN old_ring USING (roundabout_id)'),
     streetgen._upsert_rows(places, 'roundabout_arm', columns => 'roundabout_id, edge_id, along_axis, node_id',

@@ -384,7 +384,7 @@ SELECT 'warning', 'traffic of a source against a roundabout', 'edge', e.edge_id,
     FROM %1$I.roundabout r JOIN %1$I.roundabout_edge n USING (roundabout_id)
         JOIN %1$I.edge e ON e.edge_id = n.edge_id
     WHERE r.accepted AND CASE WHEN n.along_axis THEN lanes_backward ELSE lanes_forward END > 0
-        -- Between the halves of a double one traffic goes as the axis says.
+        -- Between two faces traffic goes as the axis says.
         AND NOT EXISTS (SELECT FROM %1$I.roundabout_edge o JOIN %1$I.roundabout p USING (roundabout_id)
             WHERE o.edge_id = n.edge_id AND o.along_axis <> n.along_axis AND p.accepted)$part$),
     (72, 'roundabout', 'rule', $part$

@@ -95,13 +95,13 @@ ring_line AS (
     FROM %1$I.roundabout r JOIN %1$I.roundabout_edge e USING (roundabout_id)
         LEFT JOIN sumo_edge s ON s.edge_id = e.edge_id AND s.along_axis = e.along_axis
             AND s.lane_count > 0
-    WHERE accepted GROUP BY roundabout_id
+    WHERE accepted GROUP BY roundabout_id, face
     -- A part of a ring goes round nothing.
     HAVING count(DISTINCT comes_from) = count(*))$part$
     ELSE $part$, ring_line AS (SELECT 2 AS turn, 0::bigint AS id, NULL::xml AS element WHERE false)$part$ END $$;
 COMMENT ON FUNCTION streetgen._sumo_rings(boolean) IS
     'Query ring_line of the files of SUMO over a model, after sumo_edge: the accepted roundabouts all of whose edges '
-    'are written; nothing of a model that computes none.';
+    'are written, each face of a double one by itself; nothing of a model that computes none.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_edges(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "geometry/enclosing_circle.hpp"
-#include "geometry/fit_circle.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
+#include "geometry/ring_simplicity.hpp"
 #include "geometry/tolerance.hpp"
-#include "network/face.hpp"
+#include "network/walk.hpp"
+#include "roundabout/roundness.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/roundabout.hpp"
 
@@ -17,9 +20,6 @@ namespace streetgen {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double beside_circle = 0.1;  // of the radius: what is nearer lies on the circle
-constexpr double step = 1;             // metres between the places that are compared with it
-constexpr std::size_t most_places = 2000;
 
 Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settings) {
   std::vector<NetworkAxis> lines;
@@ -27,107 +27,234 @@ Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settin
   return network(lines, settings.tolerance, settings.crossing);
 }
 
-// Places on a closed line, so many metres apart.
-Line places_on(const Ring& ring) {
-  const double size = length(ring);
-  const auto count = static_cast<std::size_t>(
-      std::clamp(size / step, 32.0, static_cast<double>(most_places)));
-  Line places;
-  double done = 0;
-  std::size_t segment = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double at = size * i / count;
-    while (segment + 2 < ring.size() && done + distance(ring[segment], ring[segment + 1]) < at)
-      done += distance(ring[segment], ring[segment + 1]), ++segment;
-    places.push_back(ring[segment] + unit(ring[segment + 1] - ring[segment]) * (at - done));
-  }
-  return places;
-}
+// A closed way of a walk, which leaves out what hangs into the ground within.
+struct Loop {
+  Walk steps;
+  std::set<int> edges;  // of the whole walk
+  int other_loops = 0;  // of the same walk
+};
+
+// A loop within the bounds.
+struct RingFace {
+  Loop loop;
+  Ring line;
+  Roundness shape;
+};
 
 class RingFinder {
  public:
   RingFinder(const std::vector<RingAxis>& axes, const RingSettings& settings)
-      : settings_(settings), network_(network_of(axes, settings)) {
+      : settings_(settings), network_(network_of(axes, settings)), ends_(network_.nodes.size()) {
     for (const RingAxis& axis : axes) one_way_[axis.axis_id] = axis.one_way;
-    ends_.resize(network_.nodes.size());
     for (int e = 0; e < static_cast<int>(network_.edges.size()); ++e) {
+      lengths_.push_back(length(network_.edges[e].line));
       ends_[network_.edges[e].from_node].push_back({e, true});
       ends_[network_.edges[e].to_node].push_back({e, false});
     }
+    for (int n = 0; n < static_cast<int>(network_.nodes.size()); ++n) from_west_.push_back(n);
+    std::sort(from_west_.begin(), from_west_.end(),
+              [&](int a, int b) { return std::pair(place(a).x, a) < std::pair(place(b).x, b); });
   }
 
-  std::vector<NetworkRing> find() {
-    std::set<int> levels;
-    for (const Edge& edge : network_.edges) levels.insert(edge.level);
+  std::vector<NetworkRing> find() const {
+    const std::vector<RingFace> faces = find_faces();
+    std::vector<int> face_of(2 * network_.edges.size(), -1);  // by slot
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+      for (const EdgeEnd& step : faces[f].loop.steps) face_of[slot(step)] = f;
+    std::vector<int> halves;
+    for (const RingFace& face : faces) halves.push_back(other_half(faces, face_of, face));
     std::vector<NetworkRing> rings;
-    for (const int level : levels)
-      for (const Face& face : find_faces(network_, level).faces) {
-        poll_cancel();
-        add_ring(face, level, rings);
-      }
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+      poll_cancel();
+      const int other = halves[f];
+      if (other < 0 || halves[other] != f)
+        rings.push_back(ring_of({&faces[f]}, faces[f].loop.steps));
+      else if (f < other)
+        rings.push_back(ring_of({&faces[f], &faces[other]},
+                                way_about(faces[f].loop.steps, faces[other].loop.steps)));
+    }
     return rings;
   }
 
  private:
-  struct End {
-    int edge;
-    bool at_start;
-  };
-
-  void add_ring(const Face& face, int level, std::vector<NetworkRing>& rings) const {
-    const double greatest = settings_.radius_greatest, least = settings_.radius_least;
-    if (face.area > pi * greatest * greatest ||
-        face.area < settings_.shape_least * pi * least * least)
-      return;
-    NetworkRing ring;
-    ring.level = level;
-    ring.inside = static_cast<int>(face.rings.size()) - 1;
-    const std::vector<EdgeSide> sides = sides_about(face, ring);
-    if (sides.empty()) return;
-    const Circle around = enclosing_circle(ring.line);
-    if (around.radius > greatest) return;
-    ring.fill = std::min(1.0, face.area / (pi * around.radius * around.radius));
-    const Line places = places_on(ring.line);
-    const auto circle = fit_circle(places.data(), places.size());
-    if (ring.fill < settings_.shape_least || !circle || circle->radius < least) return;
-    ring.centre = circle->centre;
-    ring.radius = circle->radius;
-    const auto near = std::count_if(places.begin(), places.end(), [&](const Point& p) {
-      return std::abs(distance(p, ring.centre) - ring.radius) <= beside_circle * ring.radius;
-    });
-    ring.on_circle = static_cast<double>(near) / places.size();
-    add_edges(sides, ring);
-    add_arms(sides, ring);
-    rings.push_back(std::move(ring));
+  const Point& place(int node) const { return network_.nodes[node].point; }
+  int begins(const EdgeEnd& step) const {
+    const Edge& edge = network_.edges[step.edge];
+    return step.at_start ? edge.from_node : edge.to_node;
+  }
+  double size_of(const Walk& steps) const {
+    double size = 0;
+    for (const EdgeEnd& step : steps) size += lengths_[step.edge];
+    return size;
   }
 
-  // Without edges that hang into the face, which has them on both sides; fills line and inside.
-  std::vector<EdgeSide> sides_about(const Face& face, NetworkRing& ring) const {
-    std::map<std::pair<int, int>, int> times;
-    std::map<std::pair<int, bool>, double> covered;
-    for (const EdgeSide& side : face.rings.front().sides) {
-      ++times[{side.edge, side.part}];
-      covered[{side.edge, side.left}] += std::abs(side.end - side.start);
+  EdgeEnd back(const EdgeEnd& step) const { return {step.edge, !step.at_start}; }
+
+  // Of one level each, then those that only edges of several levels close. No side of an edge is
+  // in two of them.
+  std::vector<RingFace> find_faces() const {
+    std::set<int> levels, taken;
+    for (const Edge& edge : network_.edges) levels.insert(edge.level);
+    std::vector<RingFace> faces;
+    const auto add = [&](const Walk& walk, std::size_t levels_least) {
+      Loop loop = longest_loop(walk);
+      if (levels_of(loop.steps).size() < levels_least ||
+          std::any_of(loop.steps.begin(), loop.steps.end(),
+                      [&](const EdgeEnd& step) { return taken.count(slot(step)) > 0; }))
+        return;
+      const auto face = face_of_loop(std::move(loop));
+      if (!face) return;
+      for (const EdgeEnd& step : face->loop.steps) taken.insert(slot(step));
+      faces.push_back(*face);
+    };
+    for (const int level : levels)
+      for (const Walk& walk : walks(network_, level)) add(walk, 1);
+    if (levels.size() > 1)
+      for (const Walk& walk : walks(network_, std::nullopt)) add(walk, 2);
+    return faces;
+  }
+
+  // The only face with which this one is a double roundabout, or -1.
+  int other_half(const std::vector<RingFace>& faces, const std::vector<int>& face_of,
+                 const RingFace& face) const {
+    std::set<int> halves;
+    for (const EdgeEnd& step : face.loop.steps) {
+      const int other = face_of[slot(back(step))];
+      if (other >= 0 && is_double(face, faces[other])) halves.insert(other);
     }
-    std::vector<EdgeSide> sides;
-    for (const EdgeSide& side : face.rings.front().sides) {
-      if (times[{side.edge, side.part}] > 1) {
-        ring.inside += side.left;
-        continue;
+    return halves.size() == 1 ? *halves.begin() : -1;
+  }
+
+  bool is_double(const RingFace& a, const RingFace& b) const {
+    if (!are_halves(a.shape, b.shape)) return false;
+    const Walk about = way_about(a.loop.steps, b.loop.steps);
+    return !about.empty() && enclosing_circle(line_of(about)).radius <= settings_.radius_greatest;
+  }
+
+  // About two loops that share one piece of way; empty where they share none, or several.
+  Walk way_about(const Walk& a, const Walk& b) const {
+    Walk about = outside(a, b);
+    const Walk rest = outside(b, a);
+    if (about.empty() || rest.empty()) return {};
+    about.insert(about.end(), rest.begin(), rest.end());
+    for (std::size_t i = 0; i < about.size(); ++i)
+      if (begins(back(about[i])) != begins(about[(i + 1) % about.size()])) return {};
+    return about;
+  }
+
+  // The steps of a loop that the other one does not take back, from the first after these.
+  Walk outside(const Walk& loop, const Walk& other) const {
+    std::set<int> taken_back;
+    for (const EdgeEnd& step : other) taken_back.insert(slot(back(step)));
+    const auto shared = [&](const EdgeEnd& step) { return taken_back.count(slot(step)) > 0; };
+    Walk steps = loop;
+    const auto last = std::adjacent_find(
+        steps.begin(), steps.end(),
+        [&](const EdgeEnd& a, const EdgeEnd& b) { return shared(a) && !shared(b); });
+    if (last != steps.end()) std::rotate(steps.begin(), last + 1, steps.end());
+    steps.erase(std::remove_if(steps.begin(), steps.end(), shared), steps.end());
+    return steps;
+  }
+
+  // How much of the way lies on each.
+  std::map<int, double> levels_of(const Walk& steps) const {
+    std::map<int, double> metres;
+    for (const EdgeEnd& step : steps)
+      metres[network_.edges[step.edge].level] += lengths_[step.edge];
+    return metres;
+  }
+
+  // Where a walk comes to a node for the second time a loop is closed.
+  Loop longest_loop(const Walk& walk) const {
+    std::map<int, int> times;
+    for (const EdgeEnd& step : walk) ++times[step.edge];
+    Walk open;
+    std::map<int, std::size_t> since;  // by node: how many steps of the open way lead there
+    std::vector<Walk> loops;
+    for (const EdgeEnd& step : walk) {
+      if (times[step.edge] > 1) continue;
+      open.push_back(step);
+      since.emplace(begins(step), open.size() - 1);
+      const auto closed = since.find(begins({step.edge, !step.at_start}));
+      if (closed == since.end()) continue;
+      const std::size_t first = closed->second;
+      loops.emplace_back(open.begin() + first, open.end());
+      for (std::size_t i = first; i < open.size(); ++i) since.erase(begins(open[i]));
+      open.resize(first);
+    }
+    if (loops.empty()) return {};
+    const auto longest =
+        std::max_element(loops.begin(), loops.end(),
+                         [&](const Walk& a, const Walk& b) { return size_of(a) < size_of(b); });
+    std::rotate(longest->begin(),
+                std::min_element(longest->begin(), longest->end(),
+                                 [](const auto& a, const auto& b) { return slot(a) < slot(b); }),
+                longest->end());
+    Loop loop{*longest, {}, static_cast<int>(loops.size()) - 1};
+    for (const EdgeEnd& step : walk) loop.edges.insert(step.edge);
+    return loop;
+  }
+
+  Ring line_of(const Walk& steps) const {
+    Ring line;
+    for (const EdgeEnd& step : steps) {
+      const Line& edge = network_.edges[step.edge].line;
+      for (const Point& p : step.at_start ? edge : reversed(edge))
+        if (line.empty() || !same(line.back(), p)) line.push_back(planar(p));
+    }
+    if (!same(line.back(), line.front())) line.push_back(line.front());
+    return line;
+  }
+
+  std::optional<RingFace> face_of_loop(Loop loop) const {
+    const double greatest = settings_.radius_greatest, least = settings_.radius_least;
+    const double size = size_of(loop.steps);
+    if (loop.steps.empty() || size < 2 * pi * least ||
+        size > 2 * pi * greatest / std::sqrt(settings_.shape_least))
+      return std::nullopt;
+    RingFace face{std::move(loop), {}, {}};
+    face.line = line_of(face.loop.steps);
+    if (signed_area(face.line) <= 0 || compactness_of(face.line) < settings_.shape_least ||
+        enclosing_circle(face.line).radius > greatest || simple({{face.line}}) == false)
+      return std::nullopt;
+    const auto shape = roundness_of(face.line);
+    if (!shape || shape->circle.radius < least) return std::nullopt;
+    face.shape = *shape;
+    return face;
+  }
+
+  NetworkRing ring_of(const std::vector<const RingFace*>& faces, const Walk& about) const {
+    NetworkRing ring;
+    ring.line = line_of(about);
+    std::set<int> within;  // edges that are no arms
+    for (const RingFace* face : faces) {
+      ring.faces.push_back(face->line);
+      for (const EdgeEnd& step : face->loop.steps) {
+        ring.edges.push_back(edge_of(step.edge, step.at_start == settings_.counter_clockwise));
+        ring.edges.back().face = static_cast<int>(ring.faces.size());
       }
-      const Edge& edge = network_.edges[side.edge];
-      // Where streets cross without a node another face may have the rest of a side: then neither is
-      // a ring.
-      if (covered[{side.edge, side.left}] < length(edge.line) - 2 * coordinate_margin) return {};
-      sides.push_back(side);
-      const Line piece = side.left ? substring(edge.line, side.start, side.end)
-                                   : substring(edge.line, side.end, side.start);
-      for (const Point& p : piece)
-        if (ring.line.empty() || !same(ring.line.back(), p)) ring.line.push_back(planar(p));
+      within.insert(face->loop.edges.begin(), face->loop.edges.end());
+      ring.inside += face->loop.other_loops;
     }
-    if (!ring.line.empty() && !same(ring.line.back(), ring.line.front()))
-      ring.line.push_back(ring.line.front());
-    return ring.line.size() > 3 ? sides : std::vector<EdgeSide>{};
+    // As round as the less round half.
+    Roundness shape = faces.front()->shape;
+    if (faces.size() > 1 && faces.back()->shape.compactness < shape.compactness)
+      shape = faces.back()->shape;
+    if (faces.size() == 1) {
+      const auto half = less_round_half(ring.line);
+      ring.waist = half && half->compactness > shape.compactness;
+      if (ring.waist) shape = *half;
+    }
+    ring.compactness = shape.compactness;
+    ring.on_circle = shape.on_circle;
+    const Circle circle =
+        faces.size() == 1 ? faces.front()->shape.circle : roundness_of(ring.line).value().circle;
+    ring.centre = circle.centre;
+    ring.radius = circle.radius;
+    add_traffic(about, ring);
+    add_arms(about, within, ring);
+    for (const RingFace* face : faces) ring.inside += nodes_within(face->line, ring.level);
+    return ring;
   }
 
   RingEdge edge_of(int e, bool along_axis) const {
@@ -135,31 +262,27 @@ class RingFinder {
     return {edge.axis_id, edge.start_abscissa, edge.end_abscissa, along_axis};
   }
 
-  void add_edges(const std::vector<EdgeSide>& sides, NetworkRing& ring) const {
-    const double size = length(ring.line);
-    for (const EdgeSide& side : sides) {
-      const bool along = side.left == settings_.counter_clockwise;
-      // An edge that others cross has several parts.
-      if (&side == &sides.front() || side.edge != (&side - 1)->edge)
-        ring.edges.push_back(edge_of(side.edge, along));
-      const OneWay one_way = one_way_.at(network_.edges[side.edge].axis_id);
+  void add_traffic(const Walk& steps, NetworkRing& ring) const {
+    const double size = size_of(steps);
+    for (const EdgeEnd& step : steps) {
+      const OneWay one_way = one_way_.at(network_.edges[step.edge].axis_id);
       if (one_way == OneWay::no) continue;
+      const bool along = step.at_start == settings_.counter_clockwise;
       ((one_way == OneWay::along) == along ? ring.one_way : ring.against) +=
-          std::abs(side.end - side.start) / size;
+          lengths_[step.edge] / size;
     }
+    const std::map<int, double> metres = levels_of(steps);
+    ring.level = std::max_element(metres.begin(), metres.end(), [](const auto& a, const auto& b) {
+                   return a.second < b.second;
+                 })->first;
   }
 
-  void add_arms(const std::vector<EdgeSide>& sides, NetworkRing& ring) const {
-    std::set<int> about, seen;
-    for (const EdgeSide& side : sides) about.insert(side.edge);
+  void add_arms(const Walk& steps, const std::set<int>& within, NetworkRing& ring) const {
     int single = 0;
-    for (const EdgeSide& side : sides) {
-      const Edge& edge = network_.edges[side.edge];
-      const int node = side.left ? edge.from_node : edge.to_node;
-      if (!seen.insert(node).second) continue;
+    for (const EdgeEnd& step : steps) {
       int arms = 0;
-      for (const End& end : ends_[node]) {
-        if (about.count(end.edge) > 0) continue;
+      for (const EdgeEnd& end : ends_[begins(step)]) {
+        if (within.count(end.edge) > 0) continue;
         ring.arms.push_back(edge_of(end.edge, !end.at_start));
         ++arms;
       }
@@ -169,10 +292,28 @@ class RingFinder {
     if (ring.arm_nodes > 0) ring.single_arm = static_cast<double>(single) / ring.arm_nodes;
   }
 
+  // Of edges on the level.
+  int nodes_within(const Ring& line, int level) const {
+    const auto [west, east] = std::minmax_element(
+        line.begin(), line.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    const auto first = std::lower_bound(from_west_.begin(), from_west_.end(), west->x,
+                                        [&](int n, double x) { return place(n).x < x; });
+    int count = 0;
+    for (auto n = first; n != from_west_.end() && place(*n).x <= east->x; ++n)
+      count += std::any_of(
+                   ends_[*n].begin(), ends_[*n].end(),
+                   [&](const EdgeEnd& end) { return network_.edges[end.edge].level == level; }) &&
+               inside(planar(place(*n)), Polygon{line}) &&
+               distance_to_line(planar(place(*n)), line) > coordinate_margin;
+    return count;
+  }
+
   const RingSettings& settings_;
   Network network_;
   std::map<std::int64_t, OneWay> one_way_;
-  std::vector<std::vector<End>> ends_;  // by node
+  std::vector<std::vector<EdgeEnd>> ends_;  // by node
+  std::vector<double> lengths_;             // by edge, metres
+  std::vector<int> from_west_;              // nodes
 };
 
 }  // namespace

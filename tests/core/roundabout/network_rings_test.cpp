@@ -46,7 +46,7 @@ TEST(NetworkRings, TellsARoundabout) {
   EXPECT_LT(distance(ring.centre, {100, 200, 0}), 1e-3);
   EXPECT_NEAR(ring.radius, 20, 0.2);
   EXPECT_DOUBLE_EQ(ring.on_circle, 1);
-  EXPECT_GT(ring.fill, 0.97);
+  EXPECT_GT(ring.compactness, 0.97);
   // Places on edges are known to the millimetre.
   EXPECT_NEAR(ring.one_way, 1, 1e-4);
   EXPECT_EQ(ring.against, 0);
@@ -75,9 +75,9 @@ TEST(NetworkRings, CountsWhatLiesInside) {
   axes.push_back({10, {{-5, 0}, {-8, 3}}});
   const auto rings = network_rings(axes, {});
   ASSERT_EQ(rings.size(), 1u);
-  EXPECT_EQ(rings[0].inside, 2);
+  EXPECT_EQ(rings[0].inside, 3);  // one end, and two
   EXPECT_EQ(rings[0].edges.size(), 4u);
-  EXPECT_GT(rings[0].fill, 0.97);
+  EXPECT_GT(rings[0].compactness, 0.97);
 }
 
 TEST(NetworkRings, KeepsToItsBounds) {
@@ -87,20 +87,115 @@ TEST(NetworkRings, KeepsToItsBounds) {
   EXPECT_TRUE(network_rings({{1, {{0, 0}, {90, 0}}}}, {}).empty());
 }
 
-// A street that passes without a node makes two faces of a ring; one that ends within makes none.
-TEST(NetworkRings, OfStreetsThatCrossWithoutANodeAreNone) {
+// Such a street passes above or below.
+TEST(NetworkRings, AreNotPartedByStreetsThatCrossWithoutANode) {
   std::vector<RingAxis> crossed = roundabout({0, 0}, 20, OneWay::no), overshot = crossed;
   crossed.push_back({9, {{-80, 7}, {80, 9}}});
-  EXPECT_TRUE(network_rings(crossed, {}).empty());
   overshot.push_back({9, {{3, 7}, {80, 9}}});
-  const auto rings = network_rings(overshot, {});
-  ASSERT_EQ(rings.size(), 1u);
-  EXPECT_EQ(rings[0].edges.size(), 4u);
+  for (const std::vector<RingAxis>& axes : {crossed, overshot}) {
+    const auto rings = network_rings(axes, {});
+    ASSERT_EQ(rings.size(), 1u);
+    EXPECT_EQ(rings[0].edges.size(), 4u);
+    EXPECT_GT(rings[0].compactness, 0.97);
+  }
+  EXPECT_EQ(network_rings(crossed, {})[0].inside, 0);
+  EXPECT_EQ(network_rings(overshot, {})[0].inside, 1);
 }
 
-TEST(NetworkRings, OtherLevelsCloseNoRing) {
-  EXPECT_TRUE(network_rings({{1, arc({0, 0}, 20, 0, 180, 12), 0}, {2, arc({0, 0}, 20, 180, 360, 12), 1}}, {})
-                  .empty());
+// Over a motorway a ring has bridges; a street that passes from one of its nodes to another on a
+// third level parts nothing either.
+TEST(NetworkRings, LieOnSeveralLevels) {
+  std::vector<RingAxis> axes{{1, arc({0, 0}, 40, -150, -30, 12), 0, OneWay::along},
+                             {2, arc({0, 0}, 40, -30, 30, 12), 1, OneWay::along},
+                             {3, arc({0, 0}, 40, 30, 150, 12), 0, OneWay::along},
+                             {4, arc({0, 0}, 40, 150, 210, 12), 1, OneWay::along},
+                             {5, {{-200, 3}, {200, 3}}, 0}};
+  axes[1].line.front() = axes[0].line.back(), axes[1].line.back() = axes[2].line.front();
+  axes[3].line.front() = axes[2].line.back(), axes[3].line.back() = axes[0].line.front();
+  const auto rings = network_rings(axes, {});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_EQ(rings[0].edges.size(), 4u);
+  EXPECT_NEAR(rings[0].one_way, 1, 1e-4);
+  EXPECT_EQ(rings[0].level, 0);
+  EXPECT_EQ(rings[0].inside, 0);
+  std::vector<RingAxis> passed = roundabout({0, 0}, 20, OneWay::along);
+  passed.push_back({9, {{-20, 0}, {20, 0}}, -1});
+  const auto whole = network_rings(passed, {});
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].edges.size(), 4u);
+}
+
+TEST(NetworkRings, OfTwoFacesAreADoubleRoundabout) {
+  const double half = 20 * std::sin(pi / 6);
+  const Point upper{20 * std::cos(pi / 6), half}, lower{upper.x, -half};
+  std::vector<RingAxis> axes{{1, arc({0, 0}, 20, 30, 330, 24)},
+                             {2, arc({2 * upper.x, 0}, 20, 210, 510, 24)},
+                             {3, {lower, upper}}};
+  axes[0].line.front() = axes[1].line.back() = upper;
+  axes[0].line.back() = axes[1].line.front() = lower;
+  for (int a = 1; a < 4; ++a) axes.push_back(arm(10 + a, {0, 0}, 20, 90 * a));
+  for (int a = 0; a < 4; a += 2) axes.push_back(arm(20 + a, {2 * upper.x, 0}, 20, 90 * a - 90));
+  const auto rings = network_rings(axes, {});
+  ASSERT_EQ(rings.size(), 1u);
+  const NetworkRing& ring = rings[0];
+  EXPECT_EQ(ring.faces.size(), 2u);
+  EXPECT_EQ(ring.arm_nodes, 5);
+  double within = 0;
+  for (const Ring& face : ring.faces) within += signed_area(face);
+  EXPECT_NEAR(signed_area(ring.line), within, 1e-6);
+  EXPECT_LT(distance(ring.centre, {upper.x, 0, 0}), 1);
+  // The piece between the faces is driven both ways, all else once.
+  int of_piece = 0, last = 0;
+  for (const RingEdge& edge : ring.edges) {
+    of_piece += edge.axis_id == 3;
+    EXPECT_GE(edge.face, last);
+    last = edge.face;
+  }
+  EXPECT_EQ(of_piece, 2);
+  EXPECT_EQ(last, 2);
+  // A block beside a ring is no half of it.
+  std::vector<RingAxis> block = roundabout({0, 0}, 20, OneWay::no);
+  block.push_back({9, {{80, 0}, {80, 80}, {0, 80}}});
+  for (const NetworkRing& one : network_rings(block, {})) EXPECT_EQ(one.faces.size(), 1u);
+  // Nor are three in a row a double one: each stays as it is.
+  axes.push_back({4, arc({4 * upper.x, 0}, 20, 210, 510, 24)});
+  axes.back().line.front() = {3 * upper.x, -half};
+  axes.back().line.back() = {3 * upper.x, half};
+  axes[1].line = arc({2 * upper.x, 0}, 20, 210, 330, 12);
+  axes[1].line.front() = lower, axes[1].line.back() = {3 * upper.x, -half};
+  axes.push_back({5, arc({2 * upper.x, 0}, 20, 30, 150, 12)});
+  axes.back().line.front() = {3 * upper.x, half}, axes.back().line.back() = upper;
+  axes.push_back({6, {{3 * upper.x, -half}, {3 * upper.x, half}}});
+  for (const NetworkRing& one : network_rings(axes, {})) EXPECT_EQ(one.faces.size(), 1u);
+  EXPECT_EQ(network_rings(axes, {}).size(), 3u);
+}
+
+TEST(NetworkRings, WithAWaistAreAsRoundAsTheirHalves) {
+  Line peanut = arc({0, 0}, 14, 45, 315, 24);
+  for (const Point& p : arc({30, 0}, 14, 225, 495, 24)) peanut.push_back(p);
+  peanut.push_back(peanut.front());
+  const auto rings = network_rings({{1, peanut}}, {});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_GT(rings[0].compactness, 0.88);
+  EXPECT_TRUE(rings[0].waist);
+  EXPECT_EQ(rings[0].faces.size(), 1u);
+  // Neither a street twice as long as wide nor a square has one.
+  Line oval = arc({0, 0}, 14, 90, 270, 24);
+  for (const Point& p : arc({28, 0}, 14, -90, 90, 24)) oval.push_back(p);
+  oval.push_back(oval.front());
+  for (const Line& line : {oval, Line{{0, 0}, {28, 0}, {28, 28}, {0, 28}, {0, 0}}})
+    EXPECT_LT(network_rings({{1, line}}, {}).at(0).compactness, 0.86);
+}
+
+// What cannot be drawn as one way round is none.
+TEST(NetworkRings, ThatCrossThemselvesAreNone) {
+  Line eight = arc({0, 0}, 20, 45, 315, 24);
+  for (const Point& p : reversed(arc({40, 0}, 20, -135, 135, 24))) eight.push_back(p);
+  eight.push_back(eight.front());
+  EXPECT_TRUE(network_rings({{1, eight}}, {}).empty());
+  EXPECT_TRUE(network_rings({{1, {{0, 0}, {30, 0}, {0, 0}}}}, {}).empty());
+  EXPECT_EQ(network_rings({{1, {{0, 0}, {30, 0}, {15, 26}, {0, 0}}}}, {}).size(), 1u);
+  EXPECT_EQ(network_rings({{1, circle({0, 0}, 20, 1000)}}, {}).size(), 1u);
 }
 
 TEST(NetworkRings, DoNotDependOnTheOrderOfAxes) {

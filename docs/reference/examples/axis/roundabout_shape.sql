@@ -1,4 +1,4 @@
 -- argument on_circle: share of the ring within a tenth of the radius of its circle
--- argument fill: area by that of the smallest circle about it
+-- argument compactness: area by that of the circle of the same length
 -- see roundabout_network, roundabout_name, roundabout_score
-SELECT streetgen.roundabout_shape(1, 0.95) AS circle, round(streetgen.roundabout_shape(0.5, 0.637)::numeric, 2) AS square;
+SELECT streetgen.roundabout_shape(1, 0.99) AS circle, round(streetgen.roundabout_shape(0.5, 0.785)::numeric, 2) AS square;

@@ -1,0 +1,89 @@
+#include "network/walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double near_node = 1;  // metres along an edge that tell where the edge leaves its node
+constexpr double farthest = 64;
+constexpr double together = 1e-6;  // radians
+
+double heading(const Network& network, const EdgeEnd& end, double at) {
+  const Edge& edge = network.edges[end.edge];
+  const double size = length(edge.line), along = std::min(at, size);
+  const Point to = position_at(edge.line, end.at_start ? along : size - along).point -
+                   (end.at_start ? edge.line.front() : edge.line.back());
+  return std::atan2(to.y, to.x);
+}
+
+// Ends that leave together part later: the one that turns left comes after.
+bool turns_left(const Network& network, const EdgeEnd& a, const EdgeEnd& b) {
+  for (double at = 2 * near_node; at < farthest; at *= 2) {
+    const double turn = std::remainder(heading(network, a, at) - heading(network, b, at), 2 * M_PI);
+    if (std::abs(turn) > together) return turn > 0;
+  }
+  return false;
+}
+
+std::vector<EdgeEnd> counter_clockwise(const Network& network, const std::vector<EdgeEnd>& ends) {
+  std::vector<std::pair<double, EdgeEnd>> order;
+  for (const EdgeEnd& end : ends) order.push_back({heading(network, end, near_node), end});
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : slot(a.second) < slot(b.second);
+  });
+  for (std::size_t i = 0; i + 1 < order.size(); ++i)
+    if (order[i + 1].first - order[i].first <= together &&
+        turns_left(network, order[i].second, order[i + 1].second))
+      std::swap(order[i], order[i + 1]);
+  std::vector<EdgeEnd> sorted;
+  for (const auto& entry : order) sorted.push_back(entry.second);
+  return sorted;
+}
+
+// By the slot of the end by which a walk comes to a node: the end by which it leaves.
+std::vector<EdgeEnd> leftmost_ways(const Network& network, std::optional<int> level) {
+  std::vector<std::vector<EdgeEnd>> ends(network.nodes.size());
+  for (int e = 0; e < static_cast<int>(network.edges.size()); ++e) {
+    if (network.edges[e].level != level.value_or(network.edges[e].level)) continue;
+    ends[network.edges[e].from_node].push_back({e, true});
+    ends[network.edges[e].to_node].push_back({e, false});
+  }
+  std::vector<EdgeEnd> next(2 * network.edges.size());
+  for (const std::vector<EdgeEnd>& about : ends) {
+    poll_cancel();
+    const std::vector<EdgeEnd> order = counter_clockwise(network, about);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      next[slot(order[(i + 1) % order.size()])] = order[i];
+  }
+  return next;
+}
+
+}  // namespace
+
+std::vector<Walk> walks(const Network& network, std::optional<int> level) {
+  const std::vector<EdgeEnd> next = leftmost_ways(network, level);
+  std::vector<bool> walked(next.size());
+  std::vector<Walk> found;
+  for (int s = 0; s < static_cast<int>(next.size()); ++s) {
+    if (walked[s] || network.edges[s / 2].level != level.value_or(network.edges[s / 2].level))
+      continue;
+    poll_cancel();
+    Walk walk;
+    for (EdgeEnd step{s / 2, s % 2 == 0}; !walked[slot(step)];
+         step = next[slot({step.edge, !step.at_start})]) {
+      walked[slot(step)] = true;
+      walk.push_back(step);
+    }
+    found.push_back(std::move(walk));
+  }
+  return found;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,92 @@
+#include "roundabout/roundness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "geometry/fit_circle.hpp"
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double beside_circle = 0.1;  // of the radius: what is nearer lies on the circle
+constexpr double step = 1;             // metres between the places that are compared with it
+constexpr std::size_t most_places = 2000;
+constexpr std::size_t waist_places = 72;
+constexpr double widest_waist = 0.8;    // of the diameter of either half
+constexpr double half_of_double = 0.9;  // compactness
+constexpr double widest_of_halves = 2;  // times the radius of the other one
+
+// Places on a closed line, equally far apart.
+Line places_on(const Ring& ring, std::size_t count) {
+  const double size = length(ring);
+  Line places;
+  double done = 0;
+  std::size_t segment = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = size * i / count;
+    while (segment + 2 < ring.size() && done + distance(ring[segment], ring[segment + 1]) < at)
+      done += distance(ring[segment], ring[segment + 1]), ++segment;
+    places.push_back(ring[segment] + unit(ring[segment + 1] - ring[segment]) * (at - done));
+  }
+  return places;
+}
+
+std::size_t count_by_step(const Ring& ring) {
+  return static_cast<std::size_t>(
+      std::clamp(length(ring) / step, 32.0, static_cast<double>(most_places)));
+}
+
+}  // namespace
+
+double compactness_of(const Ring& line) {
+  const double size = length(line);
+  return std::min(1.0, 4 * pi * signed_area(line) / (size * size));
+}
+
+std::optional<Roundness> roundness_of(const Ring& line) {
+  const Line places = places_on(line, count_by_step(line));
+  const auto circle = fit_circle(places.data(), places.size());
+  if (!circle) return std::nullopt;
+  const auto near = std::count_if(places.begin(), places.end(), [&](const Point& p) {
+    return std::abs(distance(p, circle->centre) - circle->radius) <= beside_circle * circle->radius;
+  });
+  return Roundness{*circle, compactness_of(line), static_cast<double>(near) / places.size()};
+}
+
+bool are_halves(const Roundness& a, const Roundness& b) {
+  return std::min(a.compactness, b.compactness) >= half_of_double &&
+         std::max(a.circle.radius, b.circle.radius) <=
+             widest_of_halves * std::min(a.circle.radius, b.circle.radius);
+}
+
+std::optional<Roundness> less_round_half(const Ring& line) {
+  const Line places = places_on(line, waist_places);
+  const std::size_t third = waist_places / 3;
+  std::size_t from = 0, to = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < waist_places; ++i)
+    for (std::size_t j = i + third; j <= i + 2 * third && j < waist_places; ++j) {
+      // Of places nearly alike the one that parts equal halves.
+      const double unequal = std::abs(2.0 * (j - i) / waist_places - 1);
+      const double across = distance(places[i], places[j]) * (1 + beside_circle * unequal);
+      if (across < least) least = across, from = i, to = j;
+    }
+  Ring inner(places.begin() + from, places.begin() + to + 1);
+  Ring outer(places.begin() + to, places.end());
+  outer.insert(outer.end(), places.begin(), places.begin() + from + 1);
+  inner.push_back(inner.front());
+  outer.push_back(outer.front());
+  const auto a = roundness_of(inner), b = roundness_of(outer);
+  if (!a || !b ||
+      distance(places[from], places[to]) >
+          widest_waist * 2 * std::min(a->circle.radius, b->circle.radius))
+    return std::nullopt;
+  return a->compactness < b->compactness ? a : b;
+}
+
+}  // namespace streetgen
