@@ -53,9 +53,9 @@ CREATE FUNCTION way(x float8, radius float8, start float8, stop float8) RETURNS 
   SELECT ST_MakeLine(ST_SetSRID(ST_MakePoint(650000 + x + radius * cos(radians(a)), 6860000 + radius * sin(radians(a))), 2154) ORDER BY i)
   FROM generate_series(0, 20) i, LATERAL (SELECT start + (stop - start) * i / 20.0 AS a) p $$;
 CREATE PROCEDURE draw_double(model name, joined boolean) LANGUAGE plpgsql AS $$ BEGIN
-  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) VALUES (1, way(0, 18, 30, 330), 6, 1), (2, way(36 * cos(radians(30)), 18, -150, 150), 6, 1)', model);
-  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) SELECT 10 + a, arm(x, 0, 18, b), 6, 2
-    FROM (VALUES (1, 0, 90), (2, 0, 180), (3, 0, 270), (4, 36 * cos(radians(30)), 90), (5, 36 * cos(radians(30)), 0), (6, 36 * cos(radians(30)), 270)) v(a, x, b)', model);
+  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) VALUES (1, way(0, 15, 30, 330), 6, 1), (2, way(30 * cos(radians(30)), 15, -150, 150), 6, 1)', model);
+  EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) SELECT 10 + a, arm(x, 0, 15, b), 6, 2
+    FROM (VALUES (1, 0, 90), (2, 0, 180), (3, 0, 270), (4, 30 * cos(radians(30)), 90), (5, 30 * cos(radians(30)), 0), (6, 30 * cos(radians(30)), 270)) v(a, x, b)', model);
   IF joined THEN
     EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count) SELECT 3, ST_MakeLine(ST_EndPoint(a.geom), ST_StartPoint(a.geom)), 6, 2 FROM %1$I.axis a WHERE axis_id = 1', model);
   END IF;
@@ -64,7 +64,7 @@ DO $$ BEGIN PERFORM streetgen.create_model('two', 2154, subjects => '{interconne
 CALL draw_double('two', true);
 SELECT 'a double roundabout is one row of two faces', (SELECT array_agg(kind || ' ' || accepted) = '{double true}' FROM two.roundabout)
   AND (SELECT count(DISTINCT face) = 2 AND min(ordinality) = 1 AND max(ordinality) = count(*) FROM two.roundabout_edge);
-SELECT 'its ring goes about both', ST_IsClosed(geom) AND ST_IsSimple(geom) AND NOT ST_IsPolygonCCW(ST_Reverse(ST_MakePolygon(geom))) AND abs(ST_Area(ST_MakePolygon(geom)) - 1930) < 40 FROM two.roundabout;
+SELECT 'its ring goes about both', ST_IsClosed(geom) AND ST_IsSimple(geom) AND NOT ST_IsPolygonCCW(ST_Reverse(ST_MakePolygon(geom))) AND abs(ST_Area(ST_MakePolygon(geom)) - 1340) < 30 FROM two.roundabout;
 SELECT 'it has an island in each face', ST_NumGeometries(island) = 2 AND ST_IsValid(island) FROM two.roundabout;
 SELECT 'the piece between the faces is in both, and no arm', (SELECT count(*) = 2 AND count(DISTINCT along_axis) = 2 FROM two.roundabout_edge JOIN two.edge USING (edge_id) WHERE axis_id = 3)
   AND (SELECT count(*) = 6 FROM two.roundabout_arm);

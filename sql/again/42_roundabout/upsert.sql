@@ -44,10 +44,10 @@ COMMENT ON FUNCTION streetgen._upsert_ring_score(jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._upsert_ring(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._upsert_ring_score(places), streetgen._fill_template($part$
--- An edit moves the rings that an axis touches or lies within, as it is or was, and their neighbours, since two of
--- them may be a double roundabout: these are no wider than a ring may be.
+-- An edit moves the rings that an axis touches or lies within, as it is or was, and their neighbours: these may be
+-- double roundabouts, half as wide as a ring may be. A cluster of a first run changes no neighbour.
 ring_line AS MATERIALIZED (
-    SELECT geom, 2 * (v ->> 'roundabout_radius_greatest')::float8 + 5 AS reach FROM (
+    SELECT geom, {beside_rings} + 5 AS reach FROM (
         SELECT geom FROM used WHERE NOT {whole} AND axis_id IN (SELECT unnest($3))
         UNION ALL SELECT geom FROM {model}.edge WHERE NOT {whole} AND axis_id = ANY ($3)) l, setting),
 old_ring AS MATERIALIZED (
@@ -93,7 +93,8 @@ former_circulated AS MATERIALIZED (
     WHERE NOT {whole} AND accepted),
 now_circulated AS MATERIALIZED (
     SELECT axis_id, start_abscissa, end_abscissa, along_axis FROM new_ring_edge WHERE NOT {whole} AND accepted)$part$,
-    places)) $$;
+    places || jsonb_build_object('beside_rings', CASE places ->> 'run' WHEN 'cluster' THEN '0'
+        ELSE '(v ->> ''roundabout_radius_greatest'')::float8' END))) $$;
 COMMENT ON FUNCTION streetgen._upsert_ring(jsonb) IS
     'Part of the one statement: new_ring, the rings to be written, with new_ring_edge and new_ring_arm; circulated and '
     'yielding, all edges whose traffic goes round, and those that come to them; ring_turned, axes whose traffic '

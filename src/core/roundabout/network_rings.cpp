@@ -128,7 +128,8 @@ class RingFinder {
   bool is_double(const RingFace& a, const RingFace& b) const {
     if (!are_halves(a.shape, b.shape)) return false;
     const Walk about = way_about(a.loop.steps, b.loop.steps);
-    return !about.empty() && enclosing_circle(line_of(about)).radius <= settings_.radius_greatest;
+    return !about.empty() &&
+           enclosing_circle(line_of(about)).radius <= settings_.radius_greatest / 2;
   }
 
   // About two loops that share one piece of way; empty where they share none, or several.

@@ -40,6 +40,12 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'junction_edge', e.axis_id, e.start_abscissa, k.role, j.geom::text) FROM @.junction_edge k JOIN @.edge e USING (edge_id) JOIN @.junction j USING (junction_id)
     UNION ALL SELECT concat_ws(' ', 'junction_movement', a.axis_id, a.start_abscissa, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality, m.along_out, m.turn, m.angle, m.plausible, m.reason, m.connecting, cardinality(m.interconnections), m.geom::text)
       FROM @.junction_movement m JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id$q$ END
+    || CASE WHEN to_regclass(format('%I.roundabout', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'roundabout', e.axis_id, e.start_abscissa, r.along_axis, r.level, r.kind, r.radius, r.score, r.term_shape, r.term_name, r.term_network, r.accepted, r.method, r.centre::text, r.geom::text, r.island::text)
+      FROM @.roundabout r JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'roundabout_edge', e.axis_id, e.start_abscissa, x.along_axis, x.face, x.ordinality, r.centre::text) FROM @.roundabout_edge x JOIN @.edge e USING (edge_id) JOIN @.roundabout r USING (roundabout_id)
+    UNION ALL SELECT concat_ws(' ', 'roundabout_arm', e.axis_id, e.start_abscissa, x.along_axis, n.geom::text, r.centre::text)
+      FROM @.roundabout_arm x JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id) JOIN @.roundabout r USING (roundabout_id)$q$ END
     || CASE WHEN to_regclass(format('%I.overpass', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'overpass', a.axis_id, a.start_abscissa, o.abscissa_above, b.axis_id, b.start_abscissa, o.abscissa_below, o.ordinality, o.clearance, o.method, o.geom::text)
       FROM @.overpass o JOIN @.edge a ON a.edge_id = o.edge_above JOIN @.edge b ON b.edge_id = o.edge_below$q$ END
