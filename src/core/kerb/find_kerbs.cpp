@@ -141,23 +141,59 @@ class RoadwayBorder {
     return built->second;
   }
 
-  // The roadway goes on from a section to the intersections at its ends, whatever their level.
-  bool tile(int i, int other) const {
-    if (other < i) std::swap(i, other);
-    if (i >= edges_ || other < edges_) return false;
-    const Edge& edge = streets_.network.edges[i];
-    return edge.from_node == other - edges_ || edge.to_node == other - edges_;
+  // The roadway goes on from a section to the intersections at its ends, whatever their level, and
+  // past sections and intersections that have no ground.
+  template <class IsMeant>
+  bool goes_on_to(int i, const IsMeant& is_meant) const {
+    std::vector<int> passed{i};
+    for (std::size_t k = 0; k < passed.size(); ++k)
+      for (const int next : beside(passed[k])) {
+        if (is_meant(next)) return true;
+        if (has_no_ground(next) && std::find(passed.begin(), passed.end(), next) == passed.end())
+          passed.push_back(next);
+      }
+    return false;
   }
+  std::vector<int> beside(int i) const {
+    std::vector<int> found;
+    if (i < edges_) {
+      const Edge& edge = streets_.network.edges[i];
+      found = {edges_ + edge.from_node, edges_ + edge.to_node};
+    } else {
+      for (const EdgeEnd& end : layout_.junctions[i - edges_].ends) found.push_back(end.edge);
+    }
+    return found;
+  }
+  bool has_no_ground(int i) const {
+    if (grounds_[i] != nullptr || !outer(i)) return grounds_[i] == nullptr || grounds_[i]->empty();
+    return neighbours_ &&
+           std::none_of(neighbours_->begin(), neighbours_->end(),
+                        [&](const Neighbour& neighbour) { return is(i, neighbour); });
+  }
+  bool is(int i, const Neighbour& neighbour) const {
+    const auto& nodes = streets_.network.nodes;
+    const auto& places = neighbour.nodes;
+    if (i >= edges_) return places.size() == 1 && same(places[0], nodes[i - edges_].point);
+    const Edge& edge = streets_.network.edges[i];
+    const Point &from = nodes[edge.from_node].point, &to = nodes[edge.to_node].point;
+    return places.size() == 2 && ((same(places[0], from) && same(places[1], to)) ||
+                                  (same(places[1], from) && same(places[0], to)));
+  }
+  bool tile(int i, int other) const {
+    return goes_on_to(i, [&](int next) { return next == other; });
+  }
+  // One that is not given has an end at a node that is.
   bool tile(int i, const Neighbour& neighbour) const {
     const auto ends_at = [&](int node) {
       return std::any_of(neighbour.nodes.begin(), neighbour.nodes.end(), [&](const Point& place) {
-        return same(place, streets_.network.nodes[node].point);
+        return same(place, streets_.network.nodes[node - edges_].point);
       });
     };
-    const bool section = neighbour.nodes.size() == 2;
-    if (i >= edges_) return section && ends_at(i - edges_);
-    const Edge& edge = streets_.network.edges[i];
-    return !section && (ends_at(edge.from_node) || ends_at(edge.to_node));
+    const bool is_section = neighbour.nodes.size() == 2;
+    if (is_section && i >= edges_ && ends_at(i)) return true;
+    return goes_on_to(i, [&](int next) {
+      return next >= edges_ && ends_at(next) && (!is_section || has_no_ground(next));
+    });
   }
 
   void share(int i, FreeBorder& border) {

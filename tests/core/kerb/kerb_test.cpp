@@ -197,6 +197,22 @@ TEST(Kerb, GoesAcrossWhereTheRoadwayGoesOnOnAnotherLevel) {
   expect_border(town, "levels");
 }
 
+// No section is left of the short street from the crossing to the bridge: their intersections meet.
+TEST(Kerb, GoesAcrossBetweenTwoIntersectionsOfDifferentLevels) {
+  const Streets town =
+      with_kerbs({axis(1, {{0, 0}, {50, 0}}, 6, 3), axis(2, {{50, 0}, {100, 0}}, 6, 3),
+                  axis(3, {{50, 0}, {50, 4}}, 6, 3), axis(4, {{50, 4}, {50, 60}}, 6, 3, 1)});
+  ASSERT_TRUE(std::all_of(town.sections.begin(), town.sections.end(), [&](const Section& section) {
+    return town.network.edges[section.edge].axis_id != 3 || section.surface.empty();
+  }));
+  double across = 0;
+  for (const Kerb& kerb : town.kerbs)
+    if (kerb.method == Method::level_change && kerb.level == 0 && kerb.node >= 0)
+      across += length(kerb.line);
+  EXPECT_NEAR(across, 6, 0.01);
+  expect_border(town, "levels without a section");
+}
+
 TEST(Kerb, IsTheBorderOfTheRoadwayWhateverTheTown) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     StreetSettings settings;
@@ -236,10 +252,10 @@ TEST(Kerb, EndsWhereANeighbourHoldsTheGround) {
     for (const Section& section : town.sections) {
       const Edge& edge = edges[section.edge];
       if (outer(edge.axis_id))
-        former.neighbours->push_back({{town.network.nodes[edge.from_node].point,
-                                      town.network.nodes[edge.to_node].point},
-                                     section.surface,
-                                     edge.level});
+        former.neighbours->push_back(
+            {{town.network.nodes[edge.from_node].point, town.network.nodes[edge.to_node].point},
+             section.surface,
+             edge.level});
     }
     for (const Intersection& crossing : town.intersections)
       if (std::none_of(edges.begin(), edges.end(), [&](const Edge& edge) {
