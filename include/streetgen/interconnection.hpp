@@ -72,12 +72,14 @@ struct Interconnection {
 };
 
 // At affected nodes, by (node, lane_in, lane_out, along_in, along_out).  `lanes` as
-// streetgen::lanes gives them, of the same streets; `axes` as the streets were made from.
+// streetgen::lanes gives them, of the same streets; `axes` as the streets were made from.  Onto a
+// roundabout, round and off it nobody turns back, however sharp the turn.
 std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,
                                               const std::vector<Lane>& lanes,
                                               const std::vector<TurnRestriction>& restrictions,
-                                              const InterconnectionSettings& settings);
+                                              const InterconnectionSettings& settings,
+                                              const std::vector<Circulation>& circulations = {});
 
 // Whoever drives against the traffic of a roundabout is not plausible, reason ring.
 void forbid_against_rings(const Streets& streets, const std::vector<Lane>& lanes,

@@ -27,7 +27,8 @@ StreetModel street_model(const StreetModelInput& input) {
   }
   if (input.subjects.interconnection) {
     model.interconnections = interconnections(model.streets, input.axes, model.lanes.lanes,
-                                              input.restrictions, input.interconnection_settings);
+                                              input.restrictions, input.interconnection_settings,
+                                              input.circulations);
     forbid_against_rings(model.streets, model.lanes.lanes, input.circulations,
                          model.interconnections);
     check_interconnections(model);

@@ -9,6 +9,7 @@
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
+#include "traffic/circulation.hpp"
 #include "traffic/kerb_clear_path.hpp"
 #include "traffic/path_choice.hpp"
 #include "traffic/plausibility.hpp"
@@ -47,8 +48,9 @@ struct NodeLeg {
 class Builder {
  public:
   Builder(const Streets& streets, const std::vector<StreetAxis>& axes,
-          const std::vector<Lane>& lanes, const InterconnectionSettings& settings)
-      : streets_(streets), lanes_(lanes), settings_(settings) {
+          const std::vector<Lane>& lanes, const InterconnectionSettings& settings,
+          const std::vector<Circulation>& circulations)
+      : streets_(streets), lanes_(lanes), settings_(settings), circulations_(circulations) {
     for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
     const auto& edges = streets.network.edges;
     of_edge_.resize(edges.size());
@@ -154,6 +156,7 @@ class Builder {
     for (const int lane : leg.in) ends.in.push_back(end_of(lane, leg, true));
     for (const int lane : leg.out) ends.out.push_back(end_of(lane, leg, false));
     ends.importance = axes_.at(axis_of(leg))->importance;
+    ends.on_ring = circulations_.of(streets_.network.edges[leg.edge]) != nullptr;
     return ends;
   }
 
@@ -326,6 +329,7 @@ class Builder {
   const Streets& streets_;
   const std::vector<Lane>& lanes_;
   const InterconnectionSettings& settings_;
+  const Circulations circulations_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::vector<EdgeLanes> of_edge_;
   std::vector<std::vector<NodeLeg>> legs_;  // by node, in the order of edges
@@ -377,8 +381,9 @@ std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<StreetAxis>& axes,
                                               const std::vector<Lane>& lanes,
                                               const std::vector<TurnRestriction>& restrictions,
-                                              const InterconnectionSettings& settings) {
-  return Builder(streets, axes, lanes, settings).run(restrictions);
+                                              const InterconnectionSettings& settings,
+                                              const std::vector<Circulation>& circulations) {
+  return Builder(streets, axes, lanes, settings, circulations).run(restrictions);
 }
 
 }  // namespace streetgen

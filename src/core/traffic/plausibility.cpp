@@ -90,8 +90,9 @@ class Plausibility {
   static double radius(const Way& way, int in, int out) {
     return way.movement->radius[in * way.to->out.size() + out];
   }
-  static bool turns_back(const Way& way) {
-    return turn_of(way.angle) == Turn::u_turn || way.movement->from == way.movement->to;
+  bool turns_back(const Way& way) const {
+    return way.movement->from == way.movement->to ||
+           (turn_of(way.angle) == Turn::u_turn && !from(way).on_ring && !way.to->on_ring);
   }
   static bool drivable(const Way& way, int in, int out) {
     return way.movement->drivable[in * way.to->out.size() + out];

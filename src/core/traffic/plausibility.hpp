@@ -21,6 +21,7 @@ struct LaneEnd {
 struct Leg {
   std::vector<LaneEnd> in, out;
   int importance = 99;
+  bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
 };
 
 using LaneKinds = std::bitset<4>;

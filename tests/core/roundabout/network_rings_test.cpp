@@ -126,15 +126,15 @@ TEST(NetworkRings, LieOnSeveralLevels) {
 }
 
 TEST(NetworkRings, OfTwoFacesAreADoubleRoundabout) {
-  const double half = 20 * std::sin(pi / 6);
-  const Point upper{20 * std::cos(pi / 6), half}, lower{upper.x, -half};
-  std::vector<RingAxis> axes{{1, arc({0, 0}, 20, 30, 330, 24)},
-                             {2, arc({2 * upper.x, 0}, 20, 210, 510, 24)},
+  const double half = 15 * std::sin(pi / 6);
+  const Point upper{15 * std::cos(pi / 6), half}, lower{upper.x, -half};
+  std::vector<RingAxis> axes{{1, arc({0, 0}, 15, 30, 330, 24)},
+                             {2, arc({2 * upper.x, 0}, 15, 210, 510, 24)},
                              {3, {lower, upper}}};
   axes[0].line.front() = axes[1].line.back() = upper;
   axes[0].line.back() = axes[1].line.front() = lower;
-  for (int a = 1; a < 4; ++a) axes.push_back(arm(10 + a, {0, 0}, 20, 90 * a));
-  for (int a = 0; a < 4; a += 2) axes.push_back(arm(20 + a, {2 * upper.x, 0}, 20, 90 * a - 90));
+  for (int a = 1; a < 4; ++a) axes.push_back(arm(10 + a, {0, 0}, 15, 90 * a));
+  for (int a = 0; a < 4; a += 2) axes.push_back(arm(20 + a, {2 * upper.x, 0}, 15, 90 * a - 90));
   const auto rings = network_rings(axes, {});
   ASSERT_EQ(rings.size(), 1u);
   const NetworkRing& ring = rings[0];
@@ -153,17 +153,21 @@ TEST(NetworkRings, OfTwoFacesAreADoubleRoundabout) {
   }
   EXPECT_EQ(of_piece, 2);
   EXPECT_EQ(last, 2);
+  // Two that are wider together than half of the greatest circle are two rings.
+  RingSettings narrow;
+  narrow.radius_greatest = 50;
+  EXPECT_EQ(network_rings(axes, narrow).size(), 2u);
   // A block beside a ring is no half of it.
   std::vector<RingAxis> block = roundabout({0, 0}, 20, OneWay::no);
   block.push_back({9, {{80, 0}, {80, 80}, {0, 80}}});
   for (const NetworkRing& one : network_rings(block, {})) EXPECT_EQ(one.faces.size(), 1u);
   // Nor are three in a row a double one: each stays as it is.
-  axes.push_back({4, arc({4 * upper.x, 0}, 20, 210, 510, 24)});
+  axes.push_back({4, arc({4 * upper.x, 0}, 15, 210, 510, 24)});
   axes.back().line.front() = {3 * upper.x, -half};
   axes.back().line.back() = {3 * upper.x, half};
-  axes[1].line = arc({2 * upper.x, 0}, 20, 210, 330, 12);
+  axes[1].line = arc({2 * upper.x, 0}, 15, 210, 330, 12);
   axes[1].line.front() = lower, axes[1].line.back() = {3 * upper.x, -half};
-  axes.push_back({5, arc({2 * upper.x, 0}, 20, 30, 150, 12)});
+  axes.push_back({5, arc({2 * upper.x, 0}, 15, 30, 150, 12)});
   axes.back().line.front() = {3 * upper.x, half}, axes.back().line.back() = upper;
   axes.push_back({6, {{3 * upper.x, -half}, {3 * upper.x, half}}});
   for (const NetworkRing& one : network_rings(axes, {})) EXPECT_EQ(one.faces.size(), 1u);

@@ -55,8 +55,9 @@ class JoinedTown {
   }
 
   std::vector<Interconnection> join(const std::vector<TurnRestriction>& restrictions = {},
-                                    const InterconnectionSettings& settings = {}) const {
-    return interconnections(streets_, axes_, lanes_, restrictions, settings);
+                                    const InterconnectionSettings& settings = {},
+                                    const std::vector<Circulation>& circulations = {}) const {
+    return interconnections(streets_, axes_, lanes_, restrictions, settings, circulations);
   }
 
   const Lane& lane(int index) const { return lanes_[index]; }

@@ -198,6 +198,15 @@ TEST(Plausible, NothingTurnsBackWhereItCanGoOn) {
   EXPECT_EQ(reasons(town, all, 3, 2), (std::set<std::string>{"u_turn"}));
 }
 
+// On a small ring one leaves or enters by turns as sharp.
+TEST(Plausible, OntoARoundaboutNobodyTurnsBack) {
+  const JoinedTown town({road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, -8, 0}}, 1, 0),
+                         road(3, {{100, 8, 0}, {0, 0, 0}}, 1, 0)});
+  const auto all = town.join({}, {}, {{2, 50, true, false}});
+  EXPECT_EQ(plausible(town, all, 3, 2), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 3, 1), (Ranks{{1, 1}}));
+}
+
 TEST(Plausible, AMarkedLaneTurnsBack) {
   LanedAxis marked = road(3, {{100, 8, 0}, {0, 0, 0}}, 2, 0);
   marked.forward[0].turns = turn::reverse;
