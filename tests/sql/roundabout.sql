@@ -90,6 +90,35 @@ DELETE FROM two.axis WHERE axis_id = 2;
 SELECT 'with half of it gone the other half is none', (SELECT count(*) = 1 AND bool_and(kind = 'ring') FROM two.roundabout);
 SELECT 'and a run over all leaves what edits made of rings', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('two') WHERE relation ~ 'roundabout|lane|interconnection';
 
+-- A node with a painted circle.
+DO $$ BEGIN PERFORM streetgen.create_model('painted', 2154, subjects => '{interconnection,junction,roundabout}', driving_side => 'right'); END $$;
+INSERT INTO painted.axis (geom, width, lane_count) SELECT arm(0, 0, 0, 90 * a), 6, 2 FROM generate_series(0, 3) a;
+INSERT INTO painted.control_point (geom, kind) VALUES ('SRID=2154;POINT(650000.4 6860000.2)', 'mini_roundabout');
+SELECT 'at a mini-roundabout all arms yield, and its junction is a roundabout', (SELECT count(*) = 4 FROM painted.marking WHERE kind = 'yield') AND (SELECT array_agg(kind) = '{roundabout}' FROM painted.junction WHERE kind <> 'end')
+  AND (SELECT bool_and(rule = 'yield') FROM painted.right_of_way WHERE connecting AND junction_id = (SELECT junction_id FROM painted.junction WHERE kind = 'roundabout'));
+SELECT 'all its arms are joined to all others', (SELECT count(DISTINCT (a.edge_id, b.edge_id)) = 12 FROM painted.interconnection JOIN painted.lane a ON a.lane_id = lane_in JOIN painted.lane b ON b.lane_id = lane_out WHERE plausible AND a.edge_id <> b.edge_id);
+SELECT 'in SUMO who comes from the left goes first there', (SELECT count(*) = 1 FROM streetgen.export_sumo('painted', 'nodes') WHERE line LIKE '%type="left_before_right"%');
+
+-- What is no ring, or an odd one, beside a good one.
+DO $$ BEGIN PERFORM streetgen.create_model('odd', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right'); END $$;
+INSERT INTO odd.axis (geom, width, lane_count, name) SELECT circle(0, 0, 18), 6, 1, repeat('Place ', 180000);
+INSERT INTO odd.axis (geom, width, lane_count, name) SELECT arm(0, 0, 18, 90 * a), 6, 2, 'دوار السلام' FROM generate_series(0, 3) a;
+-- Of three points, of a thousand vertices, crossing itself, of two levels, of radius 0.01 m and of 10 km.
+INSERT INTO odd.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650200 6860000, 650230 6860000, 650215 6860026, 650200 6860000)', 5);
+INSERT INTO odd.axis (geom, width) SELECT ST_ExteriorRing(ST_Buffer('SRID=2154;POINT(650300 6860000)'::geometry, 20, 250)), 5;
+INSERT INTO odd.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650400 6860000, 650440 6860040, 650440 6860000, 650400 6860040, 650400 6860000)', 5);
+INSERT INTO odd.axis (geom, width, level) SELECT ST_MakeLine(ST_SetSRID(ST_MakePoint(650500 + 20 * cos(radians(180 * h + 15 * i)), 6860000 + 20 * sin(radians(180 * h + 15 * i))), 2154) ORDER BY i), 5, h FROM generate_series(0, 1) h, generate_series(0, 12) i GROUP BY h;
+INSERT INTO odd.axis (geom, width) SELECT ST_ExteriorRing(ST_Buffer(ST_SetSRID(ST_MakePoint(x, 6860000), 2154), r, 6)), 5 FROM (VALUES (650600, 0.01), (680000, 10000)) v(x, r);
+SELECT 'odd rings are found or left out, and the good one is accepted', (SELECT array_agg(round(ST_X(centre)) || ' ' || accepted ORDER BY ST_X(centre)) = '{"650000 true","650215 false","650300 false","650500 false"}' FROM odd.roundabout);
+SELECT 'their streets are sound', NOT EXISTS (SELECT FROM streetgen.check_model('odd') WHERE severity = 'error');
+CREATE FUNCTION public.raising_score(float8, float8, float8, float8[]) RETURNS float8 LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION 'no score today'; END $$;
+SELECT streetgen.set('odd', 'roundabout_score', 'public.raising_score') \gset
+SELECT 'a score function that raises names the ring', r.said = 'score function public.raising_score failed: no score today' AND r.detail LIKE 'At the ring about POINT%' AND (SELECT count(*) = 4 FROM odd.roundabout) FROM test.refusal($q$SELECT FROM streetgen.generate('odd')$q$) r;
+SELECT streetgen.set('odd', 'roundabout_score', 'streetgen.roundabout_score') \gset
+SELECT streetgen.set('odd', 'roundabout_weight_' || w, '0') FROM unnest(ARRAY['shape', 'name', 'network']) w \g /dev/null
+SELECT 'weights that sum to 0 are refused with their settings', r.state = '22023' AND r.hint LIKE 'Settings roundabout_weight_shape%' FROM test.refusal($q$SELECT FROM streetgen.generate('odd')$q$) r;
+SELECT 'a negative weight is refused', test.state($q$SELECT streetgen.set('odd', 'roundabout_weight_shape', '-1')$q$) = '22023';
+
 -- The list to work through.
 SELECT 'the least certain ring comes first', array_agg(nearness) = array_agg(nearness ORDER BY nearness) FROM town.roundabout_editing;
 UPDATE town.roundabout_editing SET confirmed = false WHERE accepted;

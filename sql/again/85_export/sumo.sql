@@ -52,14 +52,20 @@ COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, text) IS
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge(subjects, 'geom', 'from_place = to_place') || $part$,
+-- Who is on a mini-roundabout comes from the left, and goes first; netconvert mirrors networks of left-hand traffic.
+mini AS (
+    SELECT DISTINCT n.node_id, 'left_before_right' AS type
+    FROM %1$I.control_point p JOIN %1$I.node n ON ST_DWithin(p.geom, n.geom, 1.5) WHERE p.kind = 'mini_roundabout'),
 sumo_node AS (
     SELECT DISTINCT ON (place_id) 2 AS turn, place_id AS id, place_id::text AS name, n.geom, surface,
         CASE WHEN kind = 'signals' THEN 'traffic_light' WHEN kind = 'right_before_left' THEN kind
+            WHEN m.type IS NOT NULL THEN m.type
             WHEN bool_or(stops) OVER (PARTITION BY place_id) THEN 'priority_stop' ELSE 'priority' END AS type,
         CASE WHEN kind = 'signals' THEN junction_id END AS controller
     FROM %1$I.node n JOIN place USING (node_id)
     LEFT JOIN (SELECT node_id, bool_or(kind = 'stop') AS stops FROM %1$I.marking
-        WHERE edge_id IN (SELECT edge_id FROM written_edge) GROUP BY node_id) m USING (node_id)
+        WHERE edge_id IN (SELECT edge_id FROM written_edge) GROUP BY node_id) s USING (node_id)
+    LEFT JOIN mini m USING (node_id)
     WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)
     ORDER BY place_id, node_id),
 every_node AS (
@@ -74,7 +80,8 @@ line AS (
     UNION ALL
     SELECT turn, id, xmlelement(name node, xmlattributes(name AS id,
         round((ST_X(n.geom) - x)::numeric, digits) AS x, round((ST_Y(n.geom) - y)::numeric, digits) AS y,
-        type, controller AS tl, CASE WHEN type <> 'right_before_left' THEN 'edgePriority' END AS "rightOfWay",
+        type, controller AS tl,
+        CASE WHEN type NOT IN ('right_before_left', 'left_before_right') THEN 'edgePriority' END AS "rightOfWay",
         '-1000,-1000 -1000,-1000 -1000,-1000' AS shape),
         CASE WHEN surface IS NOT NULL AND NOT ST_IsEmpty(surface) THEN xmlelement(name param, xmlattributes(
             'surface' AS key, streetgen._coordinates(ST_ExteriorRing(CASE ST_NumGeometries(surface)
@@ -238,7 +245,8 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
-    'one. With subject roundabout, accepted rings are roundabouts (edges). '
+    'one. With subject roundabout, accepted rings are roundabouts (edges). At a mini-roundabout who comes from the '
+    'left goes first (left_before_right), or from the right where one drives on the left. '
     'Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists '
     'them: an unknown one, another '
     'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
