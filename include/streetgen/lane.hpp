@@ -4,6 +4,7 @@
 // offset curves of the axis.  Where the width of an axis changes, their shares of it stay.  Where
 // the street goes on with another width past a side street, the lanes that begin or end there take
 // the change, and the others keep their width: on the side that turn marks say, else the outer one.
+// Merging lanes lie outside of the others, whose places do not depend on them.
 // Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
 // in the direction of the axis, and have no surface.
 // The line of a lane may be drawn by hand: it is taken as it is, and the lane's surface is the
@@ -11,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "streetgen/control_point.hpp"
@@ -19,7 +21,8 @@
 
 namespace streetgen {
 
-enum class LaneKind { general, bus, cycle, parking };
+// Merging lanes lie beside the others on a part of an edge only, where a ramp is.
+enum class LaneKind { general, bus, cycle, parking, merging };
 enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
 
 // How lanes are numbered: from the middle outwards, 1 the centre lane where there is one.
@@ -74,7 +77,7 @@ struct LaneSettings {
 
 struct Lane {
   int edge = 0;
-  int ordinality = 0;  // from 1, by LaneOrder
+  int ordinality = 0;  // from 1, by LaneOrder; merging lanes after all others
   int position = 0;    // from 1, at the left kerb
   LaneSide side = LaneSide::centre;
   bool along_axis = true;
@@ -88,6 +91,10 @@ struct Lane {
   MultiPolygon surface;
   unsigned turns = 0;
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand
+  // Metres along the edge where a merging lane begins and ends within the section; none: at the limit.
+  std::optional<double> start{}, end{};
+
+  bool reaches(bool at_start) const { return !(at_start ? start : end).has_value(); }
 };
 
 // A lane for both directions lies between two centre lines, but for cycle and parking lanes.

@@ -14,6 +14,7 @@
 #include "streetgen/kerb.hpp"
 #include "streetgen/method.hpp"
 #include "streetgen/network.hpp"
+#include "streetgen/ramp.hpp"
 #include "streetgen/road.hpp"
 #include "streetgen/width_profile.hpp"
 
@@ -175,6 +176,7 @@ struct Roadway {
   int importance = 99;
   double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
   WidthProfile profile{};  // where a change of width goes on within the section
+  std::vector<MergingStretch> merging{};  // in the order of the edge; none where limits crossed
 };
 
 // A surface as it was before the change.  The comparison tells what else the change moves.
@@ -230,6 +232,7 @@ class ChangeSpreads : public std::exception {
 struct Streets {
   Network network;
   std::vector<Roadway> roadways;  // one per edge
+  std::vector<Ramp> ramps;        // by node
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
   // What changed axes can change, and only for that sections and intersections come out: their

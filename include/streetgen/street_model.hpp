@@ -6,6 +6,7 @@
 #include "streetgen/interconnection.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/overpass.hpp"
+#include "streetgen/ramp.hpp"
 #include "streetgen/street.hpp"
 
 namespace streetgen {
@@ -25,6 +26,7 @@ struct StreetModelInput {
   StreetOverrides overrides;
   Former former;
   std::vector<LanesOfAxis> lanes;
+  RampRules ramps{};  // their lanes and the outer side follow from `lanes`
   std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;
   std::vector<ControlPoint> controls;

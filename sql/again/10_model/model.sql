@@ -219,7 +219,7 @@ BEGIN
     END IF;
     PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
         streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
-        streetgen._make_controller_override_table(model, srid),
+        streetgen._make_controller_override_table(model, srid), streetgen._make_ramp_override_table(model, srid),
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
         streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
@@ -429,7 +429,8 @@ BEGIN
         EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
             '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
             '%1$I.lane_adjacency_override, %1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
-            '%1$I.junction_override, %1$I.controller_override, %1$I.overpass_override, %1$I.road_override, '
+            '%1$I.junction_override, %1$I.ramp_override, %1$I.controller_override, '
+            '%1$I.overpass_override, %1$I.road_override, '
             '%1$I.height_override, '
             '%1$I.roundabout_override TO %2$I', model, role);
         FOR relation IN SELECT r FROM unnest(streetgen._object_table()) r

@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._subject_view() RETURNS TABLE(name name, su
     AS $$ VALUES ('signal_crossing'::name, 'signal'), ('conflict', 'junction'), ('right_of_way', 'junction'),
         ('movement', 'junction'), ('rim_marking', 'junction'), ('junction_link', 'junction'),
         ('junction_crossing', 'junction'), ('lane_group', 'lane'), ('lane_driving', 'lane'),
-        ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
+        ('ramp_path', 'ramp'), ('lane_interval', 'lane'), ('lane_adjacency', 'lane'), ('lane_extent', 'lane'),
         ('conflict', 'interconnection'), ('corner_on_kerb', 'kerb'), ('road_arc', 'alignment'),
         ('sidewalk_block', 'block'), ('sidewalk_block', 'sidewalk'), ('block_interior', 'block'),
         ('block_interior', 'sidewalk'), ('roundabout_block', 'block'), ('roundabout_block', 'roundabout') $$;
@@ -56,7 +56,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
            class_width, class_speed, class_importance, kerb_width,
            CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
-               OR any_sidewalk OR any_junction OR any_bend OR any_height
+               OR any_sidewalk OR any_junction OR any_bend OR any_height OR any_ramp
                THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
                SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
                    0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
@@ -79,6 +79,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                UNION ALL SELECT 7, junction_override_id, hash_record_extended(ROW(junction.geom::bytea, inside,
                    junction.kind), 0)
                    FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
+               UNION ALL SELECT 10, ramp_override_id, hash_record_extended(ROW(abscissa, tangent, length), 0)
+                   FROM %1$I.ramp_override WHERE any_ramp AND axis_id = a.axis_id
                UNION ALL SELECT 9, controller_override_id, hash_record_extended(ROW(controller.geom::bytea,
                    controller.program, cycle, start_offset, durations), 0)
                    FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
@@ -127,6 +129,7 @@ LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
     EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
     EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
     EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
+    EXISTS (SELECT FROM %1$I.ramp_override) AS any_ramp,
     EXISTS (SELECT FROM %1$I.height_override) AS any_height,
     EXISTS (SELECT FROM %1$I.control_point) AS any_control,
     EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
@@ -217,6 +220,9 @@ $sql$, model);
     END IF;
     IF 'junction' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_junction_views(model);
+    END IF;
+    IF 'ramp' = ANY (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_ramp_views(model);
     END IF;
     IF 'signal' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_signal_views(model);

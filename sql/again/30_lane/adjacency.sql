@@ -5,8 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_adjacency_views(model name) RETU
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.lane_extent WITH (security_invoker = true) AS
-SELECT l.lane_id, e.axis_id, e.edge_id, e.start_abscissa + least(f.at, t.at) AS start_abscissa,
-    e.start_abscissa + greatest(f.at, t.at) AS end_abscissa
+SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + least(f.at, t.at))
+        AS start_abscissa, coalesce(l.end_abscissa, e.start_abscissa + greatest(f.at, t.at)) AS end_abscissa
 FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
     JOIN %1$I.section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
     JOIN %1$I.section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
@@ -17,7 +17,7 @@ COMMENT ON VIEW %1$I.lane_extent IS 'Where each lane begins and ends along its a
 CREATE OR REPLACE VIEW %1$I.lane_adjacency WITH (security_invoker = true) AS
 SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id,
     CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
-    CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, x.start_abscissa, x.end_abscissa,
+    CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, p.start_abscissa, p.end_abscissa,
     CASE WHEN s.kind = 'centre' THEN 'opposite'
         WHEN d.change IS NOT NULL THEN d.change
         WHEN 'parking' IN (l.kind, r.kind) OR (l.kind = 'cycle') <> (r.kind = 'cycle') THEN 'forbidden'
@@ -25,10 +25,12 @@ SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_i
         WHEN s.dashed THEN 'allowed'
         ELSE 'forbidden' END AS change,
     s.kind <> 'centre' AND d.change IS NOT NULL AS by_hand, s.geom
-FROM %1$I.lane_separator s JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
-    JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)
+FROM %1$I.lane_separator s %2$s
     JOIN %1$I.edge e ON e.edge_id = s.edge_id
     JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
+    -- As far as both go: a merging lane is beside the others on a part of the edge.
+    CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, r.start_abscissa) AS start_abscissa,
+        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p
     LEFT JOIN %1$I.axis a ON a.axis_id = e.axis_id
     LEFT JOIN LATERAL (SELECT o.change FROM %1$I.lane_adjacency_override o
         WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
@@ -59,10 +61,29 @@ WHERE i.end_abscissa > i.start_abscissa AND o.end_abscissa > o.start_abscissa AN
 COMMENT ON VIEW %1$I.lane_interval IS
     'The adjacency intervals of the paper: from share s to share e of a lane, along the axis, lane l lies beside it, '
     'there from os to oe; where one may change'
-$sql$, model);
+$sql$, model, format(CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN streetgen._lanes_beside_merging()
+        ELSE $sql$JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
+    JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)$sql$ END, model));
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
     'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_beside_merging() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    -- Of two merging lanes on different parts of an edge the outer one lies beside the lanes that go all along.
+    AS $f$ SELECT $sql$JOIN %1$I.lane on_left ON (on_left.edge_id, on_left.lane_position) = (s.edge_id, s.lane_position)
+    JOIN %1$I.lane on_right ON (on_right.edge_id, on_right.lane_position)
+        = (s.edge_id, s.lane_position + 1)
+    CROSS JOIN LATERAL (SELECT on_left.kind = 'merging' AND on_right.kind = 'merging' AND (on_left.start_abscissa,
+        on_left.end_abscissa) IS DISTINCT FROM (on_right.start_abscissa, on_right.end_abscissa) AS apart) m
+    JOIN %1$I.lane l ON l.lane_id = CASE WHEN apart AND on_left.side = 'right' THEN (SELECT lane_id FROM %1$I.lane w
+        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position DESC LIMIT 1)
+        ELSE on_left.lane_id END
+    JOIN %1$I.lane r ON r.lane_id = CASE WHEN apart AND on_left.side = 'left' THEN (SELECT lane_id FROM %1$I.lane w
+        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position LIMIT 1)
+        ELSE on_right.lane_id END$sql$ $f$;
+COMMENT ON FUNCTION streetgen._lanes_beside_merging() IS
+    'The lanes l and r on both sides of each separator s, where a model has merging lanes.';
 
 CREATE OR REPLACE FUNCTION streetgen._may_change(word text, leftwards boolean) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
@@ -131,10 +152,16 @@ BEGIN
     EXECUTE format($sql$
 SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
     (SELECT max(abs(w.axis_offset)) + max(w.width) FROM %1$I.lane w WHERE w.edge_id = l.edge_id) AS widest
-FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) LEFT JOIN %1$I.lane o ON o.edge_id = l.edge_id
-    AND o.lane_position = l.lane_position + CASE $2 WHEN 'left' THEN -1 ELSE 1 END
+FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
+    -- The nearest one that is there: merging lanes lie on a part of the edge.
+    SELECT o.lane_id, o.geom FROM %1$I.lane o, (SELECT e.start_abscissa + ST_Length(e.geom) * ST_LineLocatePoint(
+        ST_Force2D(e.geom), ST_LineInterpolatePoint(l.geom, least(greatest($3 / ST_Length(l.geom), 0), 1))) AS at) p
+    WHERE o.edge_id = l.edge_id AND CASE $2 WHEN 'left' THEN l.lane_position - o.lane_position
+            ELSE o.lane_position - l.lane_position END > 0
+        AND coalesce(at >= o.start_abscissa, true) AND coalesce(at <= o.end_abscissa, true)
+    ORDER BY abs(o.lane_position - l.lane_position) LIMIT 1) o ON true
 WHERE l.lane_id = $1
-$sql$, model) INTO place USING lane, side;
+$sql$, model) INTO place USING lane, side, place_on_lane;
     IF place.line IS NULL THEN
         RAISE EXCEPTION 'there is no lane %', lane USING ERRCODE = '22023',
             HINT = format('SELECT lane_id FROM %I.lane lists them.', model);

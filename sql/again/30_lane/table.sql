@@ -12,10 +12,10 @@ BEGIN
                 lane_position integer NOT NULL,
             side text NOT NULL CHECK (side IN ('left', 'centre', 'right')), along_axis boolean NOT NULL,
             both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways),
-            kind text NOT NULL CHECK (kind IN ('general', 'bus', 'cycle', 'parking')), width float8 NOT NULL
+            kind text NOT NULL CHECK (kind IN ('general', 'bus', 'cycle', 'parking', 'merging')), width float8 NOT NULL
                 CHECK (width > 0), axis_offset float8 NOT NULL, turn text,
             geom geometry(LineString, %2$s) NOT NULL, surface geometry(MultiPolygon, %2$s) NOT NULL,
-                method text NOT NULL,
+                method text NOT NULL, start_abscissa float8, end_abscissa float8,
             UNIQUE (edge_id, ordinality))$t$,
         $t$CREATE INDEX lane_geom ON %1$I.lane USING gist (geom)$t$, $t$CREATE INDEX lane_surface ON %1$I.lane
             USING gist (surface)$t$,

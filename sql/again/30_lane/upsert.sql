@@ -5,9 +5,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'lane', named => true,
         columns => 'edge_id, ordinality, lane_position, side, along_axis, both_ways, kind, width, axis_offset, turn, '
-            'geom, surface, method', rows => $part$
+            'geom, surface, method, start_abscissa, end_abscissa', rows => $part$
         SELECT number, edge_id, axis_id, ordinality, lane_position, side, along_axis, both_ways, kind, width,
-               axis_offset, turn, geom, surface, method
+               axis_offset, turn, geom, surface, method, start_abscissa, end_abscissa
         FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l

@@ -58,11 +58,13 @@ BEGIN
     leg AS MATERIALIZED (
         SELECT * FROM ending e WHERE NOT EXISTS (SELECT FROM {model}.junction_edge j WHERE j.edge_id = e.edge_id)),
     way AS MATERIALIZED (
-        SELECT g.junction_id, g.edge_id, g.at_start, l.lane_id, l.along_axis AS along, l.kind, l.turn, l.lane_position,
+        SELECT g.junction_id, g.edge_id, g.at_start, l.lane_id, l.along_axis AS along,
+            CASE l.kind WHEN 'merging' THEN 'general' ELSE l.kind END AS kind, l.turn, l.lane_position,
             v.along AS driven_along, v.along <> g.at_start AS comes_in, l.geom
         FROM leg g JOIN {model}.lane l USING (edge_id) JOIN (VALUES (true), (false)) v(along)
             ON l.both_ways OR l.along_axis = v.along
-        WHERE l.kind <> 'parking')
+        -- A merging lane comes to one end of its edge only.
+        WHERE l.kind <> 'parking' AND CASE WHEN g.at_start THEN l.start_abscissa ELSE l.end_abscissa END IS NULL)
     SELECT * FROM streetgen._junction_movements(
         ARRAY(SELECT ROW (j.junction_id, j.surface::bytea)::streetgen.junction_ground FROM {model}.junction j
             WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id),
@@ -81,7 +83,7 @@ BEGIN
             FROM {model}.junction_edge j JOIN {model}.edge e USING (edge_id) LEFT JOIN LATERAL (
                 SELECT avg(l.axis_offset) FILTER (WHERE l.along_axis) AS along,
                     avg(l.axis_offset) FILTER (WHERE NOT l.along_axis OR l.both_ways) AS against
-                FROM {model}.lane l WHERE l.edge_id = e.edge_id AND l.kind <> 'parking') o ON true
+                FROM {model}.lane l WHERE l.edge_id = e.edge_id AND l.kind NOT IN ('parking', 'merging')) o ON true
             WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id, e.axis_id, e.start_abscissa),
         ARRAY(SELECT ROW (m.junction_id, i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out,
                 i.plausible)::streetgen.junction_step

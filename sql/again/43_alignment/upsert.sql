@@ -12,9 +12,26 @@ COMMENT ON FUNCTION streetgen._roads(streetgen.road_part[], bigint[], float8, st
     'm along the road; geom: COMPOUNDCURVE, EWKB. No edges (NULL): no row. Bad geometry, a number out of its range: '
     '22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_end(places jsonb) RETURNS jsonb
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT jsonb_build_object('ramp_end', streetgen._fill_template($part$
+-- A highway goes on past a ramp: there the link ends at a node of its own, minus that of the ramp.
+ramp_end AS MATERIALIZED (
+    SELECT edge_id, node_id FROM new_ramp
+    UNION ALL SELECT edge_id, node_id FROM {model}.ramp WHERE NOT {whole}
+        AND node_id NOT IN (SELECT node_id FROM new_node)),$part$, places),
+        'passed_ramps', 'EXCEPT SELECT node_id FROM ramp_end',
+        'from_node', 'CASE WHEN EXISTS (SELECT FROM ramp_end r WHERE (r.edge_id, r.node_id) = (e.edge_id, e.from_node))
+            THEN -e.from_node ELSE e.from_node END',
+        'to_node', 'CASE WHEN EXISTS (SELECT FROM ramp_end r WHERE (r.edge_id, r.node_id) = (e.edge_id, e.to_node))
+            THEN -e.to_node ELSE e.to_node END') $$;
+COMMENT ON FUNCTION streetgen._upsert_ramp_end(jsonb) IS
+    'Places of the part of roads where a model computes ramps: ramp_end, the links with the nodes of their ramps, and '
+    'what it means for roads.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_road_part(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._fill_template($part$
+    AS $$ SELECT streetgen._fill_template($part$ {ramp_end}
 -- Edges that meet what is written: whether a road goes on there may have changed.
 meeting_edge AS MATERIALIZED (
     SELECT e.edge_id FROM (SELECT node_id FROM new_node UNION SELECT node_id FROM left_node) n, LATERAL (
@@ -28,12 +45,12 @@ touched_road AS MATERIALIZED (
 far_end AS MATERIALIZED (
     SELECT unnest(ARRAY[r.from_node, r.to_node]) AS node_id FROM touched_road t,
         LATERAL (SELECT * FROM {model}.road o WHERE o.road_id = t.road_id OFFSET 0) r WHERE NOT r.closed
-    EXCEPT SELECT node_id FROM new_node),
+    EXCEPT SELECT node_id FROM new_node {passed_ramps}),
 road_part AS MATERIALIZED (
-    SELECT edge_id, axis_id, from_node, to_node, level, start_abscissa, end_abscissa,
+    SELECT edge_id, axis_id, {from_node} AS from_node, {to_node} AS to_node, level, start_abscissa, end_abscissa,
         coalesce(curve, geom)::bytea AS line
-    FROM new_edge
-    UNION ALL SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.level, e.start_abscissa, e.end_abscissa,
+    FROM new_edge e
+    UNION ALL SELECT e.edge_id, e.axis_id, {from_node}, {to_node}, e.level, e.start_abscissa, e.end_abscissa,
         coalesce(e.curve, e.geom)::bytea
     FROM (SELECT m.edge_id FROM touched_road t,
             LATERAL (SELECT edge_id FROM {model}.road_edge o WHERE o.road_id = t.road_id OFFSET 0) m
@@ -50,7 +67,8 @@ found_road AS MATERIALIZED (
 found_member AS MATERIALIZED (
     SELECT number, abs(edge) AS edge_id, position, edge > 0 AS along_road, start_abscissa
     FROM found_road, unnest(edges, start_abscissas) WITH ORDINALITY m(edge, start_abscissa, position))$part$,
-    places) $$;
+    places || CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._upsert_ramp_end(places) ELSE
+        '{"ramp_end": "", "passed_ramps": "", "from_node": "e.from_node", "to_node": "e.to_node"}' END) $$;
 COMMENT ON FUNCTION streetgen._upsert_road_part(jsonb) IS
     'Part of the one statement: found_road and found_member, the roads of what is written and of what goes on from it.';
 
@@ -59,7 +77,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_alignment(places jsonb) RETURNS tex
     AS $$ SELECT concat_ws(',', streetgen._upsert_road_part(places),
     streetgen._upsert_rows(places, 'road', named => true, columns => 'from_node, to_node, closed, length, geom',
         rows => $part$
-        SELECT coalesce(road_id, {next_id}) AS road_id, number, from_node, to_node, closed, length,
+        SELECT coalesce(road_id, {next_id}) AS road_id, number, abs(from_node) AS from_node, abs(to_node) AS to_node,
+            closed, length,
             geom::geometry AS geom
         FROM (SELECT f.*, heir.road_id FROM found_road f LEFT JOIN (
             -- Identity of roads: by their first edges.

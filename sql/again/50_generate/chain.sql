@@ -135,6 +135,9 @@ found_overpass AS MATERIALIZED (
     SELECT o.*, e.level < 0 AS sinks FROM {model}.overpass o JOIN {model}.edge e ON e.edge_id = o.edge_below)$part$,
             places);
     END IF;
+    IF 'ramp' = ANY (streetgen._subjects(model)) THEN
+        parts := parts || streetgen._fill_template('new_ramp AS MATERIALIZED (SELECT * FROM {model}.ramp)', places);
+    END IF;
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
         CONTINUE WHEN subject <> ALL (streetgen._subjects_at_end());
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;

@@ -7,14 +7,16 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     former_edges streetgen.former_edge[], former_nodes streetgen.former_node[], may_spread boolean DEFAULT true,
     subjects text[] DEFAULT '{lane,interconnection}', neighbours streetgen.street_neighbour[] DEFAULT NULL,
     controls streetgen.street_control[] DEFAULT NULL, overpasses streetgen.street_overpass[] DEFAULT NULL,
-    bends streetgen.street_bend[] DEFAULT NULL, circulations streetgen.street_circulation[] DEFAULT NULL)
+    bends streetgen.street_bend[] DEFAULT NULL, circulations streetgen.street_circulation[] DEFAULT NULL,
+    ramp_axes streetgen.street_ramp_axis[] DEFAULT NULL, ramps streetgen.street_ramp[] DEFAULT NULL)
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[],
     streetgen.street_limit[], streetgen.street_corner[],
     streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[], boolean,
         text[], streetgen.street_neighbour[], streetgen.street_control[], streetgen.street_overpass[],
-        streetgen.street_bend[], streetgen.street_circulation[])
+        streetgen.street_bend[], streetgen.street_circulation[], streetgen.street_ramp_axis[],
+        streetgen.street_ramp[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
@@ -22,7 +24,8 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
         'interconnection, kerb, overpass; words of SQL alone are passed over. neighbours: for kerbs, all surfaces '
         'near that '
-        'stay; NULL: unknown. No axes (NULL) or no subjects (NULL): NULL; any other '
+        'stay; NULL: unknown. ramp_axes: those that may be part of a ramp; without any there are no ramps. No axes '
+        '(NULL) or no subjects (NULL): NULL; any other '
         'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
         'or unknown, a geometry that is none: 22023.';
 
@@ -94,7 +97,8 @@ COMMENT ON FUNCTION streetgen._computed_intersection(bigint, bigint[]) IS
 CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text,
         along_axis boolean, both_ways boolean, kind text,
-        width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text)
+        width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text,
+        start_abscissa float8, end_abscissa float8)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
 COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
 
@@ -135,6 +139,15 @@ CREATE OR REPLACE FUNCTION streetgen._computed_overpass(streets bigint, edges bi
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_overpass';
 COMMENT ON FUNCTION streetgen._computed_overpass(bigint, bigint[]) IS
     'The overpasses of streets computed in this statement; abscissas along the edge, m.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_ramp(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, node_id bigint, edge_id bigint, edge_before bigint, edge_after bigint, kind text,
+        side text, lanes_before integer, lanes_ramp integer, lanes_after integer, lanes_missing integer,
+        lanes_merging integer, length float8, taper float8, tangent float8, auxiliary boolean, cut boolean,
+        short_link boolean, geom geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 20 AS 'MODULE_PATHNAME', 'streetgen_computed_ramp';
+COMMENT ON FUNCTION streetgen._computed_ramp(bigint, bigint[], bigint[]) IS
+    'The ramps of streets computed in this statement; columns as of table ramp.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
     RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)

@@ -89,6 +89,7 @@ computed AS MATERIALIZED (
             FROM former_node),
         may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
         neighbours => {neighbours}, overpasses => {overpasses},
+        ramp_axes => {ramp_axes}, ramps => {ramps},
         bends => (
             SELECT array_agg(ROW (axis_id, abscissa, radius)::streetgen.street_bend ORDER BY road_override_id)
             FROM {model}.road_override WHERE {whole} OR axis_id = ANY ($2))) AS streets)$part$,
@@ -98,6 +99,10 @@ computed AS MATERIALIZED (
             CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'
                 THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END,
             'overpasses', CASE WHEN places -> 'subjects' ? 'overpass'
-                THEN streetgen._upsert_overpass_override(places) ELSE 'NULL' END))) $$;
+                THEN streetgen._upsert_overpass_override(places) ELSE 'NULL' END,
+            'ramp_axes', CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._upsert_ramp_axis(places)
+                ELSE 'NULL' END,
+            'ramps', CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._upsert_ramp_override(places)
+                ELSE 'NULL' END))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
     'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

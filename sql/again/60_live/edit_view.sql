@@ -106,6 +106,13 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             ARRAY(SELECT s.duration FROM %1$I.signal_state s WHERE s.controller_id = c.controller_id
                 ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
         FROM %1$I.controller c$sql$, 'signal'),
+    ('ramp_editing', 'Edit layer: type the tangent of a ramp or the length of its merging lanes; DELETE takes back '
+        'what was decided by hand',
+        ARRAY['key', 'the link', 'on or off the highway', 'metres before and behind the bend into its lane',
+            'metres that merging lanes keep their width; 0: none', 'decided by hand; false takes it back',
+            'its node'],
+        $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, r.length, r.method = 'by_hand' AS by_hand, r.geom
+        FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id)$sql$, 'ramp'),
     ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
         'decided by hand',
         ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below', 'from roadway to roadway, metres',

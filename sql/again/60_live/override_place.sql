@@ -77,8 +77,8 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     AS $$
     SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
         OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'controller_override', 'road_override', 'height_override',
-            'lane_adjacency_override')
+            'control_point', 'junction_override', 'controller_override', 'road_override', 'ramp_override',
+            'height_override', 'lane_adjacency_override')
             AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS

@@ -140,6 +140,15 @@ new AS (
 UPDATE %1$I.road_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
 WHERE o.road_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.geom)$sql$
+        WHEN 'ramp_override' THEN $sql$,
+new AS (
+    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
+    FROM found f JOIN %1$I.ramp_override o ON o.ramp_override_id = f.override_id
+        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
+    WHERE f.relation = 'ramp_override')
+UPDATE %1$I.ramp_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
+WHERE o.ramp_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
+    n.geom)$sql$
         WHEN 'height_override' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
@@ -286,12 +295,13 @@ BEGIN
     IF 'lane' <> ALL (streetgen._subjects(model)) THEN
         RETURN 0;
     END IF;
-    EXECUTE format('SELECT count(*) FROM %1$I.lane JOIN %1$I.edge USING (edge_id) WHERE axis_id = $1 AND $2 >= '
-        'start_abscissa AND $2 < end_abscissa', model) INTO lanes USING axis, abscissa;
+    EXECUTE format('SELECT count(*) FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE axis_id = $1 '
+        'AND $2 >= e.start_abscissa AND $2 < e.end_abscissa AND l.kind <> ''merging''', model) INTO lanes
+        USING axis, abscissa;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_at(name, bigint, float8) IS
-    'Number of lanes of an axis at an abscissa, as generated last; 0 where there are none.';
+    'Number of lanes of an axis at an abscissa, without merging lanes, as generated last; 0 where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place geometry) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -339,7 +349,7 @@ DECLARE
         '{transition_override,lane_override,section_limit_override,sidewalk_override,kerb_point_override,'
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
-        'controller_override,road_override,height_override,lane_adjacency_override}';
+        'controller_override,road_override,ramp_override,height_override,lane_adjacency_override}';
     followed record;
 BEGIN
     EXECUTE format($sql$
@@ -354,6 +364,8 @@ UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id',
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
 UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.road_override
+UNION ALL SELECT 'ramp_override', ramp_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.ramp_override
 UNION ALL SELECT 'height_override', height_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
     FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.height_override
 UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8

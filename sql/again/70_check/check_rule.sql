@@ -69,9 +69,13 @@ bare AS MATERIALIZED (
       AND NOT (contested AND EXISTS (SELECT FROM not_made WHERE ST_DWithin(not_made.geom, middle, half))))$part$),
     (8, 'interconnection', 'with', $part$
 lane_node AS MATERIALIZED (
+    -- A merging lane ends, or begins, between two nodes.
     SELECT l.lane_id, l.geom, v.along, v.leaves, v.enters FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
-    JOIN LATERAL (VALUES (true, e.from_node, e.to_node), (false, e.to_node, e.from_node)) v(along, leaves,
-        enters) ON l.both_ways OR l.along_axis = v.along
+    JOIN LATERAL (VALUES (true, CASE WHEN l.start_abscissa IS NULL THEN e.from_node END,
+            CASE WHEN l.end_abscissa IS NULL THEN e.to_node END),
+        (false, CASE WHEN l.end_abscissa IS NULL THEN e.to_node END,
+            CASE WHEN l.start_abscissa IS NULL THEN e.from_node END)) v(along, leaves, enters)
+        ON l.both_ways OR l.along_axis = v.along
     WHERE l.kind <> 'parking')$part$),
     (9, 'network', 'with', $part$
 tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance')$part$),
@@ -351,6 +355,16 @@ SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'tu
     (72, 'junction', 'rule', $part$
 SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
     FROM %1$I.junction_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$),
+    (94, 'ramp', 'rule', $part$
+SELECT 'notice', 'merging lane cut by the next junction, m', 'ramp', r.ramp_id, r.length, r.geom FROM %1$I.ramp r
+    WHERE r.cut$part$),
+    (95, 'ramp', 'rule', $part$
+SELECT 'notice', 'link shorter than the tangent of its ramp, m', 'ramp', r.ramp_id, ST_Length(e.geom), r.geom
+    FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id) WHERE r.short_link$part$),
+    (96, 'ramp', 'rule', $part$
+SELECT 'warning', 'ramp override without its ramp', 'ramp_override', o.ramp_override_id, o.abscissa, o.geom
+    FROM %1$I.ramp_override o WHERE NOT EXISTS (SELECT FROM %1$I.ramp r,
+        LATERAL streetgen._ramp_stretch(%1$L, r.ramp_id) s WHERE s.axis_id = o.axis_id AND o.abscissa BETWEEN s.low AND s.high)$part$),
     (58, 'lane', 'rule', $part$
 SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
     FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
@@ -446,7 +460,7 @@ SELECT 'error', 'edges of a road do not follow each other', 'road', m.road_id, m
     (73, 'alignment', 'rule', $part$
 SELECT 'error', 'road goes through a node of other degree than two', 'road', m.road_id, d.degree, n.geom
     FROM member m JOIN degree d ON d.node_id = m.first_node JOIN %1$I.node n ON n.node_id = m.first_node
-    WHERE m.position > 1 AND d.degree <> 2$part$),
+    WHERE m.position > 1 AND d.degree <> 2 AND NOT streetgen._is_ramp(%1$L, d.node_id)$part$),
     (74, 'alignment', 'rule', $part$
 SELECT 'error', 'road ends at a node of degree two', 'road', r.road_id, 2, n.geom
     FROM %1$I.road r JOIN degree d ON d.node_id IN (r.from_node, r.to_node) JOIN %1$I.node n USING (node_id)

@@ -84,6 +84,8 @@ CREATE OR REPLACE FUNCTION streetgen._summary_part() RETURNS TABLE(place integer
     (SELECT 'edges in junctions, ' || role, count(*), NULL FROM %1$I.junction_edge GROUP BY role ORDER BY role)$part$),
     (43, 'junction', $part$
     SELECT 'paths across junctions, plausible', count(*), NULL FROM %1$I.junction_movement WHERE plausible$part$),
+    (45, 'ramp', $part$
+    (SELECT 'ramps, ' || kind, count(*), NULL FROM %1$I.ramp GROUP BY kind ORDER BY kind)$part$),
     (44, 'signal', $part$
     (SELECT 'controllers, ' || method, count(*), NULL FROM %1$I.controller GROUP BY method ORDER BY method)$part$),
     (99, 'network', $part$

@@ -65,6 +65,9 @@ CREATE OR REPLACE FUNCTION streetgen._export_layer()
         'controller, lane_id AS lane, along_axis AS along, angle', 'geom', 'signal_head'),
     (61, 'controllers', 'POINT', false, 'controller_id AS id, program, cycle, start_offset AS offset_s, method',
         'geom', 'controller'),
+    (42, 'ramps', 'POINT', false, 'ramp_id AS id, node_id, edge_id, edge_before AS before, edge_after AS after, kind, '
+        'side, lanes_missing AS missing, lanes_merging AS merging, length, taper, tangent, auxiliary, cut, method',
+        'geom', 'ramp'),
     (55, 'overpasses', 'POINT', false, 'overpass_id AS id, edge_above, abscissa_above AS at_above, edge_below, '
         'abscissa_below AS at_below, clearance, method', 'geom', 'overpass'),
     (56, 'profiles', 'LINESTRINGZ', false, 'edge_id AS id, grade_max, method', 'geom', 'profile'),

@@ -2,6 +2,7 @@
 
 #include "pipeline/invariants.hpp"
 #include "streetgen/streets.hpp"
+#include "traffic/ramp_lanes.hpp"
 
 namespace streetgen {
 
@@ -18,8 +19,10 @@ std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInp
 
 StreetModel street_model(const StreetModelInput& input) {
   StreetModel model;
-  model.streets =
-      streets(input.axes, input.settings, input.overrides, input.former, input.subjects.kerb);
+  RampRules ramps = input.ramps;
+  count_ramp_lanes(ramps, input.axes, input.lanes, input.lane_settings);
+  model.streets = streets(input.axes, input.settings, input.overrides, input.former,
+                          input.subjects.kerb, ramps);
   if (input.subjects.lane) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
                         input.controls, input.circulations);

@@ -7,6 +7,7 @@
 #include "ownership/settle_owners.hpp"
 #include "pipeline/invariants.hpp"
 #include "roadway/find_affected.hpp"
+#include "roadway/find_ramps.hpp"
 #include "roadway/layout.hpp"
 #include "roadway/settle_limits.hpp"
 #include "roadway/solve_corners.hpp"
@@ -30,9 +31,11 @@ void stay_within(const Streets& streets, const Former& former) {
 }  // namespace
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
-                const StreetOverrides& overrides, const Former& former, bool with_kerbs) {
+                const StreetOverrides& overrides, const Former& former, bool with_kerbs,
+                const RampRules& ramps) {
   Layout layout(axes, settings, overrides.bends);
   check_network(layout.streets.network);
+  find_ramps(layout, ramps);
   solve_corners(layout, radii_by_hand(layout, overrides.corners));
   check_corners(layout.streets);
   settle_limits(layout, limits_by_hand(layout, overrides.limits));

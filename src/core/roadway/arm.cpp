@@ -5,6 +5,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -12,11 +13,24 @@ double Arm::reach() const {
   return std::max({half_start, half_end, widest}) + std::abs(roadway_offset);
 }
 
+double Arm::end_to(int side) const {
+  const double added = merging.empty() ? 0 : merging_at(length(line), side);
+  return half_end + side * roadway_offset + added;
+}
+
 double half_at(const Arm& arm, double abscissa, int side) {
-  const double start = arm.start_to(side);
-  if (arm.half_start == arm.half_end) return start;
-  const double total = length(arm.line);
-  return start + (arm.end_to(side) - start) * std::clamp(abscissa / total, 0.0, 1.0);
+  const double start = arm.half_start + side * arm.roadway_offset;
+  const double added = arm.merging_at(abscissa, side);
+  if (arm.half_start == arm.half_end) return start + added;
+  const double share = std::clamp(abscissa / length(arm.line), 0.0, 1.0);
+  return start + (arm.half_end + side * arm.roadway_offset - start) * share + added;
+}
+
+std::pair<double, double> halves(const Arm& arm, double u, double v, int side) {
+  if (arm.merging.empty()) return {arm.start_to(side), arm.end_to(side)};
+  const double from = half_at(arm, u, side);
+  if (u == v) return {from, from};
+  return WidthProfile::extended(u, from, v, half_at(arm, v, side), length(arm.line));
 }
 
 double half_towards(const Arm& arm, const Point& place) {

@@ -1,8 +1,12 @@
 // The streets about a node: one arm for each edge end, one gap between neighbouring arms.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "streetgen/corner.hpp"
 #include "streetgen/geometry.hpp"
+#include "streetgen/ramp.hpp"
 
 namespace streetgen {
 
@@ -15,10 +19,18 @@ struct Arm {
   Line border{};      // at the limit: left and right kerb, seen from the node
   double widest = 0;  // metres, of what a change of width adds within the section
   double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
+  std::vector<MergingStretch> merging{};  // seen from the node
 
   // From the line to the kerb on one side, metres; +1: left, seen from the node, -1: right.
-  double start_to(int side) const { return half_start + side * roadway_offset; }
-  double end_to(int side) const { return half_end + side * roadway_offset; }
+  double start_to(int side) const { return half_start + side * roadway_offset + merging_at(0, side); }
+  double end_to(int side) const;
+  // What merging lanes add on a side, metres.
+  double merging_at(double abscissa, int side) const {
+    double added = 0;
+    for (const MergingStretch& stretch : merging)
+      if (stretch.side == side) added += stretch.width_at(abscissa);
+    return added;
+  }
   // The farthest kerb.
   double reach() const;
 };
@@ -30,11 +42,14 @@ struct Gap {
   double angle = 0;     // counter-clockwise about the node, radians; over pi outside a bend
   bool sharp = false;   // no arc is wanted
   bool tapers = false;  // the kerb goes on from one limit to the other as the width changes
+  bool direct = false;  // it tapers straight from limit to limit
   Polygon beyond{};     // the ground between both kerbs and an arc that lies beyond an arm's end
 };
 
 // From the line to the kerb on one side.
 double half_at(const Arm& arm, double abscissa, int side);
+// The same at the arm's start and end, if it changed as it does between two abscissas.
+std::pair<double, double> halves(const Arm& arm, double u, double v, int side);
 // From the line to the kerb on the side of a place, at the arm's start.
 double half_towards(const Arm& arm, const Point& place);
 // Whether an arm goes on as the other with both kerbs in one line.

@@ -13,7 +13,9 @@ namespace {
 
 bool same_half(double a, double b) { return std::abs(a - b) <= same_width; }
 
-bool widens(const Arm& arm) { return !same_half(arm.half_start, arm.half_end); }
+bool widens(const Arm& arm) {
+  return !arm.merging.empty() || !same_half(arm.half_start, arm.half_end);
+}
 
 // Whether a street goes on from one arm's end as the other with both kerbs in one line.
 bool keeps_width(const Arm& last, const Arm& next) {

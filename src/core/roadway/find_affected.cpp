@@ -83,6 +83,20 @@ class Change {
       for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
       if (kept[e] != nullptr) compare(e, *kept[e]);
+    for (const Ramp& ramp : layout_.streets.ramps)
+      if (met_[ramp.node] && ramp.missing > 0) compare_merging(ramp.merging_edge(), kept);
+  }
+
+  // Limits do not tell how far merging lanes go beyond them.
+  void compare_merging(int e, const std::vector<const FormerEdge*>& kept) {
+    if (kept[e] == nullptr) return;
+    if (!moved_.edges[e]) {
+      moved_.edges[e] = true;
+      moved_.sections[e] = nullptr;
+      given_up_.push_back({&kept[e]->section, false});
+    }
+    move_end(e, edges_[e].from_node);
+    move_end(e, edges_[e].to_node);
   }
 
   // The same stretch of an axis may get another line, and the same line may be another stretch.

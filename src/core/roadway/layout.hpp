@@ -19,6 +19,7 @@ struct Junction {
   int along = 0;              // index in ends: the axis that the transition is seen along
   bool straight = false;      // two edges go on so straight that nothing lies between them
   std::vector<int> followed;  // further nodes that a corner looked at
+  int ramp = -1;              // its place in Streets::ramps; -1: it is none
 
   const EdgeEnd& next(std::size_t i) const { return ends[(i + 1) % ends.size()]; }
   bool dead_end() const { return ends.size() == 1; }

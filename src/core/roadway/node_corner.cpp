@@ -38,18 +38,24 @@ std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
   const bool beside = a.roadway_offset != 0 || b.roadway_offset != 0;
   const bool at_node = found && (found->abscissa_a == 0 || found->abscissa_b == 0);
   if (!beside || !at_node || cross(a.line[1] - a.line[0], b.line[1] - b.line[0]) <= 0) return found;
-  const double by = 4 * (a.reach() + b.reach() + radius);
-  auto behind = corner_arc(led_back(a, by), led_back(b, by), width_a, width_b, radius);
-  if (!behind) return found;
-  behind->abscissa_a -= by;
-  behind->abscissa_b -= by;
-  return behind;
+  const auto behind = corner_behind(a, b, radius);
+  return behind ? behind : found;
 }
 std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radius_limit) {
   return max_corner_radius(a.line, b.line, 2 * a.start_to(+1), 2 * b.start_to(-1), radius_limit);
 }
 
 }  // namespace
+
+std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius) {
+  const double by = 4 * (a.reach() + b.reach() + radius);
+  auto behind = corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1),
+                           2 * b.start_to(-1), radius);
+  if (!behind) return std::nullopt;
+  behind->abscissa_a -= by;
+  behind->abscissa_b -= by;
+  return behind;
+}
 
 double angle_between(const Arm& a, const Arm& b) {
   const double from = heading(a, std::min(1.0, length(a.line)));

@@ -41,6 +41,9 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
 // Whether a corner can have an arc beyond its arms' ends: it is none that is nearly straight.
 bool may_follow(const Arm& a, const Arm& b);
 
+// The corner of two arms that run straight on behind their node: abscissas are negative there.
+std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius);
+
 // The same on the axes that go on from the arms' ends: an arc beyond the arms' own lengths, if
 // there is one.  Failure 3 of the paper.
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,

@@ -43,7 +43,7 @@ class SectionTapers {
 
   void give() {
     for (std::size_t e = 0; e < by_edge_.size(); ++e)
-      if (!by_edge_[e].empty())
+      if (!by_edge_[e].empty() || !layout_.arms[2 * e].merging.empty())
         layout_.streets.roadways[e].profile = profile_of(static_cast<int>(e));
   }
 
@@ -116,6 +116,8 @@ class SectionTapers {
       (taper.limit < taper.until ? profile.beyond_start : profile.beyond_end) = {
           taper.beyond.edge, taper.beyond.at_start};
     }
+    for (const MergingStretch& stretch : layout_.arms[2 * e].merging)
+      abscissas.insert({stretch.from, stretch.full_from, stretch.full_to, stretch.to});
     for (const double abscissa : abscissas)
       profile.places.push_back({abscissa, half_on(e, +1, abscissa), half_on(e, -1, abscissa)});
     return profile;

@@ -4,6 +4,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "roadway/find_ramps.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/section_taper.hpp"
 
@@ -103,6 +104,7 @@ void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
   layout.streets.limits.reserve(layout.arms.size());
   part_by_hand(layout, by_hand);
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
+  settle_merging_lanes(layout);
   taper_sections(layout);
   join_borders(layout);
   for (SectionLimit& limit : layout.streets.limits) {

@@ -6,6 +6,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "roadway/continued_course.hpp"
+#include "roadway/find_ramps.hpp"
 #include "roadway/island.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/nose.hpp"
@@ -61,8 +62,12 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
 
 double wanted_at(const Layout& layout, const CornerPlace& at) {
   const Junction& junction = layout.junctions[at.node];
-  return wanted_radius(layout.axis_of(junction.ends[at.gap].edge),
-                       layout.axis_of(junction.next(at.gap).edge), layout.settings.radius_rule);
+  const double wanted =
+      wanted_radius(layout.axis_of(junction.ends[at.gap].edge),
+                    layout.axis_of(junction.next(at.gap).edge), layout.settings.radius_rule);
+  return ramp_corner(layout, junction, at.gap) == RampCorner::nose
+             ? std::min(wanted, layout.settings.island_nose_radius)
+             : wanted;
 }
 
 // As the axes want them.
@@ -114,6 +119,47 @@ void make_tapers(const Layout& layout, SolvedCorners& solved) {
       corner.method = Method::transition;
       corner.gap.angle = angle;
       corner.gap.tapers = true;
+    }
+  }
+}
+
+// The limit of an end as its corners ask for it, but for the outer one of a ramp.
+double limit_by_corners(const Layout& layout, const EdgeEnd& end, const SolvedCorners& solved) {
+  const Edge& edge = layout.streets.network.edges[end.edge];
+  const int node = end.at_start ? edge.from_node : edge.to_node;
+  const Junction& junction = layout.junctions[node];
+  if (junction.transition) return transition_limit(layout.arm(end), *junction.transition->length);
+  double limit = 0;
+  for (std::size_t i = 0; i < solved[node].size(); ++i) {
+    if (ramp_corner(layout, junction, i) == RampCorner::outer) continue;
+    if (slot(junction.ends[i]) == slot(end)) limit = std::max(limit, solved[node][i].limit_a);
+    if (slot(junction.next(i)) == slot(end)) limit = std::max(limit, solved[node][i].limit_b);
+  }
+  return limit;
+}
+
+// The outer kerb of a ramp is that of the link up to its bend, and that of the highway from there on;
+// straight where the link has no room for it.
+void bend_ramps(const Layout& layout, SolvedCorners& solved) {
+  for (const Ramp& ramp : layout.streets.ramps) {
+    const Junction& junction = layout.junctions[ramp.node];
+    const EdgeEnd link{ramp.link, ramp.link_at_start}, far{ramp.link, !ramp.link_at_start};
+    const double nose = limit_by_corners(layout, link, solved);
+    const double room = room_on_link(layout, ramp, limit_by_corners(layout, far, solved));
+    for (std::size_t i = 0; i < junction.ends.size(); ++i) {
+      if (ramp_corner(layout, junction, i) != RampCorner::outer) continue;
+      const auto kerb = outer_kerb(layout, junction, i, nose, room);
+      SolvedCorner& corner = solved[ramp.node][i];
+      const double angle = corner.gap.angle;
+      corner = {};
+      corner.gap.angle = angle;
+      corner.method = Method::transition;
+      corner.gap.meets = kerb.has_value();
+      corner.gap.tapers = corner.gap.direct = !kerb;
+      if (!kerb) continue;
+      corner.gap.corner = *kerb;
+      corner.limit_a = std::max(0.0, kerb->abscissa_a);
+      corner.limit_b = std::max(0.0, kerb->abscissa_b);
     }
   }
 }
@@ -232,6 +278,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   SolvedCorners solved = solve_all(layout);
   if (layout.settings.island_area > 0) keep_islands(layout, solved);
   if (!layout.settings.transition.length) make_tapers(layout, solved);
+  bend_ramps(layout, solved);
   solve_by_hand(layout, by_hand, solved);
   for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
     Junction& junction = layout.junctions[n];
@@ -255,6 +302,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
     }
   }
   yield_to_corners(layout);
+  extend_limits(layout);
 }
 
 }  // namespace streetgen

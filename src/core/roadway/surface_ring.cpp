@@ -16,6 +16,8 @@ namespace streetgen {
 namespace {
 
 constexpr int corner_quarter = 16;
+constexpr double coarsest = 60;  // metres: a greater radius has more chords
+constexpr int most_finer = 16;
 constexpr int join_quarter = 8;
 
 // A ring in the making; `whole` ends once a piece did not fit.
@@ -25,8 +27,8 @@ struct Outline {
 
   // The kerb's inner points: a border line or a corner already gave an end where one is left out.
   void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
-    follow(kerb_line(arm.line, u, v, arm.start_to(side), arm.end_to(side), side), with_first,
-           with_last);
+    const auto [start, end] = halves(arm, u, v, side);
+    follow(kerb_line(arm.line, u, v, start, end, side), with_first, with_last);
   }
   void follow(const KerbLine& kerb, bool with_first, bool with_last) {
     whole = whole && kerb.whole;
@@ -42,7 +44,8 @@ struct Outline {
 };
 
 Point kerb_at_node(const Arm& arm, int side) {
-  return kerb_line(arm.line, 0, 0, arm.start_to(side), arm.end_to(side), side).line.front();
+  const auto [start, end] = halves(arm, 0, 0, side);
+  return kerb_line(arm.line, 0, 0, start, end, side).line.front();
 }
 
 // An arc that starts where a border line ends starts at that end.
@@ -53,7 +56,9 @@ void append_corner(Ring& ring, const CornerArc& corner) {
     // Clockwise about its centre, but for the slight outside of a nearly straight pair.
     const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
     const bool outside = cross(from, to) > 0 && dot(from, to) > 0;
-    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside, corner_quarter);
+    const int finer = std::max(1, static_cast<int>(std::ceil(std::sqrt(corner.radius / coarsest))));
+    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside,
+               corner_quarter * std::min(finer, most_finer));
   }
   ring.push_back(corner.arc.end);
 }
@@ -96,7 +101,7 @@ KerbLine tapering_kerb(const Arm& a, const Arm& b) {
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
   if (gap.tapers) {
-    outline.follow(tapering_kerb(a, b), false, false);
+    if (!gap.direct) outline.follow(tapering_kerb(a, b), false, false);
     return;
   }
   if (!gap.meets) {
@@ -128,10 +133,24 @@ Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
   Ring ring = planar(substring(a.line, 0, std::max(0.0, gap.corner.abscissa_a)));
   if (gap.corner.abscissa_a == 0)
     append_round_end(ring, ring.front(), kerb_at_node(a, +1), gap.corner.arc.start);
+  else if (gap.corner.abscissa_a < 0)
+    ring.push_back(kerb_at_node(a, +1));
   append_corner(ring, gap.corner);
   const Line back = planar(substring(b.line, std::max(0.0, gap.corner.abscissa_b), 0));
   if (gap.corner.abscissa_b == 0)
     append_round_end(ring, back.back(), gap.corner.arc.end, kerb_at_node(b, -1));
+  else if (gap.corner.abscissa_b < 0)
+    ring.push_back(kerb_at_node(b, -1));
+  ring.insert(ring.end(), back.begin(), back.end());
+  return {closed(std::move(ring))};
+}
+
+// Between two axes and the line from the left end of one border to the right end of the other.
+Polygon between_axes(const Arm& a, const Arm& b) {
+  Ring ring = planar(substring(a.line, 0, a.limit));
+  ring.push_back(a.border[0]);
+  ring.push_back(b.border[1]);
+  const Line back = planar(substring(b.line, b.limit, 0));
   ring.insert(ring.end(), back.begin(), back.end());
   return {closed(std::move(ring))};
 }
@@ -357,7 +376,9 @@ KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v
 WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i) {
   const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
   const Arm& arm = arms[i];
-  if (!gaps[i].tapers && !gaps[last].tapers) return {};
+  const bool on_left = gaps[i].tapers && !gaps[i].direct;
+  const bool on_right = gaps[last].tapers && !gaps[last].direct;
+  if (!on_left && !on_right) return {};
   WidthProfile::Place node = place_at(arm, 0), limit = place_at(arm, arm.limit);
   const auto taper = [&](double WidthProfile::Place::*side, const Point& end, const Arm& other,
                          const Point& other_end) {
@@ -365,9 +386,9 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
     limit.*side = half;
     node.*side = half + (other_half - half) * arm.limit / (arm.limit + other.limit);
   };
-  if (gaps[i].tapers)
+  if (on_left)
     taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
-  if (gaps[last].tapers)
+  if (on_right)
     taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
   WidthProfile profile;
   profile.places = {node, limit};
@@ -449,7 +470,10 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
     if (a.limit > 0)
       parts.push_back(arm_pieces(a, tapered(arms, gaps, i), 0, a.limit, {}, a.border));
-    if (gaps[i].meets) {
+    if (gaps[i].direct) {
+      MultiPolygon ground{between_axes(a, b)};
+      if (!ground.front().front().empty() && geos.valid(ground)) parts.push_back(std::move(ground));
+    } else if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
     } else if (rounds(a, b, gaps[i])) {

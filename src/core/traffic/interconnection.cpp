@@ -20,6 +20,8 @@ namespace streetgen {
 namespace {
 
 constexpr double same_direction = 1e-3;  // radians
+constexpr double ramp_cosine = 0.5;     // of a ramp and its highway
+constexpr double finest_turn = 0.1;     // degrees between chords of a ramp
 
 // From the place of the first point to the next place; zero where there is none.
 template <class At>
@@ -52,6 +54,7 @@ class Builder {
           const std::vector<Circulation>& circulations)
       : streets_(streets), lanes_(lanes), settings_(settings), circulations_(circulations) {
     for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
+    for (const Ramp& ramp : streets.ramps) ramps_.emplace(ramp.node, &ramp);
     const auto& edges = streets.network.edges;
     of_edge_.resize(edges.size());
     for (std::size_t i = 0; i < lanes.size(); ++i) {
@@ -86,7 +89,7 @@ class Builder {
     const EdgeLanes& own = of_edge_[edge];
     for (std::size_t i = own.first; i < own.first + own.count; ++i) {
       const Lane& lane = lanes_[i];
-      if (lane.kind == LaneKind::parking) continue;
+      if (lane.kind == LaneKind::parking || !lane.reaches(at_start)) continue;
       if (lane.both_ways || lane.along_axis == at_start) leg.out.push_back(static_cast<int>(i));
       if (lane.both_ways || lane.along_axis != at_start) leg.in.push_back(static_cast<int>(i));
     }
@@ -123,7 +126,9 @@ class Builder {
 
   LaneEnd end_of(int index, const NodeLeg& leg, bool comes_in) const {
     const Lane& lane = lanes_[index];
-    LaneEnd end{lane.kind, lane.turns, {}, {}};
+    // Whoever merges drives as on any lane.
+    const LaneKind kind = lane.kind == LaneKind::merging ? LaneKind::general : lane.kind;
+    LaneEnd end{kind, lane.turns, {}, {}};
     end.place = planar(leg.at_start ? lane.line.front() : lane.line.back());
     end.direction = direction_at(lane, leg.at_start) * (runs_along(leg, comes_in) ? 1 : -1);
     return end;
@@ -247,10 +252,31 @@ class Builder {
         [&](const Interconnection& a, const Interconnection& b) { return place(a) < place(b); });
   }
 
+  // Tangent to both lanes, in chords that turn too little to be felt.
+  Trajectory ramp_path(const LaneToNode& in, const LaneToNode& out) const {
+    const auto by = [&](double tolerance) {
+      return tangent_trajectory({in.end.place - in.end.direction, in.end.place},
+                                {out.end.place, out.end.place - out.end.direction},
+                                TrajectoryRule::arcs, tolerance);
+    };
+    Trajectory path = by(settings_.tolerance);
+    // A chord leaves its arc by the square of its turn.
+    const double coarse = sharpest_turn(path.line) / finest_turn;
+    return coarse > 1 ? by(settings_.tolerance / (coarse * coarse)) : path;
+  }
+
+  // The ramp of a node whose link is one of two edges there; none otherwise.
+  const Ramp* ramp_of(int node, int from, int to) const {
+    const auto found = ramps_.find(node);
+    if (found == ramps_.end()) return nullptr;
+    const int link = found->second->link;
+    return link == from || link == to ? found->second : nullptr;
+  }
+
   // The widest path that the rule gives, clear of the kerbs and without a corner; else a path that
   // turns later, or one of arcs.
   Trajectory path_between(int node, const LaneToNode& in, const LaneToNode& out,
-                          const Kerbs& kerbs) const {
+                          const Kerbs& kerbs, bool on_ramp) const {
     const TrajectoryRule rule = settings_.rule, arcs = TrajectoryRule::arcs;
     const auto direct = [&](TrajectoryRule by, double radius) {
       return trajectory({in.end.place - in.end.direction, in.end.place},
@@ -262,6 +288,9 @@ class Builder {
     };
     const bool papers = rule == TrajectoryRule::bezier && settings_.least_radius == 0;
     PathChoice choice(kerbs, in.border, out.border, papers);
+    // Both directions lead to the node.
+    if (on_ramp && dot(in.end.direction, out.end.direction) < -ramp_cosine &&
+        choice.offer(ramp_path(in, out))) return choice.best();
     if (papers) {
       if (!choice.offer(direct(rule, 0))) choice.offer(late(rule));
       return choice.best();
@@ -275,6 +304,8 @@ class Builder {
   std::vector<Interconnection> draw(int node, const std::vector<Leg>& ends, const Kerbs& kerbs,
                                     Movement& movement) const {
     const NodeLeg &from = legs_[node][movement.from], &to = legs_[node][movement.to];
+    const Ramp* ramp = ramp_of(node, from.edge, to.edge);
+    if (ramp != nullptr) movement.side = ramp->side;
     movement.least_radius =
         speed_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
     std::vector<Interconnection> pairs;
@@ -291,7 +322,7 @@ class Builder {
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
         Trajectory path = path_between(node, to_node(from.in[i], in, from, true, movement.from),
-                                       to_node(to.out[o], out, to, false, movement.to), kerbs);
+                                       to_node(to.out[o], out, to, false, movement.to), kerbs, ramp != nullptr);
         pair.control = path.control;
         pair.line = std::move(path.line);
         movement.radius.push_back(quarter_radius(pair.line));
@@ -331,6 +362,7 @@ class Builder {
   const InterconnectionSettings& settings_;
   const Circulations circulations_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
+  std::unordered_map<int, const Ramp*> ramps_;  // by node
   std::vector<EdgeLanes> of_edge_;
   std::vector<std::vector<NodeLeg>> legs_;  // by node, in the order of edges
   std::map<int, std::vector<const TurnRestriction*>> restrictions_;

@@ -36,6 +36,7 @@ LaneStrip strip_of(const Streets& streets, int e) {
                   roadway.roadway_offset};
   if (!limits_crossed(streets, e)) {
     strip.profile = roadway.profile;
+    strip.merging = roadway.merging;
     return strip;
   }
   const double total = length(strip.axis);
@@ -77,71 +78,151 @@ bool drives(const LaneWish& wish) {
   return wish.kind == LaneKind::general || wish.kind == LaneKind::bus;
 }
 
-struct LineBetween {
-  SeparatorKind kind = SeparatorKind::edge;
-  bool dashed = false;
-};
-
-// Into and out of a lane that both directions use one may cross the line, a centre line too.
-LineBetween line_between(const std::vector<LaneWish>& wishes, int position) {
-  if (position == 0 || position == static_cast<int>(wishes.size())) return {};
-  const LaneWish &left = wishes[position - 1], &right = wishes[position];
-  if (left.both_ways || right.both_ways) {
-    const bool parts = left.both_ways != right.both_ways && drives(left) && drives(right);
-    return {parts ? SeparatorKind::centre : SeparatorKind::same_direction, true};
-  }
-  if (left.along_axis == right.along_axis) return {SeparatorKind::same_direction, true};
-  return {SeparatorKind::centre, std::count_if(wishes.begin(), wishes.end(), drives) <= 2};
-}
-
 // The lanes of one edge with the lines between them.
 struct EdgeLanes {
   std::vector<Lane> lanes;
   std::vector<LaneSeparator> separators;
 };
 
+// A lane in its place across the roadway; a merging lane with its stretch.
+struct PlacedLane {
+  LaneWish wish;
+  int ordinality = 0;
+  LaneSide side = LaneSide::centre;
+  const MergingStretch* stretch = nullptr;
+};
+
+LaneWish merging_wish(const MergingStretch& stretch) {
+  const bool right = (stretch.side < 0) == stretch.along_axis;
+  LaneWish wish{LaneKind::merging, stretch.along_axis, false, stretch.width / stretch.lanes};
+  if (stretch.leaves)
+    wish.turns = right ? turn::slight_right : turn::slight_left;
+  else
+    wish.turns = right ? turn::merge_left : turn::merge_right;
+  return wish;
+}
+
+// From the left kerb to the right one, merging lanes outside.
+std::vector<PlacedLane> placed_lanes(const LaneStrip& strip, const std::vector<LaneWish>& wishes,
+                                     LaneOrder order) {
+  const int count = static_cast<int>(wishes.size());
+  std::vector<PlacedLane> placed;
+  int last = count;
+  const auto add_merging = [&](int side) {
+    for (const MergingStretch& stretch : strip.merging)
+      for (int i = 0; stretch.side == side && i < stretch.lanes; ++i)
+        placed.push_back({merging_wish(stretch), ++last,
+                          side > 0 ? LaneSide::left : LaneSide::right, &stretch});
+  };
+  add_merging(+1);
+  for (int p = 1; p <= count; ++p)
+    placed.push_back({wishes[p - 1], ordinality_of(p, count, order), side_of(p, count)});
+  add_merging(-1);
+  return placed;
+}
+
+// The part of a strip on which a merging lane lies.
+LaneStrip part_of(const LaneStrip& strip, const MergingStretch& stretch) {
+  LaneStrip part = strip;
+  const auto across = [&](double abscissa) {
+    const WidthProfile::Place place = strip.profile.at(abscissa);
+    return border_line(strip.axis, abscissa, place.left + place.right,
+                       (place.left - place.right) / 2);
+  };
+  if (!stretch.begins_at_limit()) {
+    part.from = stretch.from;
+    part.from_border = across(part.from);
+  }
+  if (!stretch.ends_at_limit()) {
+    part.to = stretch.to;
+    part.to_border = across(part.to);
+  }
+  return part;
+}
+
+struct LineBetween {
+  SeparatorKind kind = SeparatorKind::edge;
+  bool dashed = false;
+};
+
+// Into and out of a lane that both directions use one may cross the line, a centre line too.
+LineBetween line_between(const std::vector<PlacedLane>& lanes, int position) {
+  if (position == 0 || position == static_cast<int>(lanes.size())) return {};
+  const LaneWish &left = lanes[position - 1].wish, &right = lanes[position].wish;
+  if (left.both_ways || right.both_ways) {
+    const bool parts = left.both_ways != right.both_ways && drives(left) && drives(right);
+    return {parts ? SeparatorKind::centre : SeparatorKind::same_direction, true};
+  }
+  if (left.along_axis == right.along_axis) return {SeparatorKind::same_direction, true};
+  const auto driven = std::count_if(lanes.begin(), lanes.end(),
+                                    [](const PlacedLane& lane) { return drives(lane.wish); });
+  return {SeparatorKind::centre, driven <= 2};
+}
+
 EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
                    const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
-  const int count = static_cast<int>(wishes.size());
+  const std::vector<PlacedLane> placed = placed_lanes(strip, wishes, settings.order);
+  const int count = static_cast<int>(placed.size());
   const std::vector<double> own = lane_shares(wishes, strip.width(), settings.narrowest);
   const std::vector<LaneShares> shares = tapered_shares(strip, own, tapered);
-  const auto offset_of = [&](const LaneShares& at) { return strip.offset_at(strip.from, at); };
+  const auto strip_at = [&](int p) {
+    return placed[p - 1].stretch ? part_of(strip, *placed[p - 1].stretch) : strip;
+  };
   EdgeLanes out;
   std::vector<Line> borders;
   for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
   for (Line* kerb : {&borders.front(), &borders.back()})
     *kerb =
         with_round_kinks(*kerb, settings.kerb_radius_minimal, {strip.from_border, strip.to_border});
-  for (int p = 1; p <= count; ++p) {
-    const LaneWish& wish = wishes[p - 1];
+  for (int p = 1, ordinary = 0; p <= count; ++p) {
+    const auto& [wish, ordinality, side, stretch] = placed[p - 1];
     LaneShares middle;
     for (std::size_t i = 0; i < shares[p].size(); ++i)
       middle.push_back((shares[p - 1][i] + shares[p][i]) / 2);
     Lane lane;
-    lane.ordinality = ordinality_of(p, count, settings.order);
+    lane.ordinality = ordinality;
     lane.position = p;
-    lane.side = side_of(p, count);
+    lane.side = side;
     lane.along_axis = wish.along_axis;
     lane.both_ways = wish.both_ways;
     lane.kind = wish.kind;
-    lane.width = (own[p] - own[p - 1]) * strip.width();
-    lane.axis_offset = offset_of(middle);
-    lane.line = line_at_shares(strip, middle);
     lane.turns = wish.turns;
-    if (with_surface)
-      lane.surface = lane_surface(geos, borders[p - 1], borders[p], lane.line, lane.width);
+    if (stretch == nullptr) {
+      lane.width = (own[ordinary + 1] - own[ordinary]) * strip.width();
+      ++ordinary;
+      lane.axis_offset = strip.offset_at(strip.from, middle);
+      lane.line = line_at_shares(strip, middle);
+      if (with_surface)
+        lane.surface = lane_surface(geos, borders[p - 1], borders[p], lane.line, lane.width);
+    } else {
+      const LaneStrip part = strip_at(p);
+      const double widest = (stretch->full_from + stretch->full_to) / 2;
+      lane.width = wish.width;
+      lane.axis_offset = strip.offset_at(std::clamp(widest, part.from, part.to), middle);
+      lane.line = line_at_shares(part, middle);
+      if (!stretch->begins_at_limit()) lane.start = stretch->from;
+      if (!stretch->ends_at_limit()) lane.end = stretch->to;
+      if (with_surface)
+        lane.surface = lane_surface(geos, line_at_shares(part, shares[p - 1]),
+                                    line_at_shares(part, shares[p]), lane.line, lane.width);
+    }
     out.lanes.push_back(std::move(lane));
   }
   for (int p = 0; p <= count; ++p) {
     LaneSeparator separator;
     separator.position = p;
-    const LineBetween between = line_between(wishes, p);
+    const LineBetween between = line_between(placed, p);
     separator.kind = between.kind;
     separator.dashed = between.dashed;
     if (separator.kind == SeparatorKind::edge && !settings.edge_lines) continue;
-    separator.axis_offset = offset_of(shares[p]);
+    separator.axis_offset = strip.offset_at(strip.from, shares[p]);
     separator.line = std::move(borders[p]);
     separator.painted = with_surface;
+    // Beside a merging lane as far as the outer one of both goes.
+    if (p > 0 && p < count)
+      for (const int outer : {p, p + 1})
+        if (placed[outer - 1].stretch && (outer == p) == (placed[outer - 1].stretch->side > 0))
+          separator.line = line_at_shares(strip_at(outer), shares[p]);
     out.separators.push_back(std::move(separator));
   }
   return out;
@@ -192,8 +273,10 @@ class Builder {
       const std::vector<Decision> decisions = decide(e, wishes);
       const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
       EdgeLanes made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
+      std::size_t ordinary = 0;
       for (Lane& lane : made.lanes) {
-        const Decision& decision = decisions[lane.position - 1];
+        const bool merging = lane.kind == LaneKind::merging;
+        const Decision decision = merging ? Decision{} : decisions[ordinary++];
         lane.edge = e;
         lane.method = decision.by_hand ? Method::by_hand
                       : crossed        ? Method::crossed_limits

@@ -20,6 +20,7 @@ struct LaneStrip {
   Line from_border, to_border;  // from the left kerb to the right one
   WidthProfile profile{};       // where it is not empty, in the place of the half widths
   double roadway_offset = 0;    // metres from the axis to the middle of the roadway, left positive
+  std::vector<MergingStretch> merging{};
   double width() const { return 2 * half_at(from); }  // metres, without what a profile changes
   double share_at(double abscissa, const LaneShares& shares) const;
   // Metres to the left of the axis.

@@ -120,11 +120,24 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     for (std::size_t p = 0; p < own.size(); ++p) borders[p] = {own[p]};
     return borders;
   }
+  for (const MergingStretch& stretch : strip.merging) borders.resize(borders.size() + stretch.lanes);
   const double middle = length(strip.axis) / 2;
   for (const WidthProfile::Place& place : strip.profile.places) {
     const double half = strip.half_at(place.abscissa);
-    const double left = place.left - half - strip.roadway_offset;
-    const double right = place.right - half + strip.roadway_offset;
+    const auto merging = [&](int side) {
+      std::vector<double> widths;
+      for (const MergingStretch& stretch : strip.merging)
+        if (stretch.side == side)
+          widths.insert(widths.end(), stretch.lanes,
+                        stretch.width_at(place.abscissa) / stretch.lanes);
+      return widths;
+    };
+    const std::vector<double> first = merging(+1), last = merging(-1);
+    const auto sum_of = [](const std::vector<double>& some) {
+      return std::accumulate(some.begin(), some.end(), 0.0);
+    };
+    const double left = place.left - sum_of(first) - half - strip.roadway_offset;
+    const double right = place.right - sum_of(last) - half + strip.roadway_offset;
     const ChangingLanes& end = place.abscissa < middle ? tapered.start : tapered.end;
     const std::vector<int>& lanes = left + right < 0 ? end.ending : end.beside;
     std::vector<double> widths = widths_at(own, 2 * half);
@@ -137,10 +150,12 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
       add(widths, on_left, left);
       add(widths, on_right, right);
     }
-    const double total = std::accumulate(widths.begin(), widths.end(), 0.0);
+    widths.insert(widths.begin(), first.begin(), first.end());
+    widths.insert(widths.end(), last.begin(), last.end());
+    const double total = sum_of(widths);
     double sum = 0;
-    for (std::size_t p = 0; p < own.size(); ++p) {
-      borders[p].push_back(p + 1 == own.size() ? 1 : sum / total);
+    for (std::size_t p = 0; p < borders.size(); ++p) {
+      borders[p].push_back(p + 1 == borders.size() ? 1 : sum / total);
       if (p < widths.size()) sum += widths[p];
     }
   }

@@ -213,7 +213,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     if (!kind) continue;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
-      if (!comes || !painted(lane)) continue;
+      if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;
       const Line end =
           at_start ? substring(lane.line, 0, stop_width)
                    : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
@@ -249,7 +249,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
 void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
-    if (lane.both_ways || !painted(lane)) continue;
+    if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
     const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const double total = length(way);

@@ -75,7 +75,8 @@ class Plausibility {
     for (Movement& movement : movements_) {
       const Leg &from = legs_[movement.from], &to = legs_[movement.to];
       movement.verdicts.resize(from.in.size() * to.out.size());
-      ways_.push_back({&movement, &to, movement_angle(from, to), movement_order(from, to)});
+      ways_.push_back({&movement, &to, movement_angle(from, to),
+                       movement_order(from, to) + 360 * movement.side});
     }
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg) approach(leg);
     reach_every_lane();

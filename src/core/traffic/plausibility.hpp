@@ -41,6 +41,8 @@ struct Movement {
   std::vector<double> radius;  // of the trajectory of each pair
   std::vector<bool> drivable;  // by pair: the trajectory has no corner
   std::vector<Verdict> verdicts;
+  // Known of a ramp: it lies left (+1) or right (-1) of the highway with its traffic.
+  int side = 0;
 
   bool forbidden(LaneKind in) const { return restricted[index_of(in)]; }
   bool forbidden(LaneKind in, LaneKind out) const { return forbidden(in) && forbidden(out); }

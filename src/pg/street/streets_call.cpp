@@ -170,6 +170,13 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(circulations, "abscissa", FLOAT8OID),
                         column(circulations, "along_axis", BOOLOID),
                         column(circulations, "turned", BOOLOID)};
+  const Rows ramp_axes = rows(fcinfo, 17, "ramp axes");
+  call->ramp_axes = {ramp_axes.count, column(ramp_axes, "axis_id", INT8OID),
+                     column(ramp_axes, "part", TEXTOID), column(ramp_axes, "counted", BOOLOID)};
+  const Rows ramps = rows(fcinfo, 18, "ramp overrides");
+  call->ramps = {ramps.count, column(ramps, "axis_id", INT8OID),
+                 column(ramps, "abscissa", FLOAT8OID), column_or_null(ramps, "tangent", FLOAT8OID),
+                 column_or_null(ramps, "length", FLOAT8OID)};
 }
 
 }  // namespace streetgen::pg

@@ -66,6 +66,14 @@ struct StreetsCall {
     int count;
     Column axis_id, abscissa, along_axis, turned;
   } circulations;
+  struct {
+    int count;
+    Column axis_id, part, counted;
+  } ramp_axes;
+  struct {
+    int count;
+    Column axis_id, abscissa, tangent, length;
+  } ramps;
   bool may_spread;
   struct {
     int count;

@@ -355,6 +355,36 @@ std::vector<OverpassOverride> overpass_overrides_of(const StreetsCall& call) {
   return overrides;
 }
 
+RampRules ramps_of(const StreetsCall& call, const Settings& given) {
+  RampRules rules;
+  const auto& axes = call.ramp_axes;
+  for (int i = 0; i < axes.count; ++i) {
+    RampAxis axis;
+    axis.axis_id = DatumGetInt64(axes.axis_id.values[i]);
+    axis.part = word_of<RampPart>(text_of(axes.part.values[i]), "part of a ramp",
+                                  {{"highway", RampPart::highway},
+                                   {"link", RampPart::link},
+                                   {"unclassed", RampPart::unclassed}});
+    axis.counted = DatumGetBool(axes.counted.values[i]);
+    rules.axes.push_back(axis);
+  }
+  const auto& rows = call.ramps;
+  for (int i = 0; i < rows.count; ++i) {
+    RampOverride put{DatumGetInt64(rows.axis_id.values[i]),
+                     finite(DatumGetFloat8(rows.abscissa.values[i]), "abscissa of a ramp override")};
+    const auto measure = [&](const Column& column, const char* of) -> std::optional<double> {
+      if (column.nulls[i]) return std::nullopt;
+      return in_range(DatumGetFloat8(column.values[i]), 0, 1000, of);
+    };
+    put.tangent = measure(rows.tangent, "tangent of a ramp override");
+    put.length = measure(rows.length, "length of a ramp override");
+    rules.overrides.push_back(put);
+  }
+  rules.tangent = given.measure("ramp_tangent");
+  rules.merging_length = given.measure("merging_length");
+  return rules;
+}
+
 FormerSurface former_surface(const Column& surface, const Column& contested, const Column& level,
                              int row) {
   return {read_surface(bytes_of(surface.values[row]), "a former surface"),
@@ -424,6 +454,7 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.lane_settings = lane_settings_of(settings);
   input.model.controls = read_controls(call.controls);
   input.model.circulations = circulations_of(call);
+  input.model.ramps = ramps_of(call, settings);
   input.model.restrictions = restrictions_of(call);
   input.model.interconnection_settings = interconnection_settings_of(settings);
   input.model.overpass_overrides = overpass_overrides_of(call);

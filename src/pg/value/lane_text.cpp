@@ -152,6 +152,8 @@ const char* lane_kind_name(LaneKind kind) {
       return "cycle";
     case LaneKind::parking:
       return "parking";
+    case LaneKind::merging:
+      return "merging";
   }
   return "";
 }

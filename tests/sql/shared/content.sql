@@ -11,7 +11,7 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'section', e.axis_id, e.start_abscissa, s.method, s.contested_area, s.surface::text) FROM @.section s JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'corner', a.axis_id, a.start_abscissa, k.end_a, b.axis_id, b.start_abscissa, k.end_b, k.radius_wanted, k.radius, k.method, k.arc::text)
       FROM @.corner k JOIN @.edge a ON a.edge_id = k.edge_a JOIN @.edge b ON b.edge_id = k.edge_b
-    UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.both_ways, l.kind, l.width, l.axis_offset, l.turn, l.method, l.geom::text, l.surface::text)
+    UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.both_ways, l.kind, l.width, l.axis_offset, l.turn, l.method, l.start_abscissa, l.end_abscissa, l.geom::text, l.surface::text)
       FROM @.lane l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
@@ -46,6 +46,9 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'roundabout_edge', e.axis_id, e.start_abscissa, x.along_axis, x.face, x.ordinality, r.centre::text) FROM @.roundabout_edge x JOIN @.edge e USING (edge_id) JOIN @.roundabout r USING (roundabout_id)
     UNION ALL SELECT concat_ws(' ', 'roundabout_arm', e.axis_id, e.start_abscissa, x.along_axis, n.geom::text, r.centre::text)
       FROM @.roundabout_arm x JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id) JOIN @.roundabout r USING (roundabout_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.ramp', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'ramp', n.geom::text, e.axis_id, e.start_abscissa, r.kind, r.side, lanes_before, lanes_ramp, lanes_after, lanes_missing, lanes_merging, r.length, taper, tangent, auxiliary, cut, short_link, r.method, r.geom::text)
+      FROM @.ramp r JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.overpass', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'overpass', a.axis_id, a.start_abscissa, o.abscissa_above, b.axis_id, b.start_abscissa, o.abscissa_below, o.ordinality, o.clearance, o.method, o.geom::text)
       FROM @.overpass o JOIN @.edge a ON a.edge_id = o.edge_above JOIN @.edge b ON b.edge_id = o.edge_below$q$ END

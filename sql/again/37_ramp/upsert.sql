@@ -1,0 +1,49 @@
+-- The one statement, ramps: axes that may be part of one go into the core, which tells ramps and their merging lanes.
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN kind IS NULL THEN 'unclassed' WHEN kind IN ('motorway', 'trunk') THEN 'highway'
+        WHEN kind LIKE '%\_link' THEN 'link' END;
+COMMENT ON FUNCTION streetgen._ramp_part(text) IS
+    'What an axis of a class is at a ramp: highway (motorway and trunk), link (classes that end so), unclassed (NULL); '
+    'NULL: it takes no part.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_axis(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$(
+            SELECT array_agg(ROW (u.axis_id, part, NOT 'lane_count' = ANY (u.estimated))::streetgen.street_ramp_axis
+                ORDER BY u.axis_id)
+            FROM used u, LATERAL (SELECT streetgen._ramp_part(a.kind) AS part FROM {model}.axis a
+                WHERE a.axis_id = u.axis_id {by_key}) a WHERE part IS NOT NULL)$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_ramp_axis(jsonb) IS
+    'Part of the one statement: the axes used that may be part of a ramp, as an array of street_ramp_axis.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_override(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$(
+            SELECT array_agg(ROW (axis_id, abscissa, tangent, length)::streetgen.street_ramp ORDER BY ramp_override_id)
+            FROM {model}.ramp_override WHERE {whole} OR axis_id = ANY ($2))$part$, places) $$;
+COMMENT ON FUNCTION streetgen._upsert_ramp_override(jsonb) IS
+    'Part of the one statement: what is decided by hand about ramps, as an array of street_ramp.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_ramp(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
+-- An edge of an axis that is not written is as it is there.
+ramp_edge AS MATERIALIZED (
+    SELECT number, edge_id FROM new_edge
+    UNION ALL SELECT c.number, e.edge_id
+    FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
+        WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
+    WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
+ramp_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM ramp_edge)$part$, places),
+    streetgen._upsert_rows(places, 'ramp',
+        columns => 'node_id, edge_id, edge_before, edge_after, kind, side, lanes_before, lanes_ramp, lanes_after, '
+            'lanes_missing, lanes_merging, length, taper, tangent, auxiliary, cut, short_link, geom, method',
+        rows => $part$
+        SELECT * FROM streetgen._computed_ramp((SELECT streets FROM computed), (SELECT ids FROM node_ids),
+            (SELECT ids FROM ramp_edge_ids))$part$,
+        there => $part$
+        SELECT r.ramp_id FROM new_node n, LATERAL (SELECT ramp_id FROM {model}.ramp r
+            WHERE r.node_id = n.node_id {by_key}) r WHERE n.affected AND NOT n.fresh$part$, read => true)) $$;
+COMMENT ON FUNCTION streetgen._upsert_ramp(jsonb) IS 'Part of the one statement: ramps at new_node.';

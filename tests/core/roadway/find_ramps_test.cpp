@@ -1,0 +1,284 @@
+#include "roadway/find_ramps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/surface_distance.hpp"
+#include "streetgen/street_model.hpp"
+
+namespace streetgen {
+namespace {
+
+constexpr double lane = 3.5;
+constexpr std::int64_t before = 1, after = 2, link = 3;
+
+Point turned(const Point& p, bool mirrored) { return {p.x, mirrored ? -p.y : p.y, 0}; }
+
+// A highway along x through (0, 0), and a link that comes to it, or leaves it, from the right at an
+// angle in degrees; mirrored: from the left.
+class Highway {
+ public:
+  int lanes_before = 3, lanes_ramp = 1, lanes_after = 3;
+  bool on = true, mirrored = false;
+  double angle = 15, speed = 100, link_speed = 50, link_length = 250, length_after = 600;
+  RampRules rules{};
+
+  StreetModelInput input() const {
+    StreetModelInput in;
+    const double turn = angle * M_PI / 180, x = (on ? -1 : 1) * link_length * std::cos(turn);
+    Line ramp{turned({x, -link_length * std::sin(turn), 0}, mirrored), {0, 0, 0}};
+    if (!on) std::reverse(ramp.begin(), ramp.end());
+    add(in, before, {{-600, 0, 0}, {0, 0, 0}}, lanes_before, RampPart::highway, speed);
+    add(in, after, {{0, 0, 0}, {length_after, 0, 0}}, lanes_after, RampPart::highway, speed);
+    add(in, link, ramp, lanes_ramp, RampPart::link, link_speed);
+    in.settings.island_area = 0;
+    return in;
+  }
+
+  void add(StreetModelInput& in, std::int64_t id, const Line& line, int lanes, RampPart part,
+           double kmh) const {
+    StreetAxis axis{id, line, 0, lanes * lane, lanes * lane, 5, part == RampPart::link ? 2 : 1};
+    axis.speed = kmh;
+    in.axes.push_back(axis);
+    in.lanes.push_back({id, {std::vector<LaneWish>(lanes), {}}});
+    if (in.ramps.axes.empty()) {
+      in.ramps = rules;
+      in.ramps.axes.clear();
+    }
+    in.ramps.axes.push_back({id, part});
+  }
+};
+
+std::vector<Lane> merging(const StreetModel& model) {
+  std::vector<Lane> found;
+  for (const Lane& lane : model.lanes.lanes)
+    if (lane.kind == LaneKind::merging) found.push_back(lane);
+  return found;
+}
+
+std::int64_t axis_of(const StreetModel& model, int edge) {
+  return model.streets.network.edges[edge].axis_id;
+}
+
+TEST(FindRamps, GivesTheLanesThatDoNotAddUp) {
+  for (const bool on : {true, false})
+    for (int b = 1; b <= 4; ++b)
+      for (int r = 1; r <= 2; ++r)
+        for (int a = 1; a <= 4; ++a) {
+          Highway highway;
+          highway.on = on;
+          highway.lanes_before = b;
+          highway.lanes_ramp = r;
+          highway.lanes_after = a;
+          const StreetModel model = street_model(highway.input());
+          ASSERT_EQ(model.streets.ramps.size(), 1u);
+          const int due = std::clamp(on ? b + r - a : a + r - b, 0, r);
+          EXPECT_EQ(model.streets.ramps[0].missing, due) << b << " " << r << " " << a;
+          const std::vector<Lane> lanes = merging(model);
+          ASSERT_EQ(static_cast<int>(lanes.size()), due);
+          for (const Lane& found : lanes)
+            EXPECT_EQ(axis_of(model, found.edge), on ? after : before);
+        }
+}
+
+TEST(FindRamps, KeepsTheWidthOverTheLengthAndThenTapers) {
+  for (const bool mirrored : {false, true}) {
+    Highway highway;
+    highway.mirrored = mirrored;
+    const StreetModel model = street_model(highway.input());
+    const Ramp& ramp = model.streets.ramps.at(0);
+    EXPECT_EQ(ramp.side, mirrored ? +1 : -1);
+    const std::vector<Lane> lanes = merging(model);
+    ASSERT_EQ(lanes.size(), 1u);
+    const Roadway& roadway = model.streets.roadways[lanes[0].edge];
+    ASSERT_EQ(roadway.merging.size(), 1u);
+    // 30 m along for each metre aside at 100 km/h.
+    const double from = model.streets.limits[2 * lanes[0].edge].abscissa;
+    EXPECT_NEAR(roadway.merging[0].full_to, from + 60, 1e-9);
+    EXPECT_NEAR(roadway.merging[0].to, from + 60 + 30 * lane, 1e-9);
+    EXPECT_NEAR(*lanes[0].end, roadway.merging[0].to, 1e-9);
+    EXPECT_FALSE(lanes[0].start.has_value());
+    // Its middle is half a lane beyond the three others, then runs out on their kerb.
+    const double side = mirrored ? +1 : -1;
+    EXPECT_NEAR(position_at(lanes[0].line, 30).point.y, side * 2 * lane, 1e-6);
+    EXPECT_NEAR(lanes[0].line.back().y, side * 1.5 * lane, 1e-6);
+    // Lanes tile the section, which is as wide as they are.
+    double ground = 0;
+    for (const Lane& one : model.lanes.lanes)
+      if (one.edge == lanes[0].edge) ground += area(one.surface);
+    for (const Section& section : model.streets.sections)
+      if (section.edge == lanes[0].edge)
+        EXPECT_NEAR(ground, area(section.surface), 1e-3);
+  }
+}
+
+TEST(FindRamps, LeavesTheOtherLanesTheirPlaces) {
+  Highway with, without;
+  without.rules.merging_length = 0;
+  const StreetModel a = street_model(with.input()), b = street_model(without.input());
+  EXPECT_EQ(merging(a).size(), 1u);
+  EXPECT_TRUE(merging(b).empty());
+  for (const Lane& lane : b.lanes.lanes) {
+    const auto same = std::find_if(a.lanes.lanes.begin(), a.lanes.lanes.end(), [&](const Lane& l) {
+      return l.edge == lane.edge && l.ordinality == lane.ordinality;
+    });
+    ASSERT_NE(same, a.lanes.lanes.end());
+    EXPECT_NEAR(same->axis_offset, lane.axis_offset, 1e-9);
+    EXPECT_NEAR(same->width, lane.width, 1e-9);
+  }
+}
+
+// Degrees between two segments.
+double turn_between(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return std::abs(std::atan2(cross(b - a, d - c), dot(b - a, d - c))) * 180 / M_PI;
+}
+
+TEST(FindRamps, BendsTangentToTheLaneForItsSpeed) {
+  for (const bool on : {true, false})
+    for (const double angle : {5., 10., 20., 30., 45.}) {
+      Highway highway;
+      highway.on = on;
+      highway.angle = angle;
+      const StreetModel model = street_model(highway.input());
+      const auto& lanes = model.lanes.lanes;
+      int found = 0;
+      for (const Interconnection& path : model.interconnections) {
+        const Lane &in = lanes[path.lane_in], &out = lanes[path.lane_out];
+        if (!path.plausible || axis_of(model, on ? in.edge : out.edge) != link) continue;
+        ++found;
+        EXPECT_EQ((on ? out : in).kind, LaneKind::merging) << angle;
+        const Line &l = in.line, &p = path.line, &m = out.line;
+        EXPECT_LE(turn_between(l[l.size() - 2], l.back(), p[0], p[1]), 0.1) << angle;
+        EXPECT_LE(turn_between(p[p.size() - 2], p.back(), m[0], m[1]), 0.1) << angle;
+        double least = 1e9;
+        for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+          const double turn = turn_between(p[i - 1], p[i], p[i], p[i + 1]) * M_PI / 180;
+          const double step = (distance(p[i - 1], p[i]) + distance(p[i], p[i + 1])) / 2;
+          if (turn > 1e-9) least = std::min(least, step / turn);
+        }
+        // 50 km/h by a friction of 0.35.
+        const double wanted = std::pow(50 / 3.6, 2) / (0.35 * 9.81);
+        EXPECT_GE(least, 0.98 * wanted) << angle;
+      }
+      EXPECT_EQ(found, 1) << angle;
+    }
+}
+
+TEST(FindRamps, LetsTheHighwayGoOnLaneByLane) {
+  for (const bool on : {true, false}) {
+    Highway highway;
+    highway.on = on;
+    const StreetModel model = street_model(highway.input());
+    const auto& lanes = model.lanes.lanes;
+    int through = 0;
+    for (const Interconnection& path : model.interconnections) {
+      const Lane &in = lanes[path.lane_in], &out = lanes[path.lane_out];
+      if (!path.plausible || axis_of(model, in.edge) == link || axis_of(model, out.edge) == link)
+        continue;
+      ++through;
+      EXPECT_EQ(in.position, out.position);
+      EXPECT_NEAR(path.line.front().y, path.line.back().y, 1e-6);
+    }
+    EXPECT_EQ(through, 3);
+  }
+}
+
+TEST(FindRamps, JoinsTwoThatMeetAndPartsTwoThatDoNot) {
+  for (const double apart : {150., 800.}) {
+    Highway highway;
+    highway.length_after = apart;
+    StreetModelInput input = highway.input();
+    highway.add(input, 4, {{apart, 0, 0}, {apart + 600, 0, 0}}, 3, RampPart::highway, 100);
+    highway.add(input, 5, {{apart, 0, 0}, {apart + 240, -60, 0}}, 1, RampPart::link, 50);
+    const StreetModel model = street_model(input);
+    ASSERT_EQ(model.streets.ramps.size(), 2u);
+    const bool one = apart < 200;
+    EXPECT_EQ(merging(model).size(), one ? 1u : 2u);
+    for (const Ramp& ramp : model.streets.ramps) {
+      EXPECT_EQ(ramp.auxiliary, one);
+      EXPECT_FALSE(ramp.cut);
+    }
+    if (one) {
+      EXPECT_TRUE(merging(model)[0].reaches(true));
+      EXPECT_TRUE(merging(model)[0].reaches(false));
+    }
+  }
+}
+
+TEST(FindRamps, CutsALaneAtTheNextJunction) {
+  Highway highway;
+  highway.length_after = 90;
+  StreetModelInput input = highway.input();
+  highway.add(input, 4, {{90, 0, 0}, {700, 0, 0}}, 3, RampPart::highway, 100);
+  highway.add(input, 5, {{90, -90, 0}, {90, 0, 0}}, 1, RampPart::none, 50);
+  const StreetModel model = street_model(input);
+  ASSERT_EQ(model.streets.ramps.size(), 1u);
+  EXPECT_TRUE(model.streets.ramps[0].cut);
+  const std::vector<Lane> lanes = merging(model);
+  ASSERT_EQ(lanes.size(), 1u);
+  EXPECT_LE(*lanes[0].end, model.streets.limits[2 * lanes[0].edge + 1].abscissa + 1e-9);
+}
+
+TEST(FindRamps, CountsALaneForBothWaysTwice) {
+  Highway highway;
+  highway.on = false;
+  StreetModelInput input = highway.input();
+  input.lanes[0].lanes.forward.back().turns = turn::through | turn::slight_right;
+  EXPECT_EQ(street_model(input).streets.ramps.at(0).missing, 0);
+  input.lanes[0].lanes.forward.back().turns = turn::through | turn::left;
+  EXPECT_EQ(street_model(input).streets.ramps.at(0).missing, 1);
+}
+
+TEST(FindRamps, DecidesByHand) {
+  Highway highway;
+  highway.rules.overrides = {{link, 240, 40., 100.}};
+  const Ramp put = street_model(highway.input()).streets.ramps.at(0);
+  EXPECT_TRUE(put.by_hand);
+  EXPECT_EQ(put.tangent, 40);
+  EXPECT_EQ(put.length, 100);
+  highway.rules.overrides = {{link, 240, {}, 0.}};
+  EXPECT_TRUE(merging(street_model(highway.input())).empty());
+  highway.rules.overrides = {{link, 10, 40., 100.}};
+  EXPECT_FALSE(street_model(highway.input()).streets.ramps.at(0).by_hand) << "the other end is meant";
+}
+
+TEST(FindRamps, TakesNoOtherNode) {
+  const auto ramps = [](StreetModelInput input) { return street_model(input).streets.ramps.size(); };
+  Highway highway;
+  EXPECT_EQ(ramps(highway.input()), 1u);
+  StreetModelInput input = highway.input();
+  input.ramps.axes[2].part = RampPart::none;
+  EXPECT_EQ(ramps(input), 0u) << "no link";
+  input = highway.input();
+  input.lanes[2].lanes.backward = {{}};
+  EXPECT_EQ(ramps(input), 0u) << "a link for both directions";
+  highway.angle = 70;
+  EXPECT_EQ(ramps(highway.input()), 0u) << "too steep";
+  highway.angle = 15;
+  input = highway.input();
+  for (LanesOfAxis& axis : input.lanes)
+    if (axis.axis_id != link) axis.lanes.backward = {{}};
+  EXPECT_EQ(ramps(input), 1u) << "on its outer side";
+  highway.mirrored = true;
+  input = highway.input();
+  for (LanesOfAxis& axis : input.lanes)
+    if (axis.axis_id != link) axis.lanes.backward = {{}};
+  EXPECT_EQ(ramps(input), 0u) << "across the other direction";
+}
+
+TEST(FindRamps, TellsALinkShorterThanItsTangent) {
+  Highway highway;
+  highway.link_length = 25;
+  const StreetModel model = street_model(highway.input());
+  ASSERT_EQ(model.streets.ramps.size(), 1u);
+  EXPECT_TRUE(model.streets.ramps[0].short_link);
+  for (const Lane& lane : model.lanes.lanes)
+    for (const Point& p : lane.line) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+}
+
+}  // namespace
+}  // namespace streetgen

@@ -1,0 +1,99 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Ramps: where a link meets a highway, tangent to its lanes, and the merging lanes there.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('road', srid => 2154, subjects => '{ramp,junction,alignment}'), streetgen.create_model('plain', srid => 2154),
+    streetgen.create_model('fresh', srid => 2154, subjects => '{ramp,junction,alignment}');
+END $$;
+SELECT 'a model has ramps on demand alone', to_regclass('plain.ramp') IS NULL AND to_regclass('road.ramp') IS NOT NULL;
+INSERT INTO road.axis (axis_id, geom, width, lane_count, direction, kind, speed) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000, 650600 6860000)', 10.5, 3, 'direct', 'motorway', 100),
+    (2, 'SRID=2154;LINESTRING(650600 6860000, 651400 6860000)', 10.5, 3, 'direct', 'motorway', 100),
+    (3, 'SRID=2154;LINESTRING(651400 6860000, 652000 6860000)', 10.5, 3, 'direct', 'motorway', 100),
+    (4, 'SRID=2154;LINESTRING(650360 6859936, 650600 6860000)', 3.5, 1, 'direct', 'motorway_link', 50),
+    (5, 'SRID=2154;LINESTRING(651400 6860000, 651640 6859936)', 3.5, 1, 'direct', 'motorway_link', 50);
+SELECT 'a ramp on and a ramp off', array_agg((kind, side, lanes_before, lanes_ramp, lanes_after, lanes_missing, lanes_merging, auxiliary, cut, short_link)::text ORDER BY ST_X(geom))
+    = '{"(on,right,3,1,3,1,1,f,f,f)","(off,right,3,1,3,1,1,f,f,f)"}' FROM road.ramp;
+CREATE VIEW merging AS SELECT l.*, axis_id, e.start_abscissa AS edge_start, e.geom AS edge FROM road.lane l JOIN road.edge e USING (edge_id) WHERE l.kind = 'merging';
+SELECT 'each has a lane on the highway between them', count(*) = 2 AND bool_and(axis_id = 2 AND side = 'right' AND along_axis AND abs(width - 3.5) < 1e-9) FROM merging;
+SELECT 'the first begins at the limit and ends by a taper, the other the other way round', array_agg((start_abscissa IS NULL, end_abscissa IS NULL)::text ORDER BY ST_X(ST_StartPoint(geom))) = '{"(t,f)","(f,t)"}' FROM merging;
+SELECT 'a lane keeps its width for merging_length, then tapers by taper_ratio', bool_and(abs(ST_Length(m.geom) - 60 - 30 * 3.5) < 1) FROM merging m;
+SELECT 'their numbers follow those of the others', array_agg(ordinality ORDER BY ordinality) = '{4,5}' FROM merging;
+SELECT 'the roadway is as wide as its lanes', abs(sum(ST_Area(l.surface)) - min(ST_Area(s.surface) + s.contested_area)) < 0.01 FROM road.lane l JOIN road.section s USING (edge_id) JOIN road.edge e USING (edge_id) WHERE axis_id = 2;
+SELECT 'lane_extent says where each lies', count(*) = 2 AND bool_and(abs(x.end_abscissa - x.start_abscissa - ST_Length(m.geom)) < 1) FROM merging m JOIN road.lane_extent x USING (lane_id);
+SELECT 'one may change to and from them as far as they go', count(*) = 4 AND bool_and(change = 'allowed' AND end_abscissa - start_abscissa BETWEEN 150 AND 175)
+    FROM road.lane_adjacency a WHERE lane_a IN (SELECT lane_id FROM merging) OR lane_b IN (SELECT lane_id FROM merging);
+SELECT 'from the middle of a merging lane one comes to the lane beside it', l.lane_position = m.lane_position - 1 AND abs(b.metres - ST_Length(m.geom) / 2) < 20
+    FROM (SELECT * FROM merging ORDER BY ordinality LIMIT 1) m, streetgen.lane_beside('road', m.lane_id, ST_Length(m.geom) / 2, 'left') b JOIN road.lane l ON l.lane_id = b.lane_id;
+SELECT 'ramps lead to merging lanes, and from them', count(*) = 2 AND bool_and('merging' IN (i.kind, o.kind)) FROM road.ramp_path p JOIN road.lane i ON i.lane_id = lane_in JOIN road.lane o ON o.lane_id = lane_out;
+SELECT 'the highway goes on as one road past its ramps', count(*) = 3 AND count(DISTINCT road_id) = 1 FROM road.road_edge JOIN road.edge USING (edge_id) WHERE axis_id <= 3;
+SELECT 'its surfaces need no union', count(*) FILTER (WHERE method = 'robust_fallback') = 0 FROM road.intersection;
+SELECT 'nothing is wrong', count(*) = 0 FROM streetgen.check_model('road') WHERE severity <> 'notice';
+SELECT 'lanes have ways on', count(*) = 0 FROM streetgen.check_model('road') WHERE rule ~ 'plausible way';
+SELECT 'the summary counts them', array_agg(amount ORDER BY subject) = '{2,1,1}' FROM streetgen.summary('road') WHERE subject ~ '^ramps|^lanes, merging';
+SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('road');
+
+-- By hand.
+UPDATE road.ramp_editing SET length = 100 WHERE kind = 'on';
+SELECT 'a length typed holds there alone', array_agg((method, round(length))::text ORDER BY kind DESC) = '{"(by_hand,100)","(hypothesis,60)"}' FROM road.ramp;
+UPDATE road.ramp_editing SET tangent = 40 WHERE kind = 'on';
+SELECT 'what is typed later leaves it', (tangent, length) = (40, 100) FROM road.ramp_override;
+SELECT 'both hold', (tangent, round(length)) = (40, 100) FROM road.ramp WHERE kind = 'on';
+UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'reverse' WHERE axis_id = 4;
+SELECT 'a link turned round keeps what was decided', (method, tangent, round(length)) = ('by_hand', 40, 100) FROM road.ramp WHERE kind = 'on';
+UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'direct' WHERE axis_id = 4;
+DELETE FROM road.ramp_editing WHERE kind = 'on';
+SELECT 'deleted in the view it is computed again', (method, tangent, round(length)) = ('hypothesis', 15, 60) AND NOT EXISTS (SELECT FROM road.ramp_override) FROM road.ramp WHERE kind = 'on';
+INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (5, 0, 0);
+SELECT 'a length of nothing takes the lane away', (lanes_missing, lanes_merging, method) = (0, 0, 'by_hand') FROM road.ramp WHERE kind = 'off';
+DELETE FROM road.ramp_override;
+SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
+    ('a length beyond its range', 'UPDATE road.ramp_editing SET length = 1001', '22023'),
+    ('a tangent that is no number', $$UPDATE road.ramp_editing SET tangent = 'NaN'$$, '22023'),
+    ('another axis', 'UPDATE road.ramp_editing SET axis_id = 1', '0A000'),
+    ('a ramp drawn', 'INSERT INTO road.ramp_editing (axis_id) VALUES (1)', '0A000'),
+    ('a length in the table that is no number', $$INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (4, 0, 'NaN')$$, '23514')) r(name, statement, state);
+INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (1, 0, 10);
+SELECT 'an override without its ramp is a row of check_model', count(*) = 1 FROM streetgen.check_model('road') WHERE rule = 'ramp override without its ramp';
+DELETE FROM road.ramp_override;
+
+-- Live: by any path the same.
+CREATE FUNCTION agree(what text) RETURNS TABLE(said text, holds boolean) LANGUAGE plpgsql AS $$
+BEGIN
+  DELETE FROM fresh.axis;
+  SET LOCAL streetgen.live = 'off';
+  INSERT INTO fresh.ramp_override SELECT * FROM road.ramp_override;
+  INSERT INTO fresh.axis SELECT * FROM road.axis;
+  PERFORM streetgen.generate('fresh');
+  SET LOCAL streetgen.live TO DEFAULT;
+  RETURN QUERY SELECT what || ' as from scratch', test.same('road', 'fresh');
+  DELETE FROM fresh.ramp_override;
+END $$;
+SELECT * FROM agree('ramps');
+UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 650780 6860000)' WHERE axis_id = 2;
+SELECT * FROM agree('a highway cut short');
+UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 651400 6860000)' WHERE axis_id = 2;
+SELECT * FROM agree('a highway joined again');
+UPDATE road.ramp_editing SET length = 450;
+SELECT 'two that meet are one auxiliary lane', bool_and(auxiliary) AND (SELECT count(*) = 1 AND bool_and(start_abscissa IS NULL AND end_abscissa IS NULL) FROM merging) FROM road.ramp;
+SELECT * FROM agree('an auxiliary lane');
+DELETE FROM road.ramp_editing WHERE kind = 'off';
+UPDATE road.axis SET lane_count = 2 WHERE axis_id = 4;
+SELECT 'two lanes of a ramp are two merging lanes', (lanes_missing, lanes_merging) = (2, 2) FROM road.ramp WHERE kind = 'on';
+SELECT * FROM agree('another number of lanes');
+UPDATE road.axis SET lane_count = NULL WHERE axis_id = 4;
+SELECT 'where lanes are estimated none is missing', lanes_missing = 0 FROM road.ramp WHERE kind = 'on';
+UPDATE road.axis SET lane_count = 1 WHERE axis_id = 4;
+INSERT INTO road.axis (axis_id, geom, width, lane_count, direction, kind, speed) VALUES (6, 'SRID=2154;LINESTRING(650690 6859900, 650690 6860000)', 6, 2, 'both', 'secondary', 50);
+UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 650690 6860000, 651400 6860000)' WHERE axis_id = 2;
+SELECT 'one cut by the next junction is reported', count(*) = 1 FROM streetgen.check_model('road') WHERE rule = 'merging lane cut by the next junction, m';
+SELECT * FROM agree('a lane that is cut');
+DELETE FROM road.axis WHERE axis_id = 4;
+SELECT 'with the link its ramp and its lane go', count(*) = 1 AND (SELECT count(*) = 1 FROM merging) FROM road.ramp;
+SELECT * FROM agree('a link that is gone');
+UPDATE road.axis SET kind = 'residential' WHERE axis_id = 5;
+SELECT 'a street of another class is no ramp', count(*) = 0 FROM road.ramp;
+SELECT * FROM agree('another class');
+SELECT 'switched off, nothing of it stays', to_regclass('road.ramp') IS NULL FROM streetgen.switch_subject('road', 'ramp', false);
+SELECT 'and no lane is a merging lane', count(*) = 0 FROM streetgen.generate('road'), road.lane WHERE kind = 'merging';
