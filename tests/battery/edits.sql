@@ -32,6 +32,10 @@ BEGIN
   RETURN ST_Translate(vertex, edits.between(-off, off), edits.between(-off, off));
 END $$;
 
+-- A place on a street or beside it.
+CREATE FUNCTION edits.place_beside(line geometry) RETURNS geometry LANGUAGE sql VOLATILE
+  RETURN ST_Translate(ST_LineInterpolatePoint(line, edits.between(0, 1)), edits.between(-9, 9), edits.between(-9, 9));
+
 CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT CASE attribute
     WHEN 'width' THEN quote_nullable(CASE WHEN edits.chance(0.9) THEN edits.between(2.5, 22) END)
@@ -59,11 +63,46 @@ CREATE FUNCTION edits.inserted(rows text) RETURNS text LANGUAGE sql VOLATILE RET
 
 CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE RETURN edits.inserted(edits.drawn_row(axis_id, geom));
 
+-- One edit of what stands at streets.
+CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance');
+  other record;
+BEGIN
+  CASE edit
+    WHEN 'object' THEN
+      RETURN ARRAY[format('INSERT INTO edited.street_object_editing (type, geom, orientation) VALUES (%L, %L, %s)', edits.one_of('lamp', 'tree', 'bench', 'manhole', 'crossing', 'parking_bay'), ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('NULL', '0', '45', '-90'))];
+    WHEN 'stretch' THEN
+      RETURN ARRAY[format('INSERT INTO edited.street_object (type, placement, axis_id, abscissa, abscissa_end, side, axis_offset) VALUES (%L, %L, %s, %s, %s, %L, %s)', edits.one_of('hedge', 'guard_rail'), edits.one_of('axis', 'border'),
+                          a.axis_id, edits.between(0, 0.4) * ST_Length(a.geom), edits.between(0.5, 1) * ST_Length(a.geom), edits.one_of('left', 'right'), edits.one_of('0', '0.5', '-1', '2'))];
+    WHEN 'move object', 'no object' THEN
+      SELECT o.geom, o.type INTO other FROM edited.street_object_editing o ORDER BY ST_X(o.geom), ST_Y(o.geom), o.type OFFSET floor(random() * (SELECT count(*) FROM edited.street_object_editing)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format(CASE edit WHEN 'no object' THEN 'DELETE FROM edited.street_object_editing' ELSE 'UPDATE edited.street_object_editing SET geom = %3$L' END || ' WHERE type = %2$L AND ST_DWithin(geom, %1$L, 0.001)',
+                            ST_AsEWKT(other.geom), other.type, ST_AsEWKT(CASE WHEN edits.chance(0.5) THEN edits.place_beside(a.geom) ELSE ST_Translate(other.geom, edits.between(-5, 5), edits.between(-5, 5)) END))];
+      END IF;
+    WHEN 'crossing' THEN
+      RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle) VALUES (%L, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'))];
+    WHEN 'bay' THEN
+      RETURN ARRAY[format('INSERT INTO edited.parking_bay_editing (geom, angle) VALUES (%L, %s)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('0', '60', '90'))];
+    WHEN 'rule' THEN
+      RETURN ARRAY[format('INSERT INTO edited.placement_rule (type, along, side, every, phase, axis_offset, orientation, distance_from_limit, importance_from, density) VALUES (%L, %L, %L, %s, %s, %s, %s, %s, %s, %s)',
+                          edits.one_of('lamp', 'tree', 'bollard', 'crossing', 'parking_bay'), edits.one_of('border', 'border', 'axis', 'arm', 'corner'), edits.one_of('left', 'right', 'both', 'alternating'), edits.one_of('6', '9', '25'),
+                          edits.between(0, 9), edits.one_of('0', '0.8', '-1'), edits.one_of('0', '60', '90'), edits.one_of('0', '2.5', '5'), edits.one_of('NULL', 'NULL', '3'), edits.one_of('1', '1', '0.5'))];
+    WHEN 'other rule' THEN
+      RETURN ARRAY[edits.one_of('UPDATE edited.placement_rule SET phase = phase + 1', 'UPDATE edited.placement_rule SET every = every + 2', 'UPDATE edited.placement_rule SET active = NOT active', $q$DELETE FROM edited.placement_rule WHERE type = 'lamp'$q$, 'DELETE FROM edited.free_place')];
+    WHEN 'distance' THEN
+      RETURN ARRAY[format('UPDATE edited.object_type SET distance_least = %s WHERE type = %L', edits.one_of('0', '3', '8'), edits.one_of('lamp', 'tree', 'bollard'))];
+  END CASE;
+  RETURN '{}';
+END $$;
+
 -- One edit of the town as it is: a statement, or the two of a split or merge.
 CREATE FUNCTION edits.edit() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   edit text := edits.one_of('move vertex', 'move vertex', 'move vertex', 'move node', 'attribute', 'attribute', 'attribute', 'several', 'insert', 'insert', 'delete', 'split', 'merge', 'reverse',
-                            'number anew', 'transition', 'lane', 'limit', 'kerb point', 'corner', 'interconnection', 'restriction', 'bend', 'no override', 'paused');
+                            'number anew', 'transition', 'lane', 'limit', 'kerb point', 'corner', 'interconnection', 'restriction', 'bend', 'no override', 'paused',
+                            'object', 'object', 'object', 'object', 'object', 'object', 'object', 'object');
   a edited.axis := edits.axis();
   fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
   attribute text := edits.attribute();
@@ -141,6 +180,8 @@ BEGIN
       RETURN ARRAY[format('DELETE FROM edited.%I WHERE %s = %s', t, k, a.axis_id)]
         FROM (VALUES ('transition_override', 'axis_id'), ('lane_override', 'axis_id'), ('interconnection_override', 'axis_in'), ('turn_restriction', 'from_axis'),
                       ('section_limit_override', 'axis_id'), ('kerb_point_override', 'axis_id'), ('corner_override', 'axis_a'), ('road_override', 'axis_id')) v(t, k) OFFSET floor(random() * 8) LIMIT 1;
+    WHEN 'object' THEN
+      RETURN edits.object_edit(a);
     WHEN 'paused' THEN
       -- As an importer: what it changed is generated by itself.
       RETURN ARRAY[$q$SET LOCAL streetgen.live = 'off'$q$, format('UPDATE edited.axis SET width = %s WHERE axis_id = %s', edits.between(3, 20), a.axis_id), 'SET LOCAL streetgen.live TO DEFAULT',
@@ -187,6 +228,10 @@ BEGIN
   FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
+  DELETE FROM edited.placement_rule;
+  DELETE FROM edited.street_object;
+  DELETE FROM edited.free_place;
+  UPDATE edited.object_type SET distance_least = 0 WHERE distance_least > 0;
   PERFORM streetgen.set('edited', name, wanted) FROM (SELECT name, coalesce(split_part(chosen, '=', 2), d.value) AS wanted FROM streetgen._default_setting() d
     LEFT JOIN unnest(script.settings) chosen ON split_part(chosen, '=', 1) = name) w JOIN edited.setting s USING (name) WHERE s.value <> wanted;
   INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
@@ -223,6 +268,8 @@ DECLARE
   rows text[];
   edit text[];
   statement text;
+  -- So many edits of objects come first.
+  objects integer;
 BEGIN
   PERFORM setseed((seed::bigint * 7919 % 1000003) / 1000003.0);
   script.settings := ARRAY['crossing=' || edits.one_of('over', 'split'), 'short_axis=' || edits.one_of('reduce', 'follow'), 'dead_end=' || edits.one_of('flat', 'round'),
@@ -245,8 +292,9 @@ BEGIN
     SELECT array_agg(a::text) INTO script.axes FROM edits.window(source) a;
     INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
   END IF;
-  FOR i IN 1 .. 2 + floor(random() * 9) LOOP
-    edit := edits.edit();
+  objects := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
+  FOR i IN 1 .. objects + 2 + floor(random() * 9) LOOP
+    edit := CASE WHEN i <= objects THEN edits.object_edit(edits.axis()) ELSE edits.edit() END;
     FOREACH statement IN ARRAY edit LOOP
       EXIT WHEN NOT edits.execute(statement);
       script.statements := script.statements || statement;

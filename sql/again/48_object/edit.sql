@@ -80,7 +80,8 @@ BEGIN
     END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
         'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
-        'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 RETURNING street_object_id', TG_TABLE_SCHEMA)
+        'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 '
+        'RETURNING street_object_id', TG_TABLE_SCHEMA)
         INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
         NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
     IF held IS NULL THEN

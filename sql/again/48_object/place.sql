@@ -44,8 +44,8 @@ COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, te
     'The direction that an object faces, degrees clockwise from the north, from 0 to below 360: a stretch in its '
     'middle.';
 
-CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holder text, OUT line geometry, OUT width float8,
-    OUT width_end float8, OUT roadway_offset float8)
+CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holder text, OUT line geometry,
+    OUT width float8, OUT width_end float8, OUT roadway_offset float8)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -165,5 +165,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
-    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s. An abscissa beyond the axis, an axis or a type that is not '
-    'there, a side that is missing, a number that is none: 22023.';
+    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s. '
+    'An abscissa beyond the axis, an axis or a type that is not there, a side that is missing, a number that is none: '
+    '22023.';

@@ -245,7 +245,7 @@ CREATE OR REPLACE FUNCTION %1$I.enter_rules() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
-    IF TG_TABLE_NAME = 'placement_rule' THEN
+    IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
         PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
     ELSIF %1$I._has_rules() THEN
         PERFORM streetgen._begin_edit(%2$L);
@@ -254,6 +254,8 @@ BEGIN
 END $body$;
 CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
+CREATE OR REPLACE TRIGGER enter_rules BEFORE UPDATE OF distance_least ON %1$I.object_type
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
 CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.enter_rules();
@@ -261,8 +263,9 @@ CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.enter_rules();
 COMMENT ON TRIGGER enter_rules ON %1$I.placement_rule IS 'Locks the model: all its objects may follow';
-COMMENT ON TRIGGER enter_rules ON %1$I.street_object IS 'Locks the model beside other editors, where rules place objects';
-COMMENT ON TRIGGER enter_rules ON %1$I.free_place IS 'Locks the model beside other editors, where rules place objects';
+COMMENT ON TRIGGER enter_rules ON %1$I.object_type IS 'Locks the model: all its objects may follow';
+COMMENT ON TRIGGER enter_rules ON %1$I.street_object IS 'Locks the model beside other editors, where rules place';
+COMMENT ON TRIGGER enter_rules ON %1$I.free_place IS 'Locks the model beside other editors, where rules place';
 CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
@@ -276,7 +279,10 @@ BEGIN
 END $body$;
 CREATE OR REPLACE TRIGGER apply_rules AFTER INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.apply_rules();
+CREATE OR REPLACE TRIGGER apply_rules AFTER UPDATE OF distance_least ON %1$I.object_type
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.apply_rules();
 COMMENT ON TRIGGER apply_rules ON %1$I.placement_rule IS 'The objects follow their rules';
+COMMENT ON TRIGGER apply_rules ON %1$I.object_type IS 'The objects of rules keep their distance';
 CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$

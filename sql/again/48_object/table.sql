@@ -3,7 +3,8 @@
 CREATE OR REPLACE FUNCTION streetgen._object_table() RETURNS name[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT '{object_type,placement_rule,free_place,street_object,pedestrian_crossing,parking_bay,specialised_type}'::name[] $$;
+    SELECT ARRAY['object_type', 'placement_rule', 'free_place', 'street_object', 'pedestrian_crossing', 'parking_bay',
+        'specialised_type']::name[] $$;
 COMMENT ON FUNCTION streetgen._object_table() IS
     'The tables of objects that users write: they stay where the subject is switched off.';
 

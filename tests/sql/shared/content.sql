@@ -61,7 +61,7 @@ BEGIN
       FROM @.signal_movement m JOIN @.controller c USING (controller_id) JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'signal_head', e.axis_id, e.start_abscissa, l.ordinality, h.along_axis, h.angle, h.geom::text) FROM @.signal_head h JOIN @.lane l USING (lane_id) JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_object', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, rule_place, ST_AsText(ST_SnapToGrid(o.geom, 1e-6)), c.width, ST_AsText(ST_SnapToGrid(c.surface, 1e-6)), b.angle, ST_AsText(ST_SnapToGrid(b.surface, 1e-6))) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
+    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.surface::text, c.stripes::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
       LEFT JOIN @.parking_bay b USING (street_object_id)$q$ END
     || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
@@ -87,21 +87,37 @@ CREATE FUNCTION test.alike(a text, b text) RETURNS boolean LANGUAGE sql IMMUTABL
   FROM (SELECT string_to_array(a, ' '), string_to_array(b, ' ')) s(p, q)
 $$;
 
--- Fills another model with the settings, axes and overrides of a model, and generates it from scratch.
+-- Fills another model with the settings, axes, overrides and objects of a model, and generates it from scratch: what rules place is not copied.
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
   inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
+  with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
 BEGIN
-  PERFORM set_config('streetgen.live', 'off', true);
+  PERFORM set_config('streetgen.live', 'off', true), set_config('streetgen.computes', 'on', true);
+  IF with_objects THEN
+    EXECUTE format('DELETE FROM %1$I.street_object; DELETE FROM %1$I.placement_rule; DELETE FROM %1$I.free_place', anew);
+  END IF;
+  PERFORM set_config('streetgen.computes', '', true);
   FOR i IN REVERSE cardinality(inputs) .. 1 LOOP
     EXECUTE format('DELETE FROM %I.%I', anew, inputs[i]);
   END LOOP;
   FOREACH input IN ARRAY inputs LOOP
     EXECUTE format('INSERT INTO %2$I.%3$I SELECT * FROM %1$I.%3$I', model, anew, input);
   END LOOP;
+  IF with_objects THEN
+    PERFORM set_config('streetgen.computes', 'on', true);
+    EXECUTE format($sql$INSERT INTO %2$I.object_type SELECT * FROM %1$I.object_type ON CONFLICT (type) DO UPDATE SET distance_least = excluded.distance_least;
+      INSERT INTO %2$I.placement_rule SELECT * FROM %1$I.placement_rule;
+      INSERT INTO %2$I.free_place SELECT * FROM %1$I.free_place;
+      INSERT INTO %2$I.street_object SELECT * FROM %1$I.street_object WHERE placed_by <> 'rule';
+      INSERT INTO %2$I.pedestrian_crossing SELECT c.* FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object USING (street_object_id) WHERE placed_by <> 'rule';
+      INSERT INTO %2$I.parking_bay SELECT b.* FROM %1$I.parking_bay b JOIN %1$I.street_object USING (street_object_id) WHERE placed_by <> 'rule';
+      SELECT setval(pg_get_serial_sequence('%2$I.street_object', 'street_object_id'), max(street_object_id)) FROM %1$I.street_object$sql$, model, anew);
+    PERFORM set_config('streetgen.computes', '', true);
+  END IF;
   PERFORM set_config('streetgen.live', '', true);
   EXECUTE format('SELECT FROM streetgen.generate(%L, ARRAY(SELECT axis_id FROM %I.axis), wait => true)', anew, anew);
 END $$;
