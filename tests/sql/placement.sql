@@ -86,3 +86,11 @@ SELECT 'and rules of bays look at it at once', sum(inserted + updated + deleted)
 DELETE FROM row.pedestrian_crossing WHERE street_object_id = (SELECT max(street_object_id) FROM row.street_object WHERE placed_by = 'rule' AND type = 'crossing');
 SELECT 'a crossing of a rule that was deleted by its own table stays away', count(*) = 2 FROM row.pedestrian_crossing;
 SELECT 'and bays look at that too', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('row', wait => true);
+
+-- Two junctions near each other.
+SELECT streetgen.create_model('near', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO near.axis (axis_id, geom, width, radius) VALUES (1, pg_temp.line('LINESTRING(0 0, 60 0)'), 6, 2), (2, pg_temp.line('LINESTRING(60 0, 74 0)'), 6, 2), (3, pg_temp.line('LINESTRING(74 0, 130 0)'), 6, 2), (4, pg_temp.line('LINESTRING(60 0, 60 80)'), 6, 2), (5, pg_temp.line('LINESTRING(74 0, 74 80)'), 6, 2);
+INSERT INTO near.placement_rule (type, along, side, distance_from_limit) VALUES ('crossing', 'arm', 'alternating', 2.5);
+SELECT 'a crossing on each arm, and one in the middle of a street that has no room for two', count(*) = 5 AND count(*) FILTER (WHERE axis_id = 2 AND abs(abscissa - 7) < 1e-6) = 1 FROM near.street_object;
+INSERT INTO near.placement_rule (type, along, side, axis_offset, distance_from_limit) VALUES ('sign', 'arm', 'right', 1, 2.5);
+SELECT 'signs there stand on either side', array_agg(side ORDER BY side) = '{left,right}' FROM near.street_object WHERE axis_id = 2 AND type = 'sign';

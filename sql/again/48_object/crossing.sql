@@ -1,15 +1,40 @@
 -- Pedestrian crossings: their ground between the borders of the roadway, and their stripes.
 
+CREATE OR REPLACE FUNCTION streetgen._drawn_on(line geometry, run float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_AddPoint(ST_AddPoint(line, streetgen._place_beyond(ST_PointN(line, 2), ST_StartPoint(line), run), 0),
+        streetgen._place_beyond(ST_PointN(line, -2), ST_EndPoint(line), run)) $$;
+COMMENT ON FUNCTION streetgen._drawn_on(geometry, float8) IS
+    'A line that goes straight on for so many metres at both ends.';
+
+CREATE OR REPLACE FUNCTION streetgen._place_beyond(before geometry, place geometry, run float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_Translate(place, (ST_X(place) - ST_X(before)) * share, (ST_Y(place) - ST_Y(before)) * share)
+    FROM (SELECT run / ST_Distance(before, place) AS share) s $$;
+COMMENT ON FUNCTION streetgen._place_beyond(geometry, geometry, float8) IS
+    'The place so many metres beyond another one, seen from a place before.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_reach(width float8, crossing_width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT (width * abs(cosd(angle)) + crossing_width) / sind(angle) / 2 + 0.5 $$;
+COMMENT ON FUNCTION streetgen._crossing_reach(float8, float8, float8) IS
+    'How far a crossing of a street reaches along the axis on either side of its abscissa, at most, metres.';
+
 CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8,
     roadway_offset float8, abscissa float8, crossing_width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    -- The borders alone that are near: a long axis has many bends elsewhere.
-    SELECT streetgen.crossing_surface(near, streetgen.offset_line(near, roadway_offset + from_half,
-        roadway_offset + to_half),
-        streetgen.offset_line(near, roadway_offset - from_half, roadway_offset - to_half), abscissa - low,
-            crossing_width, angle)
-    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end) * 3 + 2 * crossing_width AS about) l,
+    -- The borders alone that are near: a long axis has many bends elsewhere. A crossing at an end of its axis lies
+    -- partly on the street that goes on there, so that axis and borders are drawn on.
+    SELECT streetgen.crossing_surface(streetgen._drawn_on(near, reach), streetgen._drawn_on(streetgen.offset_line(near,
+        roadway_offset + from_half, roadway_offset + to_half), reach),
+        streetgen._drawn_on(streetgen.offset_line(near, roadway_offset - from_half, roadway_offset - to_half), reach),
+        abscissa - low + reach, crossing_width, angle)
+    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end) * 3 + 2 * crossing_width AS about,
+            streetgen._crossing_reach(greatest(width, width_end) + 2 * abs(roadway_offset), crossing_width, angle)
+                AS reach) l,
         LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r,
         LATERAL (SELECT ST_LineSubstring(axis, low / length, high / length) AS near,
             (width + (width_end - width) * low / length) / 2 AS from_half,
@@ -23,18 +48,19 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width floa
     AS $$
     -- Half a metre of paint, half a metre of roadway, from the middle outwards, and a quarter of a metre free at kerbs.
     SELECT ST_Multi(ST_Collect(ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1])) ORDER BY o))
-    FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last, ST_Length2D(axis) AS length) n,
+    FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last,
+            streetgen._crossing_reach(width + 2 * abs(roadway_offset), crossing_width, angle) AS reach) n,
+        LATERAL (SELECT streetgen._drawn_on(axis, reach)::bytea AS line OFFSET 0) g,
         generate_series(-last, last) o,
         LATERAL (SELECT roadway_offset + o - 0.25 AS a, roadway_offset + o + 0.25 AS b,
             1 / tan(radians(angle)) AS slope) s,
-        LATERAL (SELECT abscissa - crossing_width / 2 AS low, abscissa + crossing_width / 2 AS high) r,
-        LATERAL (SELECT streetgen._place_on(axis::bytea, low + a * slope, a)::geometry AS p1,
-            streetgen._place_on(axis::bytea, high + a * slope, a)::geometry AS p2,
-            streetgen._place_on(axis::bytea, high + b * slope, b)::geometry AS p3,
-            streetgen._place_on(axis::bytea, low + b * slope, b)::geometry AS p4) q
-    WHERE low + least(a * slope, b * slope) > 0 AND high + greatest(a * slope, b * slope) < length $$;
+        LATERAL (SELECT abscissa + reach - crossing_width / 2 AS low, abscissa + reach + crossing_width / 2 AS high) r,
+        LATERAL (SELECT streetgen._place_on(line, low + a * slope, a)::geometry AS p1,
+            streetgen._place_on(line, high + a * slope, a)::geometry AS p2,
+            streetgen._place_on(line, high + b * slope, b)::geometry AS p3,
+            streetgen._place_on(line, low + b * slope, b)::geometry AS p4) q $$;
 COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8, float8) IS
-    'The stripes (MULTIPOLYGON) of a crossing, along the axis; NULL where the axis ends before they do.';
+    'The stripes (MULTIPOLYGON) of a crossing, along the axis, which is drawn on at its ends.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

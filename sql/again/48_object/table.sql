@@ -214,7 +214,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('placement_rule', 'axis_offset', 'metres away from the border, or to the left of the axis'),
     ('placement_rule', 'orientation', 'degrees clockwise from the axis'),
     ('placement_rule', 'distance_from_limit', 'metres that it keeps from the limits of a section; of an arm how far '
-        'from the limit it stands'),
+        'from the limit it stands, in short streets no farther than the middle'),
     ('placement_rule', 'importance_from', 'streets of this importance and less important ones; NULL: all'),
     ('placement_rule', 'importance_to', 'streets of this importance and more important ones; NULL: all'),
     ('placement_rule', 'kind', 'classes of streets; NULL: all'),
