@@ -62,6 +62,28 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width floa
 COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8, float8) IS
     'The stripes (MULTIPOLYGON) of a crossing, along the axis, which is drawn on at its ends.';
 
+CREATE OR REPLACE FUNCTION streetgen._on_roadway(ground geometry, surfaces geometry[]) RETURNS geometry
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Its border lies on that of a section but for rounding.
+    inner_ground constant geometry := ST_Scale(ground, ST_MakePoint(0.999, 0.999), ST_Centroid(ground));
+    roadway geometry;
+BEGIN
+    IF EXISTS (SELECT FROM unnest(surfaces) s WHERE ST_Covers(s, inner_ground)) THEN
+        RETURN ground;
+    END IF;
+    roadway := ST_Union(surfaces);
+    IF ST_Covers(roadway, inner_ground) THEN
+        RETURN ground;
+    END IF;
+    RETURN (SELECT geom FROM ST_Dump(ST_CollectionExtract(ST_Intersection(ground, roadway), 3))
+        ORDER BY ST_Area(geom) DESC, path LIMIT 1);
+END $$;
+COMMENT ON FUNCTION streetgen._on_roadway(geometry, geometry[]) IS
+    'The ground (POLYGON) of a crossing as far as it lies on roadway, given as surfaces: the largest piece, NULL where '
+    'there is none; as it is where less than a thousandth of its size lies beside the roadway.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -70,17 +92,27 @@ BEGIN
 CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
-    WITH new AS (
-        SELECT c.street_object_id, g.ground, CASE WHEN g.ground IS NOT NULL THEN streetgen._crossing_stripes(a.line,
-            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), a.roadway_offset, o.abscissa,
-            c.width, c.angle) END
-            AS stripes
+    WITH drawn AS MATERIALIZED (
+        SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
+            THEN streetgen._crossing_stripes(a.line, a.width + (a.width_end - a.width) * o.abscissa
+                / ST_Length2D(a.line), a.roadway_offset, o.abscissa, c.width, c.angle) END AS stripes
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
+            LEFT JOIN (SELECT axis_id, level, ST_Force2D(geom) AS line, width, width_end, roadway_offset
                 FROM %1$I.axis_used OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
             LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, a.roadway_offset,
                 o.abscissa, c.width, c.angle) AS ground) g ON true
-        WHERE c.street_object_id = ANY (objects))
+        WHERE c.street_object_id = ANY (objects)),
+    -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
+    clipped AS (
+        SELECT d.*, k.kept FROM drawn d LEFT JOIN LATERAL (
+            SELECT streetgen._on_roadway(d.ground, ARRAY(
+                SELECT surface FROM %1$I.section WHERE surface && d.ground
+                    AND (SELECT e.level - d.level FROM %1$I.edge e WHERE e.edge_id = section.edge_id) = 0
+                UNION ALL SELECT surface FROM %1$I.intersection WHERE surface && d.ground AND level - d.level = 0))
+                AS kept) k ON d.ground IS NOT NULL),
+    new AS (
+        SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes
+            ELSE ST_Multi(ST_CollectionExtract(ST_Intersection(stripes, kept), 3)) END AS stripes FROM clipped)
     UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
     WHERE n.street_object_id = c.street_object_id
         AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;

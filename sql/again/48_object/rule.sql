@@ -105,7 +105,7 @@ BEGIN
             ELSE r.side IN (v.side, 'both') END
         UNION ALL
         -- An arm is seen as one comes to its node. Its places have negative numbers, by decimetres along the axis.
-        -- Where two arms of an edge have no room, they share its middle.
+        -- Where two arms of an edge have no room, they share its middle; an arm of one end alone then has none.
         SELECT r.*, CASE WHEN v.side <> 'middle' THEN CASE WHEN w.at_start THEN CASE v.side WHEN 'left' THEN 'right'
                 ELSE 'left' END ELSE v.side END END,
             CASE WHEN w.at_start THEN low + within ELSE high - within END,
@@ -116,10 +116,11 @@ BEGIN
         FROM ruled r, LATERAL (SELECT least(distance_from_limit, (high - low) / 2) AS within,
                 high - low > 2 * distance_from_limit AS roomy) l,
             LATERAL (SELECT %1$I._is_junction(r.from_node) AS at_start, %1$I._is_junction(r.to_node) AS at_end) j,
-            LATERAL (VALUES (true, j.at_start), (false, j.at_end AND (l.roomy OR NOT j.at_start
-                OR r.side IN ('left', 'right')))) w(at_start, meets),
+            LATERAL (VALUES (true, j.at_start), (false, j.at_end AND (l.roomy OR r.side IN ('left', 'right'))))
+                w(at_start, meets),
             LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
-        WHERE r.along = 'arm' AND w.meets AND (l.roomy OR r.turn IS NULL AND high > low)
+        WHERE r.along = 'arm' AND w.meets
+            AND (l.roomy OR r.turn IS NULL AND high > low AND j.at_start AND j.at_end)
             AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
                 ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
             AND CASE r.side WHEN 'both' THEN v.side <> 'middle' WHEN 'alternating' THEN v.side = 'middle'

@@ -8,8 +8,12 @@ FROM :"model".pedestrian_crossing c JOIN :"model".street_object o USING (street_
 CREATE TEMPORARY TABLE judged AS
 SELECT c.*, ST_IsValid(surface) AS valid, ST_Area(surface) AS area,
     (SELECT coalesce(sum(ST_Area(ST_Intersection(r.surface, c.surface))), 0) FROM :"model".roadway r WHERE r.surface && c.surface AND r.level = c.level) AS on_roadway,
-    (SELECT max(ST_Distance(c.surface, streetgen._place_on(line::bytea, abscissa, roadway_offset + s * at / 2)::geometry)) FROM unnest(ARRAY[-1, 1]) s) AS short,
-    ST_NPoints(ST_Simplify(near, 0.001)) = 2 AND street = width_end AS straight,
+    -- The ends of the way across the roadway, through the middle of the crossing.
+    (SELECT ST_HausdorffDistance(w.geom, ST_Intersection(w.geom, c.surface)) FROM (SELECT ST_MakeLine(streetgen._place_on(line::bytea, abscissa, roadway_offset - at / 2 - 9)::geometry,
+            streetgen._place_on(line::bytea, abscissa, roadway_offset + at / 2 + 9)::geometry) AS across) x,
+        LATERAL ST_Dump(ST_Intersection(across, (SELECT ST_Union(r.surface) FROM :"model".roadway r WHERE r.surface && across AND r.level = c.level))) w
+        ORDER BY ST_Distance(w.geom, streetgen._place_on(line::bytea, abscissa, 0)::geometry) LIMIT 1) AS short,
+    ST_NPoints(ST_Simplify(near, 0.001)) = 2 AND street = width_end AND abscissa > 3 AND abscissa < ST_Length(line) - 3 AS straight,
     ST_Length(ST_Intersection(surface, near)) - c.width / sin(radians(c.angle)) AS off
 FROM crossing c, LATERAL (SELECT street + (width_end - street) * abscissa / ST_Length(line) AS at,
     ST_LineSubstring(line, greatest(0, abscissa / ST_Length(line) - 15 / ST_Length(line)), least(1, abscissa / ST_Length(line) + 15 / ST_Length(line))) AS near) n;
