@@ -15,6 +15,7 @@ BEGIN
             '%1$I._has_rules(), %1$I._is_junction(bigint), %1$I._take_from_rules(bigint[]), '
             '%1$I._renew_rules_beside(geometry[]), '
             '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
+            '%1$I.leave_edges(), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
@@ -110,6 +111,22 @@ BEGIN
     PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_object));
     RETURN NULL;
 END $body$;
+CREATE OR REPLACE FUNCTION %1$I.leave_edges() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    AS $body$
+BEGIN
+    CASE TG_TABLE_NAME
+        WHEN 'edge' THEN DELETE FROM %1$I.object_edge o USING gone g WHERE o.edge_id = g.edge_id;
+        ELSE DELETE FROM %1$I.object_edge o USING gone g WHERE o.street_object_id = g.street_object_id;
+    END CASE;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS gone
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
+CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.edge REFERENCING OLD TABLE AS gone
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
+COMMENT ON TRIGGER leave_edges ON %1$I.street_object IS 'An object that is gone stands at no edge';
+COMMENT ON TRIGGER leave_edges ON %1$I.edge IS 'No object stands at an edge that is gone';
 CREATE OR REPLACE FUNCTION %1$I.rejoin_objects() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
@@ -218,6 +235,8 @@ END $body$ $sql$, model, model);
         'Puts the objects of changed axes on the axis that they stand at now: axes with their lines before and after');
     PERFORM streetgen._own_function(model, 'join_objects()',
         'After objects were put or changed: the edge at which each stands'),
+        streetgen._own_function(model, 'leave_edges()',
+        'After objects or edges were deleted: which object stands at which edge'),
         streetgen._own_function(model, 'rejoin_objects()',
         'After a type got another parent: its objects get the rows of what they are a kind of now');
     FOR followed IN SELECT * FROM unnest('{insert,update}'::text[]) event LOOP
