@@ -1,4 +1,4 @@
--- Awkward rings side by side, a model of its own: which are roundabouts?  psql -f tests/cases/roundabouts.sql draws docs/gallery/roundabouts.png with streetgen.svg
+-- Awkward rings side by side, a model of its own: which are roundabouts?  data/gallery draws them
 SELECT streetgen.create_model('roundabouts', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right') \gset
 SELECT streetgen.live('roundabouts', false) \gset
 CREATE FUNCTION pg_temp.at(x float8, y float8) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000 + y), 2154) $$;
@@ -13,9 +13,10 @@ CREATE FUNCTION pg_temp.street(VARIADIC xy float8[]) RETURNS geometry LANGUAGE s
 CREATE FUNCTION pg_temp.arms(x float8, y float8, radius float8, VARIADIC angles float8[]) RETURNS SETOF geometry LANGUAGE sql AS $$
   SELECT pg_temp.street(x + radius * cos(radians(a)), y + radius * sin(radians(a)), x + (radius + 35) * cos(radians(a)), y + (radius + 35) * sin(radians(a))) FROM unnest(angles) a $$;
 INSERT INTO roundabouts.axis (name, width, lane_count, geom)
--- Roundabouts: a ring, a tiny painted one, a double one with a street between its halves, a peanut.
+-- Roundabouts: a ring, a tiny one, a painted one, a double one with a street between its halves, a peanut.
 SELECT 'ring', 7, 2, pg_temp.circle(0, 0, 16) UNION ALL SELECT 'arm', 6, 2, pg_temp.arms(0, 0, 16, 0, 90, 180, 270)
 UNION ALL SELECT 'tiny', 5, 2, pg_temp.circle(150, 0, 4) UNION ALL SELECT 'arm', 6, 2, pg_temp.arms(150, 0, 4, 0, 90, 180, 270)
+UNION ALL SELECT 'painted', 6.5, 2, pg_temp.circle(600, 0, 3.1) UNION ALL SELECT 'arm', 6, 2, pg_temp.arms(600, 0, 3.1, 0, 90, 180, 270)
 UNION ALL SELECT 'double', 7, 2, pg_temp.arc(290, 0, 15, 30, 330) UNION ALL SELECT 'double', 7, 2, pg_temp.arc(316, 0, 15, 210, 510)
 UNION ALL SELECT 'double', 7, 2, pg_temp.street(290 + 15 * cos(radians(30)), -7.5, 290 + 15 * cos(radians(30)), 7.5)
 UNION ALL SELECT 'arm', 6, 2, pg_temp.arms(290, 0, 15, 90, 180, 270) UNION ALL SELECT 'arm', 6, 2, pg_temp.arms(316, 0, 15, 0, 90, 270)

@@ -17,9 +17,10 @@ constexpr double beside_circle = 0.1;  // of the radius: what is nearer lies on 
 constexpr double step = 1;             // metres between the places that are compared with it
 constexpr std::size_t most_places = 2000;
 constexpr std::size_t waist_places = 72;
-constexpr double widest_waist = 0.8;    // of the diameter of either half
-constexpr double half_of_double = 0.9;  // compactness
-constexpr double widest_of_halves = 2;  // times the radius of the other one
+constexpr std::size_t beside_waist = waist_places / 12;  // places on either side tell a bend
+constexpr double least_bend = 0.17;                      // sine of ten degrees
+constexpr double half_of_double = 0.9;                   // compactness
+constexpr double widest_of_halves = 2;                   // times the radius of the other one
 
 // Places on a closed line, equally far apart.
 Line places_on(const Ring& ring, std::size_t count) {
@@ -39,6 +40,14 @@ Line places_on(const Ring& ring, std::size_t count) {
 std::size_t count_by_step(const Ring& ring) {
   return static_cast<std::size_t>(
       std::clamp(length(ring) / step, 32.0, static_cast<double>(most_places)));
+}
+
+// Of a counter-clockwise ring: to the right.
+bool bends_inwards(const Line& places, std::size_t i) {
+  const std::size_t count = places.size();
+  const Point comes = unit(places[i] - places[(i + count - beside_waist) % count]);
+  const Point goes = unit(places[(i + beside_waist) % count] - places[i]);
+  return cross(comes, goes) < -least_bend;
 }
 
 }  // namespace
@@ -82,10 +91,7 @@ std::optional<Roundness> less_round_half(const Ring& line) {
   inner.push_back(inner.front());
   outer.push_back(outer.front());
   const auto a = roundness_of(inner), b = roundness_of(outer);
-  if (!a || !b ||
-      distance(places[from], places[to]) >
-          widest_waist * 2 * std::min(a->circle.radius, b->circle.radius))
-    return std::nullopt;
+  if (!a || !b || !bends_inwards(places, from) || !bends_inwards(places, to)) return std::nullopt;
   return a->compactness < b->compactness ? a : b;
 }
 

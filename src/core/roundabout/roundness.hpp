@@ -26,8 +26,8 @@ std::optional<Roundness> roundness_of(const Ring& line);
 bool are_halves(const Roundness& a, const Roundness& b);
 
 // The less round half of a peanut: the narrowest place of the line parts two halves, each with a
-// third of the line and more. None where that place is no waist, narrower than either half by a
-// fifth.
+// third of the line and more. None where that place is no waist: the line bends inwards on both
+// sides of it.
 std::optional<Roundness> less_round_half(const Ring& line);
 
 }  // namespace streetgen

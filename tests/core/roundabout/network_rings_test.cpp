@@ -187,8 +187,10 @@ TEST(NetworkRings, WithAWaistAreAsRoundAsTheirHalves) {
   Line oval = arc({0, 0}, 14, 90, 270, 24);
   for (const Point& p : arc({28, 0}, 14, -90, 90, 24)) oval.push_back(p);
   oval.push_back(oval.front());
-  for (const Line& line : {oval, Line{{0, 0}, {28, 0}, {28, 28}, {0, 28}, {0, 0}}})
+  for (const Line& line : {oval, Line{{0, 0}, {28, 0}, {28, 28}, {0, 28}, {0, 0}}}) {
     EXPECT_LT(network_rings({{1, line}}, {}).at(0).compactness, 0.86);
+    EXPECT_FALSE(network_rings({{1, line}}, {}).at(0).waist);
+  }
 }
 
 // What cannot be drawn as one way round is none.
