@@ -98,6 +98,7 @@ SELECT streetgen.set('town', 'ground_level', '1') \g /dev/null
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'and the level of the ground', NOT EXISTS (SELECT FROM town.block) AND NOT EXISTS (SELECT FROM town.block_edge);
 SELECT streetgen.set('town', 'ground_level', '0') \g /dev/null
+SELECT 'a level is a whole number', pg_temp.refused($$SELECT streetgen.set('town', 'ground_level', '0.5')$$, '22023');
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'a second run writes nothing', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town');
 SELECT 'the model is sound', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');

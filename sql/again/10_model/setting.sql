@@ -260,6 +260,10 @@ BEGIN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
         expected := concat_ws(' ', 'Expected', known.minimum, 'to', known.maximum, known.unit) || '.';
+        IF setting = 'ground_level' THEN
+            holds := holds AND value ~ '^\s*[-+]?\d+\s*$';
+            expected := replace(expected, 'Expected', 'Expected a whole number,');
+        END IF;
     ELSIF setting IN ('taper_ratio', 'grade_maximal') THEN
         expected := format('Expected a JSON object of speed (0 to 999 km/h) to %s, such as %s.', CASE setting
             WHEN 'taper_ratio' THEN 'ratio (0 to 100)' ELSE 'grade (0.1 to 100 %)' END, known.value);

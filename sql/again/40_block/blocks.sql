@@ -38,20 +38,24 @@ street AS MATERIALIZED (
     WHERE e.level = ground.level AND ({whole} OR e.edge_id = ANY (ARRAY(SELECT edge_id FROM old_side
         UNION SELECT edge_id FROM {model}.edge WHERE axis_id = ANY ($2))))),
 kept AS MATERIALIZED (
-    SELECT b.* FROM street s, LATERAL (SELECT * FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
+    SELECT b.edge_id, b.side, b.start_abscissa, b.end_abscissa
+    FROM street s, LATERAL (SELECT * FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
     WHERE NOT {whole} AND coalesce(b.block_id, 0) <> ALL ($1)),
 -- A place without its edges, where kerbs are asked for by place.
 extent AS MATERIALIZED (
     SELECT ST_Expand(ST_Extent(geom)::geometry, 200) AS extent FROM street WHERE $3),
 beside AS MATERIALIZED (
-    SELECT k.* FROM ground, street s, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = s.edge_id {by_key}) k
+    SELECT k.edge_id, k.side, k.method, k.geom
+    FROM ground, street s, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = s.edge_id {by_key}) k
     WHERE k.level = ground.level AND NOT $3
     -- Where another level begins, its edge may have the corner.
-    UNION ALL SELECT k.* FROM ground, (SELECT from_node AS node_id FROM street UNION SELECT to_node FROM street) n,
+    UNION ALL SELECT k.edge_id, k.side, k.method, k.geom
+    FROM ground, (SELECT from_node AS node_id FROM street UNION SELECT to_node FROM street) n,
         LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id {by_key}) k,
         LATERAL (SELECT level FROM {model}.edge e WHERE e.edge_id = k.edge_id {by_key}) e
-    WHERE k.level = ground.level AND e.level <> ground.level AND NOT $3
-    UNION ALL SELECT k.* FROM ground, extent, LATERAL (
+    WHERE k.level = ground.level AND k.edge_id NOT IN (SELECT edge_id FROM street) AND e.level <> ground.level
+        AND NOT $3
+    UNION ALL SELECT k.edge_id, k.side, k.method, k.geom FROM ground, extent, LATERAL (
         SELECT * FROM {model}.kerb k WHERE {whole} OR k.geom && ST_SetSRID(extent, {srid}) {by_key}) k
     WHERE k.level = ground.level AND $3),
 found AS MATERIALIZED (
@@ -118,8 +122,8 @@ set_side AS (
 gone_side AS (
     DELETE FROM {model}.block_edge b USING given, old_side o
     WHERE given.whole AND (b.edge_id, b.side, b.start_abscissa) = (o.edge_id, o.side, o.start_abscissa)
-        AND NOT EXISTS (SELECT FROM found_side f
-            WHERE (f.edge_id, f.side, f.start_abscissa) = (o.edge_id, o.side, o.start_abscissa))
+        -- By hash, whatever the planner expects.
+        AND (o.edge_id, o.side, o.start_abscissa) NOT IN (SELECT edge_id, side, start_abscissa FROM found_side)
     RETURNING 1)
 SELECT 'block', (SELECT count(*) FROM changed_block WHERE fresh), (SELECT count(*) FROM changed_block WHERE NOT fresh),
     (SELECT count(*) FROM gone_block), (SELECT count(*) FROM new_block) - (SELECT count(*) FROM changed_block),
