@@ -3,8 +3,7 @@
 \pset tuples_only on
 \pset fieldsep ' | '
 SET client_min_messages = warning;
--- The grid closes cracks of micrometres between surfaces, which are no ground.
-CREATE TEMPORARY TABLE roadway AS SELECT level, ST_Union(surface, 1e-4) AS geom FROM :"model".roadway GROUP BY level;
+CREATE TEMPORARY TABLE roadway AS SELECT level, ST_Union(surface, 1e-5) AS geom FROM :"model".roadway GROUP BY level;
 -- A place on each metre of the sides of surfaces: it is on the border where no surface of the level lies 20 micrometres beyond; a crack between
 -- two surfaces may be half as wide.
 CREATE TEMPORARY TABLE place AS
@@ -57,7 +56,7 @@ FROM (SELECT s.*, ST_LineInterpolatePoint(kerb, 0.5) AS middle, (ST_X(b) - ST_X(
     WHERE side IN ('left', 'right') AND method <> 'contested' AND ST_NPoints(kerb) = 2 AND ST_Length(kerb) > 20) m;
 SELECT 'sidewalks | ' || :'model', (SELECT count(*) FROM strip), round((SELECT sum(ST_Area(surface)) FROM strip)::numeric, 0),
     (SELECT count(*) FROM strip WHERE NOT ST_IsValid(surface)),
-    (SELECT count(*) FROM strip WHERE ST_Distance(surface, ST_LineInterpolatePoint(kerb, 0.5)) > 0.001 AND method <> 'contested'),
+    (SELECT count(*) FROM strip WHERE ST_Distance(surface, kerb) > 0.001),
     (SELECT round(coalesce(sum(ST_Area(ST_Intersection(s.surface, r.geom))), 0)::numeric, 4) FROM strip s JOIN road r ON r.geom && s.surface AND s.level = (SELECT level FROM ground)),
     (SELECT round((100 * coalesce(sum(ST_Area(ST_Intersection(a.surface, b.surface))), 0) / nullif((SELECT sum(ST_Area(surface)) FROM strip), 0))::numeric, 6)
         FROM strip a JOIN strip b ON a.surface && b.surface AND a.level = b.level AND a.sidewalk_id < b.sidewalk_id),

@@ -1,13 +1,13 @@
 -- The model that is measured.
 CREATE SCHEMA bench;
 
--- Model `timed` with the axes and settings of an input, and no streets.
-CREATE PROCEDURE bench.fill(input name) LANGUAGE plpgsql AS $$
+-- Model `timed` with the axes and settings of an input, and no streets; subjects: as create_model takes them.
+CREATE PROCEDURE bench.fill(input name, subjects text[] DEFAULT NULL) LANGUAGE plpgsql AS $$
 DECLARE
     same name;
 BEGIN
     IF to_regnamespace('timed') IS NOT NULL THEN PERFORM streetgen.drop_model('timed'); END IF;
-    PERFORM streetgen.create_model('timed', srid, dimension) FROM streetgen.model WHERE name = input;
+    PERFORM streetgen.create_model('timed', srid, dimension, subjects => subjects) FROM streetgen.model WHERE name = input;
     PERFORM streetgen.live('timed', false);
     FOREACH same IN ARRAY ARRAY['setting', 'axis_class', 'axis', 'turn_restriction'] LOOP
         EXECUTE format('TRUNCATE timed.%1$I', same);

@@ -56,3 +56,10 @@ FROM median WHERE part = 'clusters' ORDER BY rows, split_part(phase, ' ', 1)::in
 SELECT pg_temp.header('input', 'experiment', 'axes', 'CPU s', 'CPU ms an axis', 'all axes in this way, CPU s');
 SELECT pg_temp.line(input, phase, rows::text, pg_temp.told(server), pg_temp.told(1000 * server / rows), CASE phase WHEN 'one by one' THEN pg_temp.told(server / rows * axes) || ', extrapolated' WHEN 'whole' THEN pg_temp.told(server) END)
 FROM median JOIN input USING (input) WHERE part = 'paper' ORDER BY axes, phase IN ('one by one', 'a street again'), rows;
+
+\echo
+\echo '### Kerbs, blocks and sidewalks'
+SELECT pg_temp.header('input', 'subjects', 'rows', 'first run, CPU s', 'in runs of the surfaces', 'private memory MB', 'against the surfaces', 'nothing changed, CPU s', 'rows written then');
+SELECT pg_temp.line(c.input, c.phase, c.rows::text, pg_temp.told(c.cpu), pg_temp.told(c.cpu / s.cpu), pg_temp.told(c.peak), pg_temp.told(c.peak / s.peak), pg_temp.told(u.cpu), u.rows::text)
+FROM median c JOIN median u ON (u.input, u.part, u.phase) = (c.input, c.part, c.phase || ' unchanged') JOIN median s ON (s.input, s.part, s.phase) = (c.input, c.part, 'surface')
+WHERE c.part = 'subjects' ORDER BY c.input, c.rows;
