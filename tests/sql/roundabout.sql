@@ -162,6 +162,14 @@ SELECT 'what edits made a run leaves', bool_and(inserted = 0 AND updated = 0 AND
 DO $$ BEGIN PERFORM streetgen.create_model('anew', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right'); END $$;
 INSERT INTO anew.axis SELECT * FROM town.axis;
 SELECT 'edits give what a model from scratch has', test.same('town', 'anew');
+-- An arm that comes to the ring, cut 300 m before: another edge is the arm then.
+UPDATE town.axis SET geom = ST_Reverse(arm(0, 0, 25, 180, 500)) WHERE axis_id = 4;
+INSERT INTO town.axis (axis_id, geom, width) VALUES (90, 'SRID=2154;LINESTRING(649600 6860000, 649600 6860080)', 5);
+SELECT 'an arm that is cut far away is the edge at the ring', (SELECT count(*) = 1 FROM town.roundabout_arm JOIN town.edge USING (edge_id) WHERE axis_id = 4 AND ST_Length(geom) < 420)
+  AND (SELECT bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town'));
+DELETE FROM town.axis WHERE axis_id = 90;
+SELECT 'and joined again the whole', (SELECT count(*) = 1 FROM town.roundabout_arm JOIN town.edge USING (edge_id) WHERE axis_id = 4 AND ST_Length(geom) > 450)
+  AND (SELECT bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town'));
 DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'with its axis the ring goes', NOT EXISTS (SELECT FROM town.roundabout WHERE accepted) AND NOT EXISTS (SELECT FROM town.roundabout_edge JOIN town.roundabout USING (roundabout_id) WHERE accepted);
 UPDATE anew.axis SET direction = 'reverse' WHERE axis_id = 1;

@@ -50,13 +50,20 @@ ring_line AS MATERIALIZED (
     SELECT geom, {beside_rings} + 5 AS reach FROM (
         SELECT geom FROM used WHERE NOT {whole} AND axis_id IN (SELECT unnest($3))
         UNION ALL SELECT geom FROM {model}.edge WHERE NOT {whole} AND axis_id = ANY ($3)) l, setting),
+-- Of an arm that is cut anew, however far away, the ring has another edge.
+ring_axis AS MATERIALIZED (
+    SELECT array_agg(axis_id) AS ids FROM used u, setting WHERE EXISTS (SELECT FROM ring_line l
+        WHERE ST_DWithin(u.geom, l.geom, 3 * (v ->> 'tolerance')::float8))),
 old_ring AS MATERIALIZED (
     SELECT roundabout_id, accepted FROM {model}.roundabout r WHERE NOT {empty} AND ({whole} OR EXISTS (
         SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, reach)
-            AND r.geom && ST_Expand(l.geom, reach)))),
+            AND r.geom && ST_Expand(l.geom, reach))
+        OR roundabout_id IN (SELECT a.roundabout_id FROM {model}.edge e JOIN {model}.roundabout_arm a USING (edge_id)
+            WHERE e.axis_id = ANY ((SELECT ids FROM ring_axis)::bigint[])))),
 new_ring AS MATERIALIZED (
     SELECT r.*, row_number() OVER (ORDER BY number)::integer AS ring FROM ring r
-    WHERE {whole} OR EXISTS (SELECT FROM ring_line l WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, reach))),
+    WHERE {whole} OR arm_axes && (SELECT ids FROM ring_axis) OR EXISTS (SELECT FROM ring_line l
+        WHERE ST_DWithin(ST_ConvexHull(r.geom), l.geom, reach))),
 new_ring_edge AS MATERIALIZED (
     SELECT ring, accepted, n::integer AS ordinality, face, axis_id, start_abscissa, end_abscissa, along_axis
     FROM new_ring, unnest(edge_axes, edge_starts, edge_ends, edge_along, edge_faces) WITH ORDINALITY
