@@ -94,3 +94,11 @@ INSERT INTO near.placement_rule (type, along, side, distance_from_limit) VALUES 
 SELECT 'a crossing on each arm, and one in the middle of a street that has no room for two', count(*) = 5 AND count(*) FILTER (WHERE axis_id = 2 AND abs(abscissa - 7) < 1e-6) = 1 FROM near.street_object;
 INSERT INTO near.placement_rule (type, along, side, axis_offset, distance_from_limit) VALUES ('sign', 'arm', 'right', 1, 2.5);
 SELECT 'signs there stand on either side', array_agg(side ORDER BY side) = '{left,right}' FROM near.street_object WHERE axis_id = 2 AND type = 'sign';
+
+-- Crossings in bends that turn back: a result, whatever the line.
+SELECT streetgen.create_model('bent', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO bent.axis (axis_id, geom, width) SELECT n, pg_temp.line(format('LINESTRING(%s 0, %s 0.3, %s 3, %s %s, %s 30)', 200 * n, 200 * n + 30, 200 * n + 31, 200 * n + 29, 1 + n % 5, 200 * n + 10 * (n % 4))), 4 + n FROM generate_series(1, 12) n;
+INSERT INTO bent.pedestrian_crossing_editing (axis_id, abscissa, width, angle) SELECT axis_id, share * ST_Length(geom), 2 + 3 * share, 45 + 90 * share FROM bent.axis, unnest(ARRAY[0, 0.2, 0.4, 0.45, 0.5, 0.55, 0.6, 0.7, 1]) share;
+SELECT 'each has sound ground and stripes, or none', count(*) = 108 AND count(surface) > 50 AND bool_and(coalesce(ST_IsValid(surface), true)) AND bool_and(coalesce(ST_IsValid(stripes), true)) FROM bent.pedestrian_crossing;
+UPDATE bent.axis SET width_end = width / 2;
+SELECT 'also where it tapers', count(surface) > 50 AND bool_and(coalesce(ST_IsValid(surface), true)) FROM bent.pedestrian_crossing;

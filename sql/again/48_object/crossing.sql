@@ -47,10 +47,12 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width floa
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     -- Half a metre of paint, half a metre of roadway, from the middle outwards, and a quarter of a metre free at kerbs.
-    SELECT ST_Multi(ST_Collect(ST_MakePolygon(ST_MakeLine(ARRAY[p1, p2, p3, p4, p1])) ORDER BY o))
+    -- In a sharp bend stripes lie on each other.
+    SELECT CASE WHEN (ST_IsValidDetail(paint)).valid THEN paint ELSE ST_Multi(ST_UnaryUnion(paint)) END
+    FROM (SELECT ST_Multi(ST_Collect(ST_MakePolygon(ring) ORDER BY o)) AS paint
     FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last,
             streetgen._crossing_reach(width + 2 * abs(roadway_offset), crossing_width, angle) AS reach) n,
-        LATERAL (SELECT streetgen._drawn_on(axis, reach)::bytea AS line OFFSET 0) g,
+        LATERAL (SELECT streetgen._drawn_on(axis, reach)::bytea AS line OFFSET 0) drawn,
         generate_series(-last, last) o,
         LATERAL (SELECT roadway_offset + o - 0.25 AS a, roadway_offset + o + 0.25 AS b,
             1 / tan(radians(angle)) AS slope) s,
@@ -58,9 +60,12 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width floa
         LATERAL (SELECT streetgen._place_on(line, low + a * slope, a)::geometry AS p1,
             streetgen._place_on(line, high + a * slope, a)::geometry AS p2,
             streetgen._place_on(line, high + b * slope, b)::geometry AS p3,
-            streetgen._place_on(line, low + b * slope, b)::geometry AS p4) q $$;
+            streetgen._place_on(line, low + b * slope, b)::geometry AS p4) q,
+        LATERAL (SELECT ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]) AS ring) closed
+    WHERE ST_IsSimple(ring)) p $$;
 COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8, float8) IS
-    'The stripes (MULTIPOLYGON) of a crossing, along the axis, which is drawn on at its ends.';
+    'The stripes (MULTIPOLYGON) of a crossing, along the axis, which is drawn on at its ends; without those that the '
+    'axis bends too sharply for.';
 
 CREATE OR REPLACE FUNCTION streetgen._on_roadway(ground geometry, surfaces geometry[]) RETURNS geometry
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -70,7 +75,10 @@ DECLARE
     inner_ground constant geometry := ST_Scale(ground, ST_MakePoint(0.999, 0.999), ST_Centroid(ground));
     roadway geometry;
 BEGIN
-    IF EXISTS (SELECT FROM unnest(surfaces) s WHERE ST_Covers(s, inner_ground)) THEN
+    -- Its borders cross where the axis turns back beside it.
+    IF NOT (ST_IsValidDetail(ground)).valid THEN
+        RETURN NULL;
+    ELSIF EXISTS (SELECT FROM unnest(surfaces) s WHERE ST_Covers(s, inner_ground)) THEN
         RETURN ground;
     END IF;
     roadway := ST_Union(surfaces);
@@ -111,8 +119,10 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
                 UNION ALL SELECT surface FROM %1$I.intersection WHERE surface && d.ground AND level - d.level = 0))
                 AS kept) k ON d.ground IS NOT NULL),
     new AS (
-        SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes
-            ELSE ST_Multi(ST_CollectionExtract(ST_Intersection(stripes, kept), 3)) END AS stripes FROM clipped)
+        -- Stripe by stripe, since they may touch in a bend.
+        SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
+            SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
+            FROM ST_Dump(stripes) s) END AS stripes FROM clipped)
     UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
     WHERE n.street_object_id = c.street_object_id
         AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
