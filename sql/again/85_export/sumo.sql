@@ -13,7 +13,7 @@ COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
     'The vehicle classes of SUMO that kinds of lanes and sidewalks allow, or else those that they do not. Cars park on '
     'a parking lane, but none drives there.';
 
-CREATE OR REPLACE FUNCTION streetgen._sumo_edge(subjects text[], line text, condition text) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._sumo_edge(subjects text[], line text, loops boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._export_sidewalks('sidewalk' = ANY (subjects)) || $part$,
 -- A sidewalk is a lane of the edge at whose kerb it lies; beside no lane of its direction it is an edge by itself.
@@ -22,7 +22,10 @@ grouped AS MATERIALIZED (
         streetgen._lane_group_text(g.edge_id, g.along_axis, number) AS text, (w.lane_id IS NOT NULL)::integer AS walk
     FROM %1$I.lane_group g LEFT JOIN sidewalk_beside w
         ON (w.edge_id, w.along_axis, w.lane_id) = (g.edge_id, g.along_axis, g.lanes[1])
-    WHERE g.edge_id IN (SELECT edge_id FROM written_edge)),
+    WHERE $part$ || CASE WHEN loops THEN $part$g.edge_id = ANY (ARRAY(
+            SELECT edge_id FROM written_edge e JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node
+            WHERE f.place_id = t.place_id))$part$
+        ELSE 'g.edge_id IN (SELECT edge_id FROM written_edge)' END || $part$),
 carried AS (
     SELECT * FROM grouped
     UNION ALL SELECT 2 * lane_id, w.edge_id, w.along_axis, CASE WHEN w.along_axis THEN from_node ELSE to_node END,
@@ -43,15 +46,15 @@ sumo_edge AS MATERIALIZED (
         UNION ALL SELECT text, from_place::text, 'middle.' || text, 0, 0.5 WHERE from_place = to_place
         UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1
             WHERE from_place = to_place) v
-    WHERE $part$ || condition || $part$)$part$ $$;
-COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, text) IS
+    WHERE $part$ || CASE WHEN loops THEN 'from_place = to_place' ELSE 'true' END || $part$)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, boolean) IS
     'Query sumo_edge of the files of SUMO over a model that computes these subjects: the edges that lane groups and '
     'sidewalks are, with the nodes that traffic comes from and goes to, the shares of the length of the group where '
-    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line. Line and condition are SQL.';
+    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line, which is SQL. loops: of loops alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_edge(subjects, 'geom', 'from_place = to_place') || $part$,
+    AS $$ SELECT streetgen._sumo_edge(subjects, 'geom', true) || $part$,
 -- Who is on a mini-roundabout comes from the left, and goes first; netconvert mirrors networks of left-hand traffic.
 mini AS (
     SELECT DISTINCT n.node_id, 'left_before_right' AS type
@@ -98,14 +101,14 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_rings(computed boolean) RETURNS text
 ring_line AS (
     SELECT 2 AS turn, roundabout_id AS id, xmlelement(name roundabout, xmlattributes(
         string_agg(comes_from, ' ' ORDER BY ordinality) AS nodes,
-        string_agg(s.name, ' ' ORDER BY ordinality) AS edges)) AS element
+        string_agg(s.name, ' ' ORDER BY ordinality) AS edges))::text AS element
     FROM %1$I.roundabout r JOIN %1$I.roundabout_edge e USING (roundabout_id)
         LEFT JOIN sumo_edge s ON s.edge_id = e.edge_id AND s.along_axis = e.along_axis
             AND s.lane_count > 0
     WHERE accepted GROUP BY roundabout_id, face
     -- A part of a ring goes round nothing.
     HAVING count(DISTINCT comes_from) = count(*))$part$
-    ELSE $part$, ring_line AS (SELECT 2 AS turn, 0::bigint AS id, NULL::xml AS element WHERE false)$part$ END $$;
+    ELSE $part$, ring_line AS (SELECT 2 AS turn, 0::bigint AS id, NULL::text AS element WHERE false)$part$ END $$;
 COMMENT ON FUNCTION streetgen._sumo_rings(boolean) IS
     'Query ring_line of the files of SUMO over a model, after sumo_edge: the accepted roundabouts all of whose edges '
     'are written, each face of a double one by itself; nothing of a model that computes none.';
@@ -113,7 +116,7 @@ COMMENT ON FUNCTION streetgen._sumo_rings(boolean) IS
 CREATE OR REPLACE FUNCTION streetgen._sumo_edges(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge(subjects,
-        'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', 'true')
+        'CASE WHEN until - since < 1 THEN ST_LineSubstring(geom, since, until) ELSE geom END', false)
     || streetgen._sumo_rings('roundabout' = ANY (subjects)) || streetgen._sumo_crossings(subjects) || $part$,
 -- Who waits leaves the crossing free.
 held_back AS (
@@ -136,18 +139,19 @@ lane_line AS MATERIALIZED (
         FROM sumo_edge e JOIN sidewalk_beside w USING (edge_id, along_axis) WHERE walk = 1) l
     JOIN streetgen._sumo_lane_class() c USING (kind)),
 lane_element AS (
-    SELECT name, xmlagg(xmlelement(name lane, xmlattributes(index, allow, disallow,
-        round(width::numeric, digits) AS width, streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y,
-            digits, tolerance) AS shape)) ORDER BY index) AS elements
+    SELECT name, string_agg('<lane index="' || index || coalesce('" allow="' || allow, '')
+        || coalesce('" disallow="' || disallow, '') || '" width="' || round(width::numeric, digits)
+        || coalesce('" shape="' || streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits,
+            tolerance), '') || '"/>', '' ORDER BY index) AS elements
     FROM origin, lane_line GROUP BY name),
 line AS (
-    SELECT 1 AS turn, lane_group_id AS id, xmlelement(name edge, xmlattributes(s.name AS id, comes_from AS "from",
+    SELECT 1 AS turn, lane_group_id AS id, left(xmlelement(name edge, xmlattributes(s.name AS id, comes_from AS "from",
         goes_to AS "to", 100 - e.importance AS priority, streetgen._xml_text(a.kind) AS type,
         s.lane_count + walk AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed,
         streetgen._xml_text(street) AS name, 'center' AS "spreadType",
-        streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape), elements,
-        CASE WHEN back IS NOT NULL THEN xmlelement(name "stopOffset", xmlattributes(
-            round(back::numeric, digits) AS value)) END) AS element
+        streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape))::text, -2)
+        || '>' || elements || coalesce('<stopOffset value="' || round(back::numeric, digits) || '"/>', '') || '</edge>'
+        AS element
     FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
     LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
@@ -158,7 +162,7 @@ COMMENT ON FUNCTION streetgen._sumo_edges(text[]) IS
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._sumo_edge(subjects, 'NULL', 'true') || $part$,
+    AS $$ SELECT streetgen._sumo_edge(subjects, 'NULL', false) || $part$,
 placed AS MATERIALIZED (
     SELECT lane_id, along_axis, name, goes_to, since, until, i - 1 + walk AS index
     FROM sumo_edge, unnest(lanes) WITH ORDINALITY m(lane_id, i)),
@@ -176,20 +180,19 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_connections(subjects text[]) RETURNS 
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_going_on(subjects) || streetgen._sumo_crossings(subjects) || $part$,
 line AS (
-    SELECT 1 AS turn, id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
-        index_in AS "fromLane", index_out AS "toLane",
-        CASE WHEN ST_Length(k.geom) > 0.05 THEN streetgen._coordinates(k.geom, x, y, digits, tolerance) END AS shape))
-        AS element
+    SELECT 1 AS turn, id, '<connection from="' || name_in || '" to="' || name_out || '" fromLane="' || index_in
+        || '" toLane="' || index_out || coalesce('" shape="' || CASE WHEN ST_Length(k.geom) > 0.05
+            THEN streetgen._coordinates(k.geom, x, y, digits, tolerance) END, '') || '"/>' AS element
     FROM origin, going_on k
     UNION ALL
     -- What is not said is invented: an edge without a way on goes into none.
-    SELECT 2, a.lane_group_id, xmlelement(name delete, xmlattributes(a.name AS "from", b.name AS "to"))
+    SELECT 2, a.lane_group_id, '<delete from="' || a.name || '" to="' || b.name || '"/>'
     FROM sumo_edge a JOIN sumo_edge b ON b.comes_from = a.goes_to
     WHERE NOT EXISTS (SELECT FROM going_on WHERE name_in = a.name)
     UNION ALL
     SELECT 3, c.edge_id, xmlelement(name crossing, xmlattributes(c.place_id AS node,
         array_to_string(names, ' ') AS edges, 1 AS priority, round(along::numeric, digits) AS width,
-        number AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))
+        number AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))::text
     FROM origin, crossed c)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_connections(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the connections, '

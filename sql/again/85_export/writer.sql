@@ -124,7 +124,7 @@ COMMENT ON FUNCTION streetgen._begin_export(name, text, text, jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._export_edges(model name, options jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format($part$
-written_edge AS MATERIALIZED (
+written_edge AS NOT MATERIALIZED (
     SELECT * FROM %1$I.edge e
     WHERE ($1 ->> 'level' IS NULL OR level = ($1 ->> 'level')::integer)
         AND (jsonb_typeof($1 -> 'extent') = 'null' OR ST_Intersects(geom, ST_MakeEnvelope(
@@ -187,13 +187,20 @@ COMMENT ON FUNCTION streetgen._coordinates(geometry, float8, float8, integer, fl
     'The points of a LINESTRING as x,y x,y … from an origin, with so many digits and none twice in a row, simplified '
     'by a tolerance in metres. NULL where one point is left.';
 
+CREATE OR REPLACE FUNCTION streetgen._stretched(line geometry, metres float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT ST_MakeLine(ST_Translate(middle, -east, -north), ST_Translate(middle, east, north))
+    FROM (SELECT ST_LineInterpolatePoint(line, 0.5) AS middle,
+        coalesce(ST_Azimuth(ST_StartPoint(line), ST_EndPoint(line)), 0) AS azimuth) m,
+        LATERAL (SELECT metres / 2 * sin(azimuth) AS east, metres / 2 * cos(azimuth) AS north) d $$;
+COMMENT ON FUNCTION streetgen._stretched(geometry, float8) IS
+    'A straight line of that length, metres, about the middle of a line and in its direction.';
+
+-- Few lines are short: the test alone is inlined.
 CREATE OR REPLACE FUNCTION streetgen._at_least_long(line geometry, metres float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN ST_Length(line) >= metres THEN line ELSE (
-        SELECT ST_MakeLine(ST_Translate(middle, -east, -north), ST_Translate(middle, east, north))
-        FROM (SELECT ST_LineInterpolatePoint(line, 0.5) AS middle,
-            coalesce(ST_Azimuth(ST_StartPoint(line), ST_EndPoint(line)), 0) AS azimuth) m,
-            LATERAL (SELECT metres / 2 * sin(azimuth) AS east, metres / 2 * cos(azimuth) AS north) d) END;
+    RETURN CASE WHEN ST_Length(line) >= metres THEN line ELSE streetgen._stretched(line, metres) END;
 COMMENT ON FUNCTION streetgen._at_least_long(geometry, float8) IS
     'A line; a shorter one is stretched about its middle to that length, metres. netconvert draws lanes of less than '
     '0.1 m anew, which moves them by metres.';
