@@ -84,3 +84,6 @@ SELECT 'a road climbs as its axis does', abs((xpath('string(//road[userData[@cod
 SELECT FROM streetgen.live('town', false);
 UPDATE town.axis SET width = 13 WHERE axis_id = 1;
 SELECT 'a stale model is written', pg_temp.found('//road[@junction="-1"]', pg_temp.file('town')) = (SELECT count(*) FROM town.edge);
+-- Numbers as texts.
+SELECT 'a number has its digits, and is never -0', (SELECT array_agg(streetgen._decimal(v, d)) FROM (VALUES (1.005::float8, 1), (-0.0004, 3), (-2.5, 4), (123456789.123456, 3), (1e-9, 9), (7, 0)) n(v, d)) = '{1.0,0.000,-2.5000,123456789.123,0.000000001,7}';
+SELECT 'one that is not finite is refused', test.state($$SELECT streetgen._decimal('NaN', 2)$$) = '22023' AND test.state($$SELECT streetgen._decimal('Infinity', 2)$$) = '22023';

@@ -12,47 +12,24 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_open(element xml) RETURNS text
     RETURN left(element::text, -2) || '>';
 COMMENT ON FUNCTION streetgen._opendrive_open(xml) IS 'The opening tag of an empty element.';
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_number(value float8, digits integer) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN round(value::numeric, digits)::text;
-COMMENT ON FUNCTION streetgen._opendrive_number(float8, integer) IS 'A number with so many digits behind the point.';
-
 CREATE OR REPLACE FUNCTION streetgen._opendrive_plan(s float8[], x float8[], y float8[], heading float8[],
     length float8[], curvature float8[], x0 float8, y0 float8, digits integer) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    BEGIN ATOMIC
-    SELECT '<planView>' || string_agg('<geometry s="' || streetgen._opendrive_number(p.s, 7)
-        || '" x="' || streetgen._opendrive_number(p.x - x0, digits)
-        || '" y="' || streetgen._opendrive_number(p.y - y0, digits)
-        || '" hdg="' || streetgen._opendrive_number(p.heading, 9)
-        || '" length="' || streetgen._opendrive_number(p.length, 7)
-        || CASE WHEN p.curvature = 0 THEN '"><line/></geometry>'
-            ELSE '"><arc curvature="' || streetgen._opendrive_number(p.curvature, 12) || '"/></geometry>' END, ''
-        ORDER BY p.s) || '</planView>'
-    FROM unnest(s, x, y, heading, length, curvature) p(s, x, y, heading, length, curvature);
-    END;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_opendrive_plan';
 COMMENT ON FUNCTION streetgen._opendrive_plan(float8[], float8[], float8[], float8[], float8[], float8[], float8,
     float8, integer) IS 'The element planView of a chain, from an origin x0, y0.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_change(element text, place text, station float8[], value float8[])
     RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    BEGIN ATOMIC
-    SELECT string_agg('<' || element || ' ' || place || '="' || streetgen._opendrive_number(station[i], 7)
-        || '" a="' || streetgen._opendrive_number(value[i], 5)
-        || '" b="' || streetgen._opendrive_number((value[i + 1] - value[i]) / (station[i + 1] - station[i]), 9)
-        || '" c="0" d="0"/>', '' ORDER BY i)
-    FROM generate_series(1, cardinality(station) - 1) i;
-    END;
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_opendrive_change';
 COMMENT ON FUNCTION streetgen._opendrive_change(text, text, float8[], float8[]) IS
     'Elements of polynomials that are straight from station to station; place is the attribute that says where.';
 
--- Most roads are of one stretch, and a call of the function above costs more than its text.
+-- Most roads are of one stretch: no arrays are made for these.
 CREATE OR REPLACE FUNCTION streetgen._opendrive_step(element text, place text, length float8, "from" float8,
     "to" float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN '<' || element || ' ' || place || '="0.0000000" a="' || streetgen._opendrive_number("from", 5)
-        || '" b="' || streetgen._opendrive_number(("to" - "from") / length, 9) || '" c="0" d="0"/>';
+    RETURN '<' || element || ' ' || place || '="0.0000000" a="' || streetgen._decimal("from", 5)
+        || '" b="' || streetgen._decimal(("to" - "from") / length, 9) || '" c="0" d="0"/>';
 COMMENT ON FUNCTION streetgen._opendrive_step(text, text, float8, float8, float8) IS
     'The element of a polynomial that is straight over a whole road of that length.';
 
@@ -186,12 +163,12 @@ line AS (
     FROM origin LEFT JOIN spatial_ref_sys ON srid = %2$s
     UNION ALL
     SELECT 2, d.road_id, streetgen._opendrive_open(xmlelement(name road, xmlattributes(
-            streetgen._xml_text(a.name) AS name, streetgen._opendrive_number(d.total, 7) AS length,
+            streetgen._xml_text(a.name) AS name, streetgen._decimal(d.total, 7) AS length,
             d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule)))
         || CASE WHEN f.place_id IS NULL AND t.place_id IS NULL THEN '' ELSE '<link>'
             || coalesce('<predecessor elementType="junction" elementId="' || f.place_id || '"/>', '')
             || coalesce('<successor elementType="junction" elementId="' || t.place_id || '"/>', '') || '</link>' END
-        || '<type s="0" type="unknown"><speed max="' || streetgen._opendrive_number(e.speed, 1)
+        || '<type s="0" type="unknown"><speed max="' || streetgen._decimal(e.speed, 1)
         || '" unit="km/h"/></type>'
         || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, o.x, o.y, digits)
         || CASE WHEN h.station IS NULL THEN '' ELSE '<elevationProfile>' || streetgen._opendrive_change('elevation',
@@ -209,7 +186,7 @@ line AS (
         LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
         LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL
-    SELECT 3, c.road_id, '<road length="' || streetgen._opendrive_number(total, 7)
+    SELECT 3, c.road_id, '<road length="' || streetgen._decimal(total, 7)
         || '" id="' || c.road_id || '" junction="' || place_id || '" rule="' || rule
         || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
         || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out

@@ -75,8 +75,8 @@ grounded AS (
 object_text AS MATERIALIZED (
     SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
             street_object_id AS id, streetgen._xml_text(type) AS name, kind AS type,
-            streetgen._opendrive_number(station, 4) AS s, streetgen._opendrive_number(aside, 4) AS t,
-            0 AS "zOffset", 'none' AS orientation, streetgen._opendrive_number(CASE
+            streetgen._decimal(station, 4) AS s, streetgen._decimal(aside, 4) AS t,
+            0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
                 WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6) AS hdg,
             CASE WHEN kind = 'tree' AND NOT outlined THEN size / 2 END AS radius,
             CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS length,

@@ -44,8 +44,8 @@ sign AS MATERIALIZED (
         streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, ST_X(place), ST_Y(place)) s),
 numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
 signal_text AS MATERIALIZED (
-    SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_number(station, 4) || '" t="'
-        || streetgen._opendrive_number(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
+    SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._decimal(station, 4) || '" t="'
+        || streetgen._decimal(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
         || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
         || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
         || '" toLane="' || last || '"/></signal>', '' ORDER BY id) || '</signals>' AS text

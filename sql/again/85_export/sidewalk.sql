@@ -28,7 +28,7 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_sidewalks(computed boolean) RETU
 sidewalk_lane AS MATERIALIZED (
     SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1
             ELSE lefts - cardinality(lanes) - 1 END || '" type="sidewalk" level="false"><width sOffset="0" a="'
-        || streetgen._opendrive_number(s.width, 5) || '" b="0" c="0" d="0"/>'
+        || streetgen._decimal(s.width, 5) || '" b="0" c="0" d="0"/>'
         || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
         || raised || '" outer="' || raised || '"/></lane>' AS text
     FROM sidewalk_beside s
