@@ -3,7 +3,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_symbol(place geometry, angle float8
     RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN ST_Dimension(place) = 1 THEN place
+    SELECT CASE WHEN ST_Dimension(place) = 1 THEN ST_Buffer(place, size / 2, 'endcap=flat')
         WHEN symbol IN ('circle', 'tree') THEN ST_Buffer(place, size / 2)
         ELSE ST_SetSRID(ST_Translate(ST_Rotate(ST_Scale(CASE symbol
                 WHEN 'rectangle' THEN 'POLYGON((-1 -0.4,1 -0.4,1 0.4,-1 0.4,-1 -0.4))'
@@ -14,5 +14,5 @@ CREATE OR REPLACE FUNCTION streetgen._object_symbol(place geometry, angle float8
                 ELSE 'POLYGON((0 1,1 0,0 -1,-1 0,0 1))' END::geometry, size / 2, size / 2), -radians(angle)),
             ST_X(place), ST_Y(place)), ST_SRID(place)) END $$;
 COMMENT ON FUNCTION streetgen._object_symbol(geometry, float8, text, float8) IS
-    'The symbol of an object of a size (m), turned to its angle (degrees clockwise from the north); a stretch as it '
-    'is.';
+    'The symbol of an object of a size (m), turned to its angle (degrees clockwise from the north); a stretch as '
+    'wide as its size.';

@@ -150,7 +150,7 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
     (53, 'bridge', $part$
     SELECT 8.5, 'tunnel', true, ST_Boundary(surface), tunnel_id FROM %1$I.tunnel, size WHERE pixel < 3$part$),
     (54, 'object', $part$
-    SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, ST_Dimension(o.geom) = 1,
+    SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, false,
         streetgen._object_symbol(o.geom, o.angle, t.symbol, greatest(t.size, 4 * pixel)), o.street_object_id
         FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size
         WHERE pixel < 0.5 AND t.symbol NOT IN ('crossing', 'bay')$part$),
