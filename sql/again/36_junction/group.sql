@@ -120,7 +120,7 @@ DECLARE
 BEGIN
     RETURN ARRAY(
         WITH member AS MATERIALIZED (
-            SELECT m.node_id, m.junction_id FROM unnest(members) m JOIN unnest(region) r(node_id) USING (node_id)),
+            SELECT m.node_id, m.junction_id FROM unnest(members) m WHERE m.node_id IN (SELECT unnest(region))),
         arm AS MATERIALIZED (
             SELECT j.junction_id, array_agg(ROW (e.edge_id, a.kind, e.importance, e.speed,
                 CASE WHEN at_start THEN e.width ELSE e.width_end END,

@@ -12,17 +12,17 @@ CREATE OR REPLACE FUNCTION %1$I._put_junctions(region bigint[], members streetge
     AS $body$
 #variable_conflict use_column
 BEGIN
-    WITH new AS MATERIALIZED (
-        SELECT m.junction_id, m.kind, m.method, m.geom,
-            CASE WHEN m.nodes = 1 THEN coalesce(
-                (SELECT i.surface FROM %1$I.intersection i WHERE i.node_id = m.junction_id),
-                ST_GeomFromText('MULTIPOLYGON EMPTY', ST_SRID(m.geom)))
-            ELSE streetgen._united_ground(ARRAY(
-                SELECT i.surface FROM unnest(members) n JOIN %1$I.intersection i ON i.node_id = n.node_id
-                    WHERE n.junction_id = m.junction_id
-                UNION ALL SELECT s.surface FROM unnest(members) n JOIN %1$I.section s ON s.edge_id = n.edge_id
-                    WHERE n.junction_id = m.junction_id), largest_hole, ST_SRID(m.geom)) END AS surface
-        FROM unnest(made) m),
+    WITH united AS MATERIALIZED (
+        SELECT junction_id, array_agg(surface) AS parts FROM (
+            SELECT n.junction_id, i.surface FROM unnest(members) n JOIN %1$I.intersection i USING (node_id)
+            UNION ALL SELECT n.junction_id, s.surface FROM unnest(members) n JOIN %1$I.section s USING (edge_id)) p
+        WHERE junction_id IN (SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1) GROUP BY junction_id),
+    new AS MATERIALIZED (
+        SELECT m.junction_id, m.kind, m.method, m.geom, CASE WHEN m.nodes > 1
+            THEN streetgen._united_ground(u.parts, largest_hole, ST_SRID(m.geom))
+            ELSE coalesce(i.surface, ST_GeomFromText('MULTIPOLYGON EMPTY', ST_SRID(m.geom))) END AS surface
+        FROM unnest(made) m LEFT JOIN united u USING (junction_id)
+            LEFT JOIN %1$I.intersection i ON m.nodes = 1 AND i.node_id = m.junction_id),
     compared AS MATERIALIZED (
         SELECT n.*, o.junction_id IS NULL AS fresh,
             (o.kind, o.method, o.geom::bytea, o.surface::bytea) IS DISTINCT FROM
@@ -127,6 +127,7 @@ BEGIN
 CREATE OR REPLACE FUNCTION %1$I._update_junctions(touched bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+    SET plan_cache_mode = auto
     AS $body$
 #variable_conflict use_column
 DECLARE
@@ -140,6 +141,10 @@ DECLARE
     edges record;
     movements record;
 BEGIN
+    IF touched IS NOT NULL THEN
+        -- Planning anew costs an edit more than the plans do.
+        PERFORM set_config('plan_cache_mode', 'force_generic_plan', true);
+    END IF;
     SELECT m.region, m.members INTO region, members FROM %1$I._junction_members(touched) m;
     made := %1$I._made_junctions(region, members);
     former := CASE WHEN touched IS NULL THEN ARRAY(SELECT DISTINCT junction_id FROM %1$I.junction_node)
@@ -147,8 +152,9 @@ BEGIN
     SELECT * INTO put FROM %1$I._put_junctions(region, members, made,
         (SELECT value::float8 FROM %1$I.setting WHERE name = 'max_hole_area'));
     WITH new AS MATERIALIZED (
-        SELECT n.node_id, n.junction_id FROM unnest(members) n JOIN unnest(region) r(node_id) USING (node_id)
-            JOIN unnest(made) m USING (junction_id)),
+        -- Not joins: of many the planner would guess billions of rows.
+        SELECT n.node_id, n.junction_id FROM unnest(members) n WHERE n.node_id IN (SELECT unnest(region))
+            AND n.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
     compared AS MATERIALIZED (
         SELECT n.*, o.node_id IS NULL AS fresh, o.junction_id IS DISTINCT FROM n.junction_id AS changed
         FROM new n LEFT JOIN %1$I.junction_node o USING (node_id)),
@@ -163,8 +169,8 @@ BEGIN
         (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
         INTO nodes FROM compared;
     WITH new AS MATERIALIZED (
-        SELECT e.edge_id, e.junction_id, e.role FROM unnest(members) e JOIN unnest(made) m USING (junction_id)
-        WHERE e.role IS NOT NULL),
+        SELECT e.edge_id, e.junction_id, e.role FROM unnest(members) e
+        WHERE e.role IS NOT NULL AND e.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
     compared AS MATERIALIZED (
         SELECT n.*, o.edge_id IS NULL AS fresh,
             (o.junction_id, o.role) IS DISTINCT FROM (n.junction_id, n.role) AS changed
@@ -178,6 +184,9 @@ BEGIN
     SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated,
         (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
         INTO edges FROM compared;
+    IF touched IS NULL THEN
+        PERFORM streetgen._analyse('%1$I.junction_node'), streetgen._analyse('%1$I.junction_edge');
+    END IF;
     SELECT * INTO movements FROM %1$I._put_movements(
         ARRAY(SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1), former);
     WITH gone AS (DELETE FROM %1$I.junction j WHERE j.junction_id = ANY (former)
