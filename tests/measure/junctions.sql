@@ -16,11 +16,6 @@ SELECT a.*, ST_Length(a.geom) AS length, ST_Length(ST_Difference(a.geom, ST_Buff
 FROM across a JOIN :"model".junction j USING (junction_id);
 CREATE TEMPORARY TABLE grouped AS
 SELECT junction_id, count(*) AS nodes FROM :"model".junction_node GROUP BY junction_id HAVING count(*) > 1;
--- Arcs of corners that lie within the surface of their junction, clear of its border.
-CREATE TEMPORARY TABLE arc_inside AS
-SELECT c.corner_id FROM :"model".corner c JOIN :"model".junction_node n USING (node_id) JOIN grouped USING (junction_id) JOIN :"model".junction j USING (junction_id)
-WHERE c.arc IS NOT NULL AND ST_DWithin(ST_LineInterpolatePoint(ST_CurveToLine(c.arc), 0.5), j.surface, 1e-3)
-    AND NOT ST_DWithin(ST_LineInterpolatePoint(ST_CurveToLine(c.arc), 0.5), ST_Boundary(j.surface), 0.05);
 SELECT set_config('search_path', quote_ident(:'model') || ', ' || current_setting('search_path'), false) \g /dev/null
 -- Kinds with control points and classes of links, and without them.
 CREATE FUNCTION pg_temp.kinds() RETURNS TABLE(node_id bigint, kind text) LANGUAGE sql AS $$
@@ -37,7 +32,7 @@ SELECT count(*) AS rows FROM lane_adjacency a JOIN lane_adjacency b ON (a.lane_a
 CREATE TEMPORARY TABLE figure AS
 SELECT (SELECT count(*) FROM junction) AS junctions, (SELECT count(*) FROM grouped) AS grouped, (SELECT coalesce(max(nodes), 0) FROM grouped) AS most,
     (SELECT count(*) FROM streetgen.check_model(:'model') WHERE rule = 'node of degree three and more without a junction') AS without_one,
-    (SELECT count(*) FROM grouped JOIN junction j USING (junction_id) WHERE ST_NumGeometries(j.surface) > 1) AS in_parts, (SELECT count(*) FROM arc_inside) AS arcs,
+    (SELECT count(*) FROM grouped JOIN junction j USING (junction_id) WHERE ST_NumGeometries(j.surface) > 1) AS in_parts,
     (SELECT count(*) FROM control_point) AS points, (SELECT count(*) FROM control_point p WHERE EXISTS (SELECT FROM edge e WHERE e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa - 1e-6 AND e.end_abscissa + 1e-6)) AS placed,
     (SELECT count(*) FROM path) AS paths, (SELECT count(*) FILTER (WHERE jump > 1) FROM path) AS jumps, (SELECT 100 * sum(off) / nullif(sum(length), 0) FROM path) AS off,
     (SELECT 100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0) FROM path WHERE abs(angle) > 20) AS tight,
@@ -53,7 +48,7 @@ CREATE TEMPORARY TABLE guessed ON COMMIT DROP AS SELECT * FROM pg_temp.kinds();
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
-SELECT '| ' || :'model', junctions, grouped, most, without_one, in_parts, arcs, placed || ' of ' || points, paths, jumps, round(off::numeric, 3), round(tight, 1), lost, overlapping,
+SELECT '| ' || :'model', junctions, grouped, most, without_one, in_parts, placed || ' of ' || points, paths, jumps, round(off::numeric, 3), round(tight, 1), lost, overlapping,
     (SELECT string_agg(format('%s %s/%s', w.kind, round(100.0 * hits / nullif(guesses, 0)), round(100.0 * hits / nullif(there, 0))), ', ' ORDER BY w.kind) FROM (
         SELECT k.kind, count(*) FILTER (WHERE g.kind = k.kind) AS hits, count(*) AS there, (SELECT count(*) FROM guessed o JOIN known USING (node_id) WHERE o.kind = k.kind) AS guesses
         FROM known k JOIN guessed g USING (node_id) GROUP BY k.kind) w) || ' |'

@@ -89,6 +89,19 @@ SELECT 'so is a kind', (SELECT kind = 'stop' AND method = 'by_hand' FROM town.ju
 DELETE FROM town.axis WHERE axis_id = 6;
 SELECT 'an override whose axis is gone is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'junction override without its axis');
 DELETE FROM town.junction_override;
+INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (4, 'SRID=2154;POINT(650000 6860000)', 'stop'), (5, 'SRID=2154;POINT(650000 6860020)', 'ramp');
+SELECT 'of two kinds the younger holds', (SELECT kind = 'ramp' FROM town.junction WHERE ST_DWithin(geom, 'SRID=2154;POINT(650000 6860010)', 1));
+DELETE FROM town.junction_override;
+-- Links that chain through half a city: thirty carriageways 20 m apart.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('wide', 2154, subjects => '{junction}');
+  INSERT INTO wide.axis (geom, width, lane_count, direction, importance, name) SELECT ST_SetSRID(CASE WHEN i % 2 = 0 THEN line ELSE ST_Reverse(line) END, 2154), 7, 2, 'direct', 2, 'avenue'
+    FROM generate_series(0, 29) i, LATERAL (SELECT ST_MakeLine(ARRAY[ST_MakePoint(649900, 6860000 + 20 * i), ST_MakePoint(650000, 6860000 + 20 * i), ST_MakePoint(650100, 6860000 + 20 * i)]) AS line) l;
+  INSERT INTO wide.axis (geom, width, lane_count, importance, name) SELECT ST_SetSRID(ST_MakeLine(array_agg(ST_MakePoint(650000, 6859980 + 20 * i) ORDER BY i)), 2154), 7, 2, 3, 'lane' FROM generate_series(0, 31) i;
+END $$;
+SELECT 'links that chain are parted by the extent', (SELECT count(*) > 5 AND max(width) <= 80 AND max(nodes) > 1 FROM (SELECT junction_id, count(*) AS nodes, ST_MaxDistance(ST_Collect(geom), ST_Collect(geom)) AS width FROM wide.junction_node JOIN wide.node USING (node_id) GROUP BY 1) j);
+SELECT 'and told', (SELECT count(*) > 0 FROM streetgen.check_model('wide') WHERE rule = 'edge that junction_extent keeps out of a junction') AND NOT EXISTS (SELECT FROM streetgen.check_model('wide') WHERE severity = 'error');
+DO $$ BEGIN PERFORM streetgen.drop_model('wide'); END $$;
 -- Edit views.
 CREATE VIEW pg_temp.side AS SELECT * FROM town.junction_editing WHERE ST_DWithin(geom, 'SRID=2154;POINT(650000 6860010)', 11);
 CREATE VIEW pg_temp.link AS SELECT v.* FROM town.junction_edge_editing v JOIN town.edge USING (edge_id) WHERE axis_id = 4;
@@ -142,6 +155,9 @@ DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.by_width'), stre
 SELECT 'a function of the user decides', (SELECT bool_or(kind = 'stop') FROM town.junction);
 SELECT 'an unknown word is refused', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier by_width gives "crossroads"%';
 SELECT 'a function that is not there too', test.state($q$SELECT streetgen.set('town', 'classifier', 'public.no_such')$q$) = '22023';
+CREATE FUNCTION public.broken(arms streetgen.junction_arm[]) RETURNS text LANGUAGE plpgsql IMMUTABLE AS $$ BEGIN IF (SELECT max(a.width) > 100 FROM unnest(arms) a) THEN RAISE EXCEPTION 'too wide' USING ERRCODE = '22003'; END IF; RETURN 'stop'; END $$;
+DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.broken'), streetgen.generate('town', wait => true); END $$;
+SELECT 'one that raises is named with its words, its SQLSTATE and the junction', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier broken fails at junction %: too wide' AND test.state($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) = '22003' AND (SELECT width = 7 FROM town.axis WHERE axis_id = 5);
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.

@@ -92,8 +92,8 @@ CREATE OR REPLACE FUNCTION streetgen._may_change(word text, leftwards boolean) R
 COMMENT ON FUNCTION streetgen._may_change(text, boolean) IS
     'Whether a word of OSM''s change:lanes lets traffic leave its lane to that side.';
 
-CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8,
-    OUT on_axis float8[], OUT on_lane float8[])
+CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8, first float8,
+    last float8, OUT on_axis float8[], OUT on_lane float8[])
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     -- About a vertex of the axis a lane inside has a point where one outside has an arc: both are one stretch there.
@@ -107,20 +107,26 @@ CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry
     corner AS (
         SELECT abscissa, least(widest * abs(tan(turn / 2)), before / 2, behind / 2) AS half FROM placed
         WHERE before > 0 AND behind > 0 AND abs(sin(turn)) > 1e-9),
-    ends AS (
-        SELECT ST_LineLocatePoint(axis, ST_StartPoint(lane)) * total AS first,
-            ST_LineLocatePoint(axis, ST_EndPoint(lane)) * total AS last FROM size),
     breaks AS (
-        SELECT first AS at, 0::float8 AS measure FROM ends UNION ALL SELECT last, lane_total FROM ends, size
+        SELECT first AS at, 0::float8 AS measure
+        -- Lanes between limits that coincide have a length all the same.
+        UNION ALL SELECT CASE WHEN last - first > 1e-6 THEN last ELSE first + 1 END, lane_total FROM size
         UNION ALL SELECT c.at, ST_LineLocatePoint(lane, ST_LineInterpolatePoint(axis, least(c.at / total, 1)))
             * lane_total
-        FROM size, ends, corner, LATERAL (VALUES (abscissa - half), (abscissa + half)) c(at)
-        WHERE c.at > first + 1e-6 AND c.at < last - 1e-6)
-    SELECT array_agg(at ORDER BY at, measure), array_agg(grown ORDER BY at, measure)
-    FROM (SELECT at, measure, max(measure) OVER (ORDER BY at, measure) AS grown FROM breaks) b $$;
-COMMENT ON FUNCTION streetgen._lane_measures(geometry, geometry, float8) IS
+        FROM size, corner, LATERAL (VALUES (abscissa - half), (abscissa + half)) c(at)
+        WHERE c.at > first + 1e-6 AND c.at < last - 1e-6),
+    grown AS (SELECT at, max(measure) OVER (ORDER BY at, measure) AS measure FROM breaks),
+    -- Beside a bend a stub of a lane may lie off such a place: then it is one stretch.
+    stub AS (
+        SELECT coalesce(bool_or(measure - before < 1e-9), false) AS whole
+        FROM (SELECT measure, lag(measure) OVER (ORDER BY at, measure) AS before FROM grown) g)
+    SELECT array_agg(at ORDER BY at, measure), array_agg(measure ORDER BY at, measure)
+    FROM (SELECT g.*, min(at) OVER () AS least, max(at) OVER () AS most FROM grown g) g, stub
+    WHERE NOT whole OR at IN (least, most) $$;
+COMMENT ON FUNCTION streetgen._lane_measures(geometry, geometry, float8, float8, float8) IS
     'Places along an axis and the same places along a lane of it, ascending, m: between two of them shares are equal. '
-    'widest: the largest offset of a lane from the axis, m, so that all lanes of an edge have the same places.';
+    'widest: the largest offset of a lane from the axis, m, so that all lanes of an edge have the same places. first, '
+    'last: where the lane begins and ends along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._measure_at(places float8[], measures float8[], place float8) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -151,8 +157,10 @@ BEGIN
     END IF;
     EXECUTE format($sql$
 SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
-    (SELECT max(abs(w.axis_offset)) + max(w.width) FROM %1$I.lane w WHERE w.edge_id = l.edge_id) AS widest
-FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
+    (SELECT max(abs(w.axis_offset)) + max(w.width) FROM %1$I.lane w WHERE w.edge_id = l.edge_id) AS widest,
+    x.start_abscissa - e.start_abscissa AS first, x.end_abscissa - e.start_abscissa AS last,
+    y.start_abscissa - e.start_abscissa AS other_first, y.end_abscissa - e.start_abscissa AS other_last
+FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id LEFT JOIN LATERAL (
     -- The nearest one that is there: merging lanes lie on a part of the edge.
     SELECT o.lane_id, o.geom FROM %1$I.lane o, (SELECT e.start_abscissa + ST_Length(e.geom) * ST_LineLocatePoint(
         ST_Force2D(e.geom), ST_LineInterpolatePoint(l.geom, least(greatest($3 / ST_Length(l.geom), 0), 1))) AS at) p
@@ -160,6 +168,7 @@ FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
             ELSE o.lane_position - l.lane_position END > 0
         AND coalesce(at >= o.start_abscissa, true) AND coalesce(at <= o.end_abscissa, true)
     ORDER BY abs(o.lane_position - l.lane_position) LIMIT 1) o ON true
+    LEFT JOIN %1$I.lane_extent y ON y.lane_id = o.lane_id
 WHERE l.lane_id = $1
 $sql$, model) INTO place USING lane, side, place_on_lane;
     IF place.line IS NULL THEN
@@ -172,8 +181,9 @@ $sql$, model) INTO place USING lane, side, place_on_lane;
     ELSIF place.other IS NULL THEN
         RETURN;
     END IF;
-    here := streetgen._lane_measures(place.axis, place.line, place.widest);
-    there := streetgen._lane_measures(place.axis, place.other_line, place.widest);
+    here := streetgen._lane_measures(place.axis, place.line, place.widest, place.first, place.last);
+    there := streetgen._lane_measures(place.axis, place.other_line, place.widest, place.other_first,
+        place.other_last);
     RETURN QUERY SELECT place.other, streetgen._measure_at(there.on_axis, there.on_lane,
         streetgen._measure_at(here.on_lane, here.on_axis, place_on_lane));
 END $$;

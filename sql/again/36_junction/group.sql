@@ -139,7 +139,8 @@ BEGIN
                 array_agg(node_id) AS node_ids
             FROM member JOIN {model}.node n USING (node_id) GROUP BY junction_id),
         decided AS MATERIALIZED (
-            SELECT DISTINCT ON (n.node_id) n.node_id, o.kind FROM {model}.junction_override o, LATERAL (
+            SELECT DISTINCT ON (n.node_id) n.node_id, o.kind, o.junction_override_id
+            FROM {model}.junction_override o, LATERAL (
                 SELECT v.node_id FROM {model}.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
                     JOIN {model}.node n USING (node_id) WHERE e.axis_id = o.axis_id
                 ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n
@@ -151,7 +152,8 @@ BEGIN
             CASE WHEN d.kind IS NOT NULL THEN 'by_hand' WHEN p.nodes > 1 THEN 'grouped' ELSE 'hypothesis' END,
             p.geom, p.nodes)::streetgen.junction_made
         FROM place p LEFT JOIN arm USING (junction_id) LEFT JOIN LATERAL (
-            SELECT d.kind FROM decided d WHERE d.node_id = ANY (p.node_ids) ORDER BY d.node_id LIMIT 1) d ON true
+            SELECT d.kind FROM decided d WHERE d.node_id = ANY (p.node_ids)
+            ORDER BY d.junction_override_id DESC LIMIT 1) d ON true
         WHERE p.nodes > 1 OR cardinality(arms) <> 2 OR arm.controlled OR d.kind IS NOT NULL
         ORDER BY p.junction_id);
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'on_ring', streetgen._on_ring()));
