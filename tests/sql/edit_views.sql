@@ -32,7 +32,7 @@ BEGIN
   RETURN QUERY SELECT edit || ', and nothing written', pg_temp.written() = before;
 END $$;
 
-DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,sidewalk,alignment,overpass,height,block,roundabout,signal,object}'); END $$;
+DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,sidewalk,alignment,overpass,height,block,roundabout,signal,object,ramp}'); END $$;
 -- axis_editing
 CREATE TABLE drawn (axis_id bigint);
 WITH new AS (INSERT INTO town.axis_editing (axis_id, geom, width, lane_count) VALUES (NULL, pg_temp.line('LINESTRING(0 0, 50 0, 100 0)'), 7, 2), (NULL, pg_temp.line('LINESTRING(100 0, 200 0)'), 7, 2),
