@@ -10,7 +10,8 @@ namespace streetgen {
 struct LaneGround {
   MultiPolygon surface;  // empty: so wide about the line
   Line line;             // its middle, in the direction of the road
-  double width = 0;      // metres
+  // Metres; 0: the lane lies on its surface alone, and has no width where that is not.
+  double width = 0;
 };
 
 // How a lane begins or ends.

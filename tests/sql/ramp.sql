@@ -34,6 +34,14 @@ SELECT 'lanes have ways on', count(*) = 0 FROM streetgen.check_model('road') WHE
 SELECT 'the summary counts them', array_agg(amount ORDER BY subject) = '{2,1,1}' FROM streetgen.summary('road') WHERE subject ~ '^ramps|^lanes, merging';
 SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('road');
 
+-- In files.
+SELECT 'SUMO has an edge more for each merging lane, which ends there', array_agg(n ORDER BY since) = '{4,3,4}' FROM (
+    SELECT (xpath('/edge/@numLanes', line::xml))[1]::text::integer AS n, (xpath('/edge/@from', line::xml))[1]::text LIKE 'middle%' AS inner_from, ordinality AS since
+    FROM streetgen.export_sumo('road', 'edges') WHERE line LIKE '%<edge %' AND (xpath('/edge/@id', line::xml))[1]::text ~ ('^' || (SELECT edge_id FROM road.edge WHERE axis_id = 2) || '(\.|$)')) e;
+SELECT 'OpenDRIVE knows them as entry and exit, without width where they are not', count(*) FILTER (WHERE line LIKE '%type="entry"%') = 1 AND count(*) FILTER (WHERE line LIKE '%type="exit"%') = 1
+    FROM streetgen.export_opendrive('road') WHERE line LIKE '%<userData code="edge"%';
+SELECT 'SymuVia lets the ramp go on to the lane beside', count(*) > 0 FROM streetgen.export_symuvia('road') WHERE line ~ 'TRONCON|troncon';
+
 -- By hand.
 UPDATE road.ramp_editing SET length = 100 WHERE kind = 'on';
 SELECT 'a length typed holds there alone', array_agg((method, round(length))::text ORDER BY kind DESC) = '{"(by_hand,100)","(hypothesis,60)"}' FROM road.ramp;

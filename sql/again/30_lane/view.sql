@@ -39,7 +39,10 @@ WITH side AS (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM %1$I.setti
 beside AS (
     SELECT d.*, lane_position - row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY lane_position) AS run,
         CASE WHEN along_axis = right_hand THEN -lane_position ELSE lane_position END AS from_kerb
-    FROM %1$I.lane_driving d, side)
+    FROM %1$I.lane_driving d, side
+    -- A merging lane that does not go all along is in no group.
+    WHERE NOT EXISTS (SELECT FROM %1$I.lane m WHERE m.lane_id = d.lane_id
+        AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)))
 SELECT (array_agg(lane_driving_id ORDER BY from_kerb))[1] AS lane_group_id, edge_id, along_axis,
     row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY min(from_kerb))::integer AS number,
     CASE WHEN along_axis THEN e.from_node ELSE e.to_node END AS from_node,

@@ -1,11 +1,13 @@
 -- ASAM OpenDRIVE 1.7: roads of lines and arcs with lanes across them, and a road for each movement.
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_lane_type(kind text, both_ways boolean) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._opendrive_lane_type(kind text, both_ways boolean, turn text DEFAULT NULL)
+    RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN both_ways THEN 'bidirectional' WHEN kind = 'general' THEN 'driving'
+        WHEN kind = 'merging' THEN CASE WHEN turn LIKE 'merge%' THEN 'entry' ELSE 'exit' END
         WHEN kind = 'cycle' THEN 'biking' ELSE kind END;
-COMMENT ON FUNCTION streetgen._opendrive_lane_type(text, boolean) IS
-    'The type that a lane has in OpenDRIVE, by its kind and whether both directions use it.';
+COMMENT ON FUNCTION streetgen._opendrive_lane_type(text, boolean, text) IS
+    'The type that a lane has in OpenDRIVE, by its kind, whether both directions use it, and where it leads.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_open(element xml) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -53,10 +55,12 @@ sided AS (
 road AS (
     SELECT edge_id, run, row_number() OVER (ORDER BY edge_id, run) AS road_id, min(lane_position) - 1 AS before,
         count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
-        array_agg(streetgen._opendrive_lane_type(kind, both_ways) ORDER BY lane_position) AS types,
+        array_agg(streetgen._opendrive_lane_type(kind, both_ways, turn) ORDER BY lane_position) AS types,
         array_agg(geom::bytea ORDER BY lane_position) AS lines,
         array_agg(surface::bytea ORDER BY lane_position) AS surfaces,
-        array_agg(width ORDER BY lane_position) AS widths
+        -- A merging lane lies on its ground alone.
+        array_agg(CASE WHEN start_abscissa IS NULL AND end_abscissa IS NULL THEN width ELSE 0 END
+            ORDER BY lane_position) AS widths
     FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
             OVER (PARTITION BY edge_id ORDER BY lane_position) AS run FROM sided) s
     GROUP BY edge_id, run),

@@ -5,6 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
     ('general', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
+    ('merging', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('bus', 'bus coach taxi emergency', NULL),
     ('cycle', 'bicycle', NULL),
     ('parking', NULL, 'all'),
@@ -12,6 +13,42 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
 COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
     'The vehicle classes of SUMO that kinds of lanes and sidewalks allow, or else those that they do not. Cars park on '
     'a parking lane, but none drives there.';
+
+CREATE OR REPLACE FUNCTION streetgen._sumo_parts() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    -- Lanes of a group are ordered from the kerb on.
+    AS $$ SELECT $part$
+        WITH merging AS (
+            SELECT m.lane_id, m.lane_position, CASE WHEN g.along_axis THEN s ELSE 1 - t END AS since,
+                CASE WHEN g.along_axis THEN t ELSE 1 - s END AS until, (m.side = 'right') = (g.along_axis = (
+                    SELECT value IS DISTINCT FROM 'left' FROM %1$I.setting WHERE name = 'driving_side')) AS at_kerb
+            FROM %1$I.lane m JOIN %1$I.lane_extent x ON x.lane_id = g.lanes[1],
+                LATERAL (SELECT
+                    coalesce((m.start_abscissa - x.start_abscissa) / (x.end_abscissa - x.start_abscissa), 0) AS s,
+                    coalesce((m.end_abscissa - x.start_abscissa) / (x.end_abscissa - x.start_abscissa), 1) AS t) e
+            WHERE m.edge_id = g.edge_id AND m.along_axis = g.along_axis AND m.kind = 'merging' AND x.end_abscissa
+                > x.start_abscissa AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)),
+        cut AS (
+            SELECT share, row_number() OVER (ORDER BY share) AS k, count(*) OVER () - 1 AS parts,
+                lead(share) OVER (ORDER BY share) AS until
+            FROM (SELECT 0.0::float8 AS share UNION SELECT 1 UNION SELECT 0.5 WHERE from_place = to_place
+                UNION SELECT since FROM merging UNION SELECT until FROM merging) s),
+        named AS (
+            SELECT *, text || CASE k WHEN 1 THEN '' WHEN parts THEN '.end' ELSE '.' || k END AS name,
+                'middle.' || text || CASE WHEN parts > 2 THEN '.' || k ELSE '' END AS next
+            FROM cut WHERE until IS NOT NULL)
+        SELECT name, coalesce(lag(next) OVER w, from_place::text) AS comes_from,
+            CASE k WHEN parts THEN to_place::text ELSE next END AS goes_to, share AS since, until,
+            ARRAY(SELECT lane_id FROM merging m WHERE at_kerb AND m.since <= n.share AND m.until >= n.until
+                ORDER BY lane_position * CASE WHEN along_axis THEN -1 ELSE 1 END)
+            || lanes || ARRAY(SELECT lane_id FROM merging m WHERE NOT at_kerb AND m.since <= n.share
+                AND m.until >= n.until ORDER BY lane_position * CASE WHEN along_axis THEN -1 ELSE 1 END) AS lanes,
+            lane_count + (SELECT count(*) FROM merging m WHERE m.since <= n.share AND m.until >= n.until)::integer
+                AS lane_count
+        FROM named n WINDOW w AS (ORDER BY k)$part$ $$;
+COMMENT ON FUNCTION streetgen._sumo_parts() IS
+    'Query of the parts of a lane group g for SUMO, where a model computes ramps: a merging lane begins or ends '
+    'between two parts, and nobody goes on from its end.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_edge(subjects text[], line text, loops boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -37,20 +74,23 @@ carried AS (
         WHERE (g.edge_id, g.along_axis, g.lanes[1]) = (w.edge_id, w.along_axis, w.lane_id))),
 -- netconvert knows no edge that comes back to its node: a loop is two, with a node in the middle.
 sumo_edge AS MATERIALIZED (
-    SELECT lane_group_id, edge_id, along_axis, lanes, lane_count, walk, v.*, $part$ || line || $part$ AS line
+    SELECT lane_group_id, edge_id, along_axis, walk, v.*, $part$ || line || $part$ AS line
     FROM (SELECT c.*, f.place_id AS from_place, t.place_id AS to_place
         FROM carried c JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node) g,
-    LATERAL (
+    LATERAL ($part$ || CASE WHEN 'ramp' = ANY (subjects) THEN streetgen._sumo_parts() ELSE $part$
         SELECT text AS name, from_place::text AS comes_from, to_place::text AS goes_to, 0.0::float8 AS since,
-            1.0::float8 AS until WHERE from_place <> to_place
-        UNION ALL SELECT text, from_place::text, 'middle.' || text, 0, 0.5 WHERE from_place = to_place
-        UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1
-            WHERE from_place = to_place) v
-    WHERE $part$ || CASE WHEN loops THEN 'from_place = to_place' ELSE 'true' END || $part$)$part$ $$;
+            1.0::float8 AS until, lanes, lane_count WHERE from_place <> to_place
+        UNION ALL SELECT text, from_place::text, 'middle.' || text, 0, 0.5, lanes, lane_count
+            WHERE from_place = to_place
+        UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1, lanes, lane_count
+            WHERE from_place = to_place$part$ END || $part$) v
+    WHERE $part$ || CASE WHEN loops AND 'ramp' <> ALL (subjects) THEN 'from_place = to_place' ELSE 'true' END
+        || $part$)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, boolean) IS
     'Query sumo_edge of the files of SUMO over a model that computes these subjects: the edges that lane groups and '
     'sidewalks are, with the nodes that traffic comes from and goes to, the shares of the length of the group where '
-    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line, which is SQL. loops: of loops alone.';
+    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line, which is SQL. loops: of edges in '
+    'parts alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -73,7 +113,7 @@ sumo_node AS (
     ORDER BY place_id, node_id),
 every_node AS (
     SELECT * FROM sumo_node
-    UNION ALL SELECT 3, lane_group_id, comes_from, ST_LineInterpolatePoint(line, 0.5), NULL, 'priority', NULL
+    UNION ALL SELECT 3, lane_group_id, comes_from, ST_LineInterpolatePoint(line, since), NULL, 'priority', NULL
     FROM sumo_edge WHERE since > 0),
 line AS (
     SELECT 1 AS turn, 0::bigint AS id, xmlelement(name location, xmlattributes(
@@ -126,15 +166,16 @@ held_back AS (
     WHERE ST_Intersects(s.line, c.line) GROUP BY s.name),
 lane_line AS MATERIALIZED (
     SELECT name, index, c.allow, c.disallow, l.width,
-        CASE WHEN until - since < 1 THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
+        CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
     FROM (SELECT name, i - 1 + walk AS index, since, until, width,
+            start_abscissa IS NOT NULL OR end_abscissa IS NOT NULL AS within,
             CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven,
             -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
             CASE WHEN kind = 'bus' AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i)
                 AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i DESC) THEN 'general' ELSE kind END
                 AS kind
         FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)
-        UNION ALL SELECT name, 0, since, until, w.width,
+        UNION ALL SELECT name, 0, since, until, w.width, false,
             CASE WHEN e.along_axis THEN w.line ELSE ST_Reverse(w.line) END, 'sidewalk'
         FROM sumo_edge e JOIN sidewalk_beside w USING (edge_id, along_axis) WHERE walk = 1) l
     JOIN streetgen._sumo_lane_class() c USING (kind)),

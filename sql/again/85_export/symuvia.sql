@@ -38,10 +38,17 @@ troncon AS MATERIALIZED (
     FROM origin, %1$I.setting s, %1$I.lane_group g JOIN written_edge USING (edge_id)
         JOIN place f ON f.node_id = g.from_node JOIN place t ON t.node_id = g.to_node
     WHERE s.name = 'driving_side'),
-placed AS MATERIALIZED (
+in_group AS MATERIALIZED (
     SELECT name, lane_id, along_axis, i, edge_id, kind, lane_position, to_place
     FROM troncon, unnest(lanes) WITH ORDINALITY u(lane_id, i)
         JOIN (SELECT lane_id, kind, lane_position FROM %1$I.lane) l USING (lane_id)),
+-- Whoever merges drives on the lane beside the merging one, which SymuVia does not know.
+placed AS MATERIALIZED (
+    TABLE in_group
+    UNION ALL SELECT b.name, m.lane_id, b.along_axis, b.i, b.edge_id, b.kind, b.lane_position, b.to_place
+    FROM %1$I.lane m, LATERAL (SELECT * FROM in_group g WHERE (g.edge_id, g.along_axis) = (m.edge_id, m.along_axis)
+        ORDER BY abs(g.lane_position - m.lane_position) LIMIT 1) b
+    WHERE m.kind = 'merging' AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)),
 step AS MATERIALIZED (
     SELECT a.to_place AS place_id, k.way_id, a.name AS name_in, a.i AS lane_in, b.name AS name_out, b.i AS lane_out,
         ST_Simplify(k.geom, tolerance, true) AS line,

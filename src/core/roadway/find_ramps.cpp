@@ -16,6 +16,7 @@ const double straightest = std::cos(M_PI / 6);  // of a highway past its ramp
 const double steepest = std::cos(M_PI / 3);     // of a ramp and its highway
 constexpr double look = 10;                     // metres from the node, to tell directions
 constexpr double fast = 80;                     // km/h, of a highway without a class
+constexpr double shortest = 20;                 // metres, of an edge with a merging lane
 constexpr double least_taper = 1;               // metres
 constexpr double least_taper_share = 1.0 / 3;   // of the room of a merging lane
 constexpr double friction = 0.35;               // to the side, that a driver bears on a ramp
@@ -260,11 +261,13 @@ class Room {
   double first_, last_;  // abscissas between which the lanes begin and end
 };
 
-// By edge.
-std::unordered_map<int, Wishes> wishes_of(Streets& streets) {
+// By edge, of those that are long enough.
+std::unordered_map<int, Wishes> wishes_of(Layout& layout) {
   std::unordered_map<int, Wishes> wishes;
-  for (Ramp& ramp : streets.ramps)
-    if (ramp.missing > 0)
+  for (Ramp& ramp : layout.streets.ramps)
+    if (ramp.missing > 0 && length(layout.arms[2 * ramp.merging_edge()].line) < shortest)
+      ramp.cut = true;
+    else if (ramp.missing > 0)
       (ramp.merging_at_start() ? wishes[ramp.merging_edge()].at_start
                                : wishes[ramp.merging_edge()].at_end) = &ramp;
   return wishes;
@@ -348,7 +351,7 @@ MergingStretch MergingStretch::turned(double length) const {
 void find_ramps(Layout& layout, const RampRules& rules) {
   if (rules.axes.empty()) return;
   Finder(layout, rules).run();
-  for (const auto& [edge, wishes] : wishes_of(layout.streets))
+  for (const auto& [edge, wishes] : wishes_of(layout))
     Room(layout, edge, wishes, 0, length(layout.arms[2 * edge].line)).give();
 }
 
@@ -411,7 +414,7 @@ void extend_limits(Layout& layout) {
 }
 
 void settle_merging_lanes(Layout& layout) {
-  for (const auto& [edge, wishes] : wishes_of(layout.streets)) {
+  for (const auto& [edge, wishes] : wishes_of(layout)) {
     const std::vector<SectionLimit>& limits = layout.streets.limits;
     const double first = limits[2 * edge].abscissa, last = limits[2 * edge + 1].abscissa;
     if (limits_crossed(layout.streets, edge)) {

@@ -68,31 +68,69 @@ std::vector<double> looks(const std::vector<PlanPiece>& chain) {
   return out;
 }
 
-// At each station; where the lane is not seen, that of the station before, else behind.
-std::vector<Span> seen_spans(const LaneGround& lane, const std::vector<PlanPiece>& chain,
-                             const std::vector<double>& stations) {
+// At each station, where the lane is seen.
+std::vector<std::optional<Span>> seen_spans(const LaneGround& lane,
+                                            const std::vector<PlanPiece>& chain,
+                                            const std::vector<double>& stations) {
   const double end = length(chain), from = std::min(inside, end / 4);
   const ChainPlace start = place_at(chain, 0);
   const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
   double expected = dot(lane.line.front() - start.point, left);
-  const Span wanted{expected + lane.width / 2, expected - lane.width / 2};
   double widest = lane.width;
   std::vector<std::optional<Span>> seen;
   for (const double s : stations) {
     seen.push_back(span_of(lane, place_at(chain, std::clamp(s, from, end - from)), expected));
     // In a bend one may look along the lane behind it.
-    if (seen.back() && seen.back()->left - seen.back()->right > widest * wider + wider_by)
+    if (seen.back() && lane.width > 0 &&
+        seen.back()->left - seen.back()->right > widest * wider + wider_by)
       seen.back().reset();
     if (!seen.back()) continue;
     expected = seen.back()->middle();
     widest = std::max(lane.width, seen.back()->left - seen.back()->right);
   }
-  const auto first = std::find_if(seen.begin(), seen.end(),
+  return seen;
+}
+
+// Where a lane is not seen, its span at the station before, else behind.
+void fill(const LaneGround& lane, const ChainPlace& start, std::vector<std::optional<Span>>& spans) {
+  const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
+  const double middle = dot(lane.line.front() - start.point, left);
+  const auto first = std::find_if(spans.begin(), spans.end(),
                                   [](const auto& span) { return span.has_value(); });
-  Span last = first == seen.end() ? wanted : **first;
-  std::vector<Span> out;
-  for (const auto& span : seen) out.push_back(last = span.value_or(last));
-  return out;
+  Span last = first == spans.end() ? Span{middle + lane.width / 2, middle - lane.width / 2} : **first;
+  for (auto& span : spans) span = last = span.value_or(last);
+}
+
+// Where a lane is not that lies on its surface alone: without width beside the next lane.
+void close(const std::vector<std::optional<Span>>& next, bool on_left,
+           std::vector<std::optional<Span>>& spans) {
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    if (spans[i]) continue;
+    const double edge = on_left ? next[i]->left : next[i]->right;
+    spans[i] = {edge, edge};
+  }
+}
+
+// By lane and station.
+std::vector<std::vector<std::optional<Span>>> spans_of(const std::vector<LaneGround>& lanes,
+                                                       const std::vector<PlanPiece>& chain,
+                                                       const std::vector<double>& stations) {
+  std::vector<std::vector<std::optional<Span>>> spans;
+  std::size_t first = lanes.size();
+  for (std::size_t p = 0; p < lanes.size(); ++p) {
+    poll_cancel();
+    spans.push_back(seen_spans(lanes[p], chain, stations));
+    if (lanes[p].width <= 0) continue;
+    fill(lanes[p], place_at(chain, 0), spans.back());
+    first = std::min(first, p);
+  }
+  if (first == lanes.size()) {
+    first = 0;
+    fill(lanes[0], place_at(chain, 0), spans[0]);
+  }
+  for (std::size_t p = first; p-- > 0;) close(spans[p + 1], true, spans[p]);
+  for (std::size_t p = first + 1; p < lanes.size(); ++p) close(spans[p - 1], false, spans[p]);
+  return spans;
 }
 
 // Which stations are needed for borders that are straight between them.
@@ -145,16 +183,13 @@ RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, dou
   const std::vector<double> stations = looks(road.chain);
   std::vector<std::vector<double>> borders(lanes.size() + 1,
                                            std::vector<double>(stations.size()));
-  std::vector<Span> before;
-  for (std::size_t p = 0; p < lanes.size(); ++p) {
-    poll_cancel();
-    const std::vector<Span> spans = seen_spans(lanes[p], road.chain, stations);
+  const auto spans = spans_of(lanes, road.chain, stations);
+  for (std::size_t p = 0; p < lanes.size(); ++p)
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      borders[p][i] = p == 0 ? spans[i].left : (before[i].right + spans[i].left) / 2;
-      borders[p + 1][i] = spans[i].right;
+      const Span& span = *spans[p][i];
+      borders[p][i] = p == 0 ? span.left : (spans[p - 1][i]->right + span.left) / 2;
+      borders[p + 1][i] = span.right;
     }
-    before = spans;
-  }
   for (std::size_t p = 0; p < lanes.size(); ++p)
     for (std::size_t i = 0; i < stations.size(); ++i)
       borders[p + 1][i] = std::min(borders[p + 1][i], borders[p][i] - least_width);
