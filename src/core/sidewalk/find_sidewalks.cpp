@@ -21,26 +21,30 @@ double middle_width(const std::vector<WidthKnot>& widths) {
 
 std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition) {
   const KerbChains chains(kerbs, transition);
-  const std::vector<Strip> strips = strips_behind(kerbs, chains);
-  SharedGround shared(kerbs, chains, strips);
+  std::vector<Strip> strips = strips_behind(kerbs, chains);
   std::vector<Sidewalk> sidewalks;
-  for (int i = 0; i < static_cast<int>(kerbs.size()); ++i) {
-    if (!kerbs[i].wanted || strips[i].surface.empty()) continue;
-    Sidewalk sidewalk;
-    sidewalk.kerb = i;
-    sidewalk.width = kerbs[i].width.value_or(middle_width(chains.widths(i)));
-    if (strips[i].narrow) sidewalk.method = Method::contested;
-    const std::vector<int> rivals = shared.rivals(i);
-    if (rivals.empty() && strips[i].plain) {
-      sidewalk.surface = strips[i].surface;
-    } else {
-      sidewalk.surface = shared.ground_of(i, rivals);
-      const double lost = area(strips[i].surface) - area(sidewalk.surface);
-      if (lost > noticed) sidewalk.method = Method::contested;
+  {
+    SharedGround shared(kerbs, chains, strips);
+    for (int i = 0; i < static_cast<int>(kerbs.size()); ++i) {
+      if (!kerbs[i].wanted || strips[i].surface.empty()) continue;
+      Sidewalk sidewalk;
+      sidewalk.kerb = i;
+      sidewalk.width = kerbs[i].width.value_or(middle_width(chains.widths(i)));
+      if (strips[i].narrow) sidewalk.method = Method::contested;
+      const std::vector<int> rivals = shared.rivals(i);
+      if (!rivals.empty() || !strips[i].plain) {
+        sidewalk.surface = shared.ground_of(i, rivals);
+        if (sidewalk.surface.empty()) continue;
+        const double lost = area(strips[i].surface) - area(sidewalk.surface);
+        if (lost > noticed) sidewalk.method = Method::contested;
+      }
+      if (kerbs[i].by_hand) sidewalk.method = Method::by_hand;
+      sidewalks.push_back(std::move(sidewalk));
     }
-    if (kerbs[i].by_hand) sidewalk.method = Method::by_hand;
-    if (!sidewalk.surface.empty()) sidewalks.push_back(std::move(sidewalk));
   }
+  // Whose strip is all its own: moved, since those of a city take much memory.
+  for (Sidewalk& sidewalk : sidewalks)
+    if (sidewalk.surface.empty()) sidewalk.surface = std::move(strips[sidewalk.kerb].surface);
   return sidewalks;
 }
 
