@@ -1,11 +1,12 @@
 -- What tests/battery/soak runs: a town of streets 80 m long, and one random edit of it.
-SELECT streetgen.create_model('town', 2154), streetgen.create_model('anew', 2154) \g /dev/null
+SELECT streetgen.create_model('town', 2154, subjects => '{interconnection,object}'), streetgen.create_model('anew', 2154, subjects => '{interconnection,object}') \g /dev/null
 CREATE SCHEMA soak;
 
 -- BLOCKS by BLOCKS blocks.
 WITH place AS (SELECT x, y, ST_SetSRID(ST_Point(650000 + 80 * x + (x * 7 + y * 5) % 17, 6860000 + 80 * y + (x * 3 + y * 11) % 13), 2154) AS geom FROM generate_series(0, :blocks) x, generate_series(0, :blocks) y)
 INSERT INTO town.axis (geom, width, importance) SELECT ST_MakeLine(a.geom, b.geom), 4 + (a.x * 5 + a.y * 3) % 12, 2 + (a.x + a.y) % 4
 FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y;
+INSERT INTO town.placement_rule (type, along, side, every, axis_offset, distance_from_limit) VALUES ('lamp', 'border', 'alternating', 20, 0.8, 2), ('crossing', 'arm', 'alternating', 25, 0, 2.5);
 ANALYZE;
 
 CREATE FUNCTION soak.near(geom geometry, far float8) RETURNS geometry LANGUAGE sql VOLATILE
@@ -29,6 +30,20 @@ EXCEPTION WHEN invalid_parameter_value THEN
   RETURN;
 END $$;
 
+-- One edit of what stands at an axis, through the edit view: put, dragged, or taken away.
+CREATE FUNCTION soak.furnish(chosen bigint) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  standing bigint := (SELECT street_object_id FROM town.street_object WHERE axis_id = chosen ORDER BY random() LIMIT 1);
+BEGIN
+  CASE floor(random() * 3)
+    WHEN 0 THEN INSERT INTO town.street_object_editing (type, geom) SELECT 'bench', soak.near(ST_LineInterpolatePoint(geom, random()), 6) FROM town.axis WHERE axis_id = chosen;
+    WHEN 1 THEN UPDATE town.street_object_editing SET geom = soak.near(geom, 3) WHERE street_object_id = standing;
+    ELSE DELETE FROM town.street_object_editing WHERE street_object_id = standing;
+  END CASE;
+EXCEPTION WHEN invalid_parameter_value THEN
+  RETURN;
+END $$;
+
 -- One statement that touches one axis; the second piece of a split is the session's next, as QGIS has it.
 CREATE FUNCTION soak.edit() RETURNS void LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
@@ -42,7 +57,7 @@ BEGIN
     RETURN;
   END IF;
   SELECT * INTO a FROM town.axis WHERE axis_id >= (SELECT min(axis_id) + floor(random() * (max(axis_id) - min(axis_id) + 1)) FROM town.axis) ORDER BY axis_id LIMIT 1;
-  CASE floor(random() * 18)
+  CASE floor(random() * 21)
     WHEN 0, 1, 2 THEN UPDATE town.axis SET geom = ST_SetPoint(geom, floor(random() * ST_NPoints(geom))::integer, soak.near(ST_StartPoint(geom), 40)) WHERE axis_id = a.axis_id;
     WHEN 3, 4, 5 THEN UPDATE town.axis SET width = 3 + 15 * random() WHERE axis_id = a.axis_id;
     WHEN 6, 7 THEN INSERT INTO town.axis (geom, width, level) VALUES (ST_MakeLine(ST_EndPoint(a.geom), soak.near(ST_EndPoint(a.geom), 90)), 4 + 8 * random(), (random() < 0.1)::integer);
@@ -51,7 +66,8 @@ BEGIN
       PERFORM set_config('soak.second_piece', ST_LineSubstring(a.geom, cut, 1)::text, false);
       UPDATE town.axis SET geom = ST_LineSubstring(a.geom, 0, cut) WHERE axis_id = a.axis_id;
     WHEN 12, 13, 14, 15 THEN PERFORM soak.decide(a.axis_id);
-    WHEN 16 THEN INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (a.axis_id, random() * ST_Length(a.geom), 1, 2 + 2 * random());
+    WHEN 16, 17, 18 THEN PERFORM soak.furnish(a.axis_id);
+    WHEN 19 THEN INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (a.axis_id, random() * ST_Length(a.geom), 1, 2 + 2 * random());
     ELSE INSERT INTO town.transition_override (axis_id, which, kind, length) VALUES (a.axis_id, CASE WHEN random() < 0.5 THEN 'start' ELSE 'end' END, 'left', 20 * random());
   END CASE;
 END $$;
