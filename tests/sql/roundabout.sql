@@ -174,3 +174,15 @@ DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'with its axis the ring goes', NOT EXISTS (SELECT FROM town.roundabout WHERE accepted) AND NOT EXISTS (SELECT FROM town.roundabout_edge JOIN town.roundabout USING (roundabout_id) WHERE accepted);
 UPDATE anew.axis SET direction = 'reverse' WHERE axis_id = 1;
 SELECT 'a direction of the source stays', NOT EXISTS (SELECT FROM anew.lane l JOIN anew.edge USING (edge_id) WHERE axis_id = 1 AND l.along_axis);
+
+-- Junctions of a ring that no source tags.
+DO $$ BEGIN PERFORM streetgen.create_model('kinds', 2154, subjects => '{junction,roundabout}', driving_side => 'right'); END $$;
+CALL draw_double('kinds', false);
+SELECT 'junctions of an accepted ring are roundabouts', (SELECT count(*) = 6 AND bool_and(j.kind = 'roundabout') FROM kinds.roundabout_arm JOIN kinds.junction_node USING (node_id) JOIN kinds.junction j USING (junction_id));
+UPDATE kinds.roundabout_editing SET confirmed = false;
+SELECT 'those of a refused one are none', NOT EXISTS (SELECT FROM kinds.junction WHERE kind = 'roundabout');
+DELETE FROM kinds.roundabout_editing;
+SELECT 'they are again as the decision is taken back', (SELECT count(*) = 6 AND bool_and(j.kind = 'roundabout') FROM kinds.roundabout_arm JOIN kinds.junction_node USING (node_id) JOIN kinds.junction j USING (junction_id));
+SELECT 'and a run over all leaves what edits made of junctions', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('kinds') WHERE relation LIKE 'junction%';
+SELECT streetgen.switch_subject('kinds', 'roundabout', false) \g /dev/null
+SELECT 'without roundabouts the tags of the source decide', NOT EXISTS (SELECT FROM kinds.junction WHERE kind = 'roundabout');

@@ -145,8 +145,8 @@ BEGIN
     PERFORM streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
-    -- Where traffic went round it goes as the axes say.
-    IF subject = 'roundabout' AND streetgen._stale_axes(model) > 0 THEN
+    -- Where traffic went round it goes as the axes say, and the kinds of junctions are told anew.
+    IF subject = 'roundabout' AND ('junction' = ANY (computed) OR streetgen._stale_axes(model) > 0) THEN
         RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
     END IF;
 EXCEPTION WHEN lock_not_available THEN

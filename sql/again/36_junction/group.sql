@@ -91,7 +91,7 @@ BEGIN
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model),
         'control', 'ROW (axis_id, abscissa, kind, direction)::streetgen.street_control',
         'edges', streetgen._fill_template(streetgen._junction_edge_query(), jsonb_build_object(
-        'model', quote_ident(model), 'on_ring', streetgen._on_ring()))));
+        'model', quote_ident(model), 'on_ring', streetgen._on_ring(model)))));
     PERFORM streetgen._own_function(model, '_junction_members(bigint[])',
         'Of nodes touched by a change (NULL: all) those whose junctions may become others, and the junctions of these '
         'nodes and the roles of their edges');
@@ -99,11 +99,16 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_junction_members(name) IS
     'Makes the function of a model that groups nodes to junctions.';
 
-CREATE OR REPLACE FUNCTION streetgen._on_ring() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT 'coalesce(a.roundabout_tag IN (''roundabout'', ''circular''), false)' $$;
-COMMENT ON FUNCTION streetgen._on_ring() IS
-    'Whether an edge of axis a is part of a roundabout, as SQL: its source says so.';
+CREATE OR REPLACE FUNCTION streetgen._on_ring(model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN 'roundabout' = ANY (streetgen._subjects(model))
+        THEN format('EXISTS (SELECT FROM %1$I.roundabout_edge r JOIN %1$I.roundabout USING (roundabout_id) '
+            'WHERE r.edge_id = e.edge_id AND accepted)', model)
+        ELSE 'coalesce(a.roundabout_tag IN (''roundabout'', ''circular''), false)' END $$;
+COMMENT ON FUNCTION streetgen._on_ring(name) IS
+    'Whether an edge e of axis a is part of a roundabout, as SQL: of an accepted one, or, where the model looks for '
+    'none, its source says so.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_made_junctions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -156,7 +161,7 @@ BEGIN
             ORDER BY d.junction_override_id DESC LIMIT 1) d ON true
         WHERE p.nodes > 1 OR cardinality(arms) <> 2 OR arm.controlled OR d.kind IS NOT NULL
         ORDER BY p.junction_id);
-END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'on_ring', streetgen._on_ring()));
+END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'on_ring', streetgen._on_ring(model)));
     PERFORM streetgen._own_function(model, '_made_junctions(bigint[], streetgen.junction_member[])',
         'The junctions of a region with their kinds: by hand, or by the classifier from their arms');
 END $$;
