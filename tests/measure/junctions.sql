@@ -23,7 +23,7 @@ CREATE FUNCTION pg_temp.kinds() RETURNS TABLE(node_id bigint, kind text) LANGUAG
 CREATE TEMPORARY TABLE known AS SELECT * FROM pg_temp.kinds();
 CREATE TEMPORARY TABLE beside AS
 SELECT count(*) AS places, count(*) FILTER (WHERE abs(back.metres - p.metres) > 1e-6 OR back.lane_id <> p.lane_id) AS lost
-FROM (SELECT l.lane_id, ST_Length(l.geom) * g / 7.0 AS metres, v.side FROM (SELECT * FROM lane ORDER BY hashint8(lane_id) LIMIT 300) l, generate_series(0, 7) g, (VALUES ('left'), ('right')) v(side)) p,
+FROM (SELECT l.lane_id, ST_Length(l.geom) * g / 7.0 AS metres, v.side FROM (SELECT * FROM lane ORDER BY hashint8(lane_id) LIMIT 100) l, generate_series(0, 7) g, (VALUES ('left'), ('right')) v(side)) p,
     LATERAL streetgen.lane_beside(:'model', p.lane_id, p.metres, p.side) there,
     LATERAL streetgen.lane_beside(:'model', there.lane_id, there.metres, CASE p.side WHEN 'left' THEN 'right' ELSE 'left' END) back;
 CREATE TEMPORARY TABLE overlapping AS
