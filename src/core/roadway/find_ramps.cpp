@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/width_transition.hpp"
 
@@ -220,12 +221,17 @@ class Room {
     return {full, full + taper};
   }
 
+  // A lane that fills its room ends at the limit itself.
+  static double ends_at(double abscissa, double limit) {
+    return std::abs(abscissa - limit) < coordinate_margin ? limit : abscissa;
+  }
+
   // The limit beside the ramp lies within the full width.
   MergingStretch at_start(Ramp& ramp, double room) const {
     MergingStretch stretch = stretch_of(ramp);
     const auto [full, all] = fitted(ramp, room);
     stretch.full_to = first_ + full;
-    stretch.to = first_ + all;
+    stretch.to = ends_at(first_ + all, last_);
     ramp.full_length = full;
     return stretch;
   }
@@ -233,7 +239,7 @@ class Room {
   MergingStretch at_end(Ramp& ramp, double room, double total) const {
     MergingStretch stretch = stretch_of(ramp);
     const auto [full, all] = fitted(ramp, room);
-    stretch.from = last_ - all;
+    stretch.from = ends_at(last_ - all, first_);
     stretch.full_from = last_ - full;
     stretch.full_to = stretch.to = total;
     ramp.full_length = full;

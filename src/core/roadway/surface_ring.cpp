@@ -203,7 +203,19 @@ WidthProfile::Place place_at(const Arm& arm, double abscissa) {
 
 MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double start, double end,
                         const Line& from, const Line& to) {
-  const Line part = distinct(planar(substring(arm.line, start, end)));
+  Line part;
+  // With a point where a change of width begins or ends.
+  const auto append = [&](double u, double v) {
+    const Line piece = substring(arm.line, u, v);
+    part.insert(part.end(), piece.begin(), piece.end());
+  };
+  if (profile.empty() || start >= end)
+    append(start, end);
+  else
+    profile.each_stretch(start, end, [&](const auto& from, const auto& to) {
+      append(from.abscissa, to.abscissa);
+    });
+  part = distinct(planar(std::move(part)));
   std::vector<double> left(part.size()), right(part.size());
   double abscissa = start;
   for (std::size_t i = 0; i < part.size(); ++i) {

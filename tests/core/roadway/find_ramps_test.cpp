@@ -223,6 +223,27 @@ TEST(FindRamps, CutsALaneAtTheNextJunction) {
   EXPECT_LE(*lanes[0].end, model.streets.limits[2 * lanes[0].edge + 1].abscissa + 1e-9);
 }
 
+TEST(FindRamps, KeepsAShortLaneWithinItsSection) {
+  for (double size = 20.5; size < 60; size += 3.7) {
+    Highway highway;
+    highway.on = false;
+    StreetModelInput input = highway.input();
+    input.axes[0].line = {{-size, 0, 0}, {0, 0, 0}};
+    highway.add(input, 4, {{-600, 0, 0}, {-size, 0, 0}}, 3, RampPart::highway, 100);
+    const StreetModel model = street_model(input);
+    const std::vector<Lane> lanes = merging(model);
+    ASSERT_EQ(lanes.size(), 1u) << size;
+    for (const Section& section : model.streets.sections) {
+      if (section.edge != lanes[0].edge) continue;
+      EXPECT_EQ(section.method, Method::hypothesis) << size;
+      double ground = 0;
+      for (const Lane& lane : model.lanes.lanes)
+        if (lane.edge == section.edge) ground += area(lane.surface);
+      EXPECT_NEAR(ground, area(section.surface), 1e-3) << size;
+    }
+  }
+}
+
 TEST(FindRamps, CountsALaneForBothWaysTwice) {
   Highway highway;
   highway.on = false;
