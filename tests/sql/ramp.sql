@@ -60,6 +60,7 @@ SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('a length beyond its range', 'UPDATE road.ramp_editing SET length = 1001', '22023'),
     ('a tangent that is no number', $$UPDATE road.ramp_editing SET tangent = 'NaN'$$, '22023'),
     ('another axis', 'UPDATE road.ramp_editing SET axis_id = 1', '0A000'),
+    ('a merging lane widened', $$UPDATE road.lane_editing SET width = 4 WHERE lane_id IN (SELECT lane_id FROM merging)$$, '0A000'),
     ('a ramp drawn', 'INSERT INTO road.ramp_editing (axis_id) VALUES (1)', '0A000'),
     ('a length in the table that is no number', $$INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (4, 0, 'NaN')$$, '23514')) r(name, statement, state);
 INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (1, 0, 10);

@@ -9,6 +9,7 @@ DECLARE
     known bigint[];
     abscissa float8;
     astray float8;
+    merging boolean;
     turned boolean;
     widened boolean;
     redrawn boolean;
@@ -22,6 +23,12 @@ BEGIN
         OLD.ordinality) THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality',
             'Only along_axis, both_ways, width, geom and by_hand can be changed.');
+    END IF;
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.lane WHERE lane_id = $1 AND kind = ''merging'')', TG_TABLE_SCHEMA)
+        INTO merging USING OLD.lane_id;
+    IF merging THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP || ' of a merging lane',
+            'It follows from its ramp: type its length in ramp_editing.');
     END IF;
     subject := format('lane %s (%s of edge %s)', OLD.lane_id, OLD.ordinality, OLD.edge_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
