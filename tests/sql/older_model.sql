@@ -1,11 +1,16 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
--- A model made before lanes for both directions and sidewalks, and what it gets: its edges, the widths of these.  (name, holds)
+-- A model made before lanes for both directions, sidewalks, merging lanes, double roundabouts and free places, and what it gets.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('older', 2154);
+  PERFORM streetgen.create_model('older', 2154, subjects => '{interconnection,roundabout,object}', driving_side => 'right');
   INSERT INTO older.axis (axis_id, geom, width, lane_count, importance) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2, id FROM (VALUES
     (1, 'LINESTRING(-80 0,0 0,80 0)'), (2, 'LINESTRING(0 -80,0 0)')) v(id, line);
+  -- A roundabout of four arms, and a lamp.
+  INSERT INTO older.axis (axis_id, geom, width, lane_count) SELECT 3, ST_ExteriorRing(ST_Buffer('SRID=2154;POINT(650500 6860000)', 18, 6)), 7, 2;
+  INSERT INTO older.axis (axis_id, geom, width, lane_count) SELECT 4 + a, ST_SetSRID(ST_MakeLine(ST_MakePoint(650500 + 18 * x, 6860000 + 18 * y), ST_MakePoint(650500 + 100 * x, 6860000 + 100 * y)), 2154), 6, 2
+    FROM generate_series(0, 3) a, LATERAL (SELECT round(cos(radians(90 * a))::numeric)::float8, round(sin(radians(90 * a))::numeric)::float8) v(x, y);
+  INSERT INTO older.street_object (type, axis_id, abscissa, axis_offset) VALUES ('lamp', 1, 40, 5);
 END $$;
 CREATE TABLE content AS SELECT * FROM test.content('older');
 CREATE TABLE named AS SELECT interconnection_id, lane_in, lane_out FROM older.interconnection;
@@ -22,9 +27,22 @@ ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DRO
 ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
 ALTER TABLE older.interconnection DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);
+ALTER TABLE older.lane DROP start_abscissa CASCADE, DROP end_abscissa CASCADE, DROP CONSTRAINT lane_kind_check, ADD CHECK (kind IN ('general', 'bus', 'cycle', 'parking'));
+ALTER TABLE older.roundabout_edge DROP face CASCADE;
+ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE, DROP to_geom CASCADE;
+ALTER TABLE older.street_object DROP control_point_id CASCADE;
+ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;
+DROP TABLE older.free_place CASCADE;
 DO $$ BEGIN PERFORM streetgen.adopt_model('older'); END $$;
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'its rows say what they said', NOT EXISTS ((SELECT * FROM test.content('older') EXCEPT TABLE content) UNION ALL (TABLE content EXCEPT SELECT * FROM test.content('older')));
 SELECT 'and keep their keys over a run', (SELECT bool_and(inserted + deleted = 0 AND (relation = 'edge' OR updated = 0)) FROM streetgen.generate('older')) AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('older')) AND NOT EXISTS (TABLE named EXCEPT SELECT interconnection_id, lane_in, lane_out FROM older.interconnection);
 UPDATE older.axis SET lane_count = 1 WHERE axis_id = 2;
 SELECT 'and it takes lanes for both directions', (SELECT count(*) = 1 FROM older.lane WHERE both_ways) AND NOT EXISTS (SELECT FROM streetgen.check_model('older') WHERE severity = 'error');
+DELETE FROM older.street_object;
+INSERT INTO older.placement_rule (type, along) VALUES ('tree', 'border');
+SELECT 'and objects of rules', (SELECT count(*) > 0 FROM older.street_object WHERE placed_by = 'rule');
+DELETE FROM older.street_object WHERE street_object_id = (SELECT min(street_object_id) FROM older.street_object);
+SELECT 'and places that rules leave free', (SELECT count(*) = 1 FROM older.free_place) AND NOT EXISTS (SELECT FROM streetgen.check_model('older') WHERE severity = 'error');
+DO $$ BEGIN PERFORM streetgen.switch_subject('older', 'ramp', true); END $$;
+SELECT 'and ramps', to_regclass('older.ramp') IS NOT NULL;

@@ -190,6 +190,40 @@ COMMENT ON FUNCTION streetgen._add_roadway_offset(name) IS
     'where a model was made before '
     'them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_merging_lanes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.lane', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = format('%I.lane', model)::regclass AND attname = 'start_abscissa') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.lane ADD start_abscissa float8, ADD end_abscissa float8, '
+        'DROP CONSTRAINT IF EXISTS lane_kind_check, ADD CONSTRAINT lane_kind_check CHECK (kind IN (%s))', model,
+        '''general'', ''bus'', ''cycle'', ''parking'', ''merging''');
+END $$;
+COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
+    'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '
+    'model was made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.roundabout_edge', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = format('%I.roundabout_edge', model)::regclass AND attname = 'face') THEN
+        RETURN;
+    END IF;
+    -- What was computed has rings of one face only.
+    EXECUTE format('ALTER TABLE %I.roundabout_edge ADD face integer NOT NULL DEFAULT 1', model);
+    EXECUTE format('ALTER TABLE %I.roundabout_edge ALTER face DROP DEFAULT', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_roundabout_faces(name) IS
+    'Adds the column that says which face of its ring an edge bounds, where a model was made before double '
+    'roundabouts.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -223,9 +257,13 @@ BEGIN
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
         streetgen._make_roundabout_decision_tables(model, srid),
         streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
-        streetgen._add_roadway_offset(model),
+        streetgen._add_roadway_offset(model), streetgen._add_merging_lanes(model),
+        streetgen._add_roundabout_faces(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
+    IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
+        PERFORM streetgen._make_object_input_tables(model, srid);
+    END IF;
     PERFORM streetgen._give_to_owner(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS

@@ -31,7 +31,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     ('runway_light', 'traffic', NULL, 'point', 'circle', 0.3, 'a light of a runway') $$;
 COMMENT ON FUNCTION streetgen._default_object_type() IS 'The types of objects that a model starts with.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_object_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -104,9 +104,8 @@ CREATE INDEX IF NOT EXISTS parking_bay_surface ON %1$I.parking_bay USING gist (s
 CREATE TABLE IF NOT EXISTS %1$I.specialised_type (
     type text PRIMARY KEY REFERENCES %1$I.object_type ON UPDATE CASCADE,
     relation name NOT NULL UNIQUE, function text);
--- Without foreign keys: they took half of the time of a run with many objects, and its rows come from both tables.
-CREATE TABLE %1$I.object_edge (street_object_id bigint PRIMARY KEY, edge_id bigint NOT NULL);
-CREATE INDEX object_edge_edge ON %1$I.object_edge (edge_id);
+ALTER TABLE IF EXISTS %1$I.object_edge DROP CONSTRAINT IF EXISTS object_edge_street_object_id_fkey,
+    DROP CONSTRAINT IF EXISTS object_edge_edge_id_fkey;
 COMMENT ON TABLE %1$I.object_type
     IS 'Types of objects, as many as users want; a type stands below its parent';
 COMMENT ON TABLE %1$I.street_object
@@ -122,14 +121,27 @@ COMMENT ON TABLE %1$I.pedestrian_crossing
 COMMENT ON TABLE %1$I.parking_bay
     IS 'Parking bays: objects of type parking_bay, or of a type below it, with their ground';
 COMMENT ON TABLE %1$I.specialised_type
-    IS 'Types of objects with a table of their own, as streetgen.specialise makes them';
-COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands';$t$,
+    IS 'Types of objects with a table of their own, as streetgen.specialise makes them';$t$,
         model, srid, (streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
         streetgen._finite('geom'));
     -- What users took away of a model that is there stays away.
     EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
         SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')
         ON CONFLICT DO NOTHING', model) USING there, bays_there;
+END $$;
+COMMENT ON FUNCTION streetgen._make_object_input_tables(name, integer) IS
+    'Makes the tables of objects that users write, and adds to those that are there from before what they lack.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_object_input_tables(model, srid);
+    -- Without foreign keys: they took half of the time of a run with many objects, and its rows come from both tables.
+    EXECUTE format($t$
+CREATE TABLE %1$I.object_edge (street_object_id bigint PRIMARY KEY, edge_id bigint NOT NULL);
+CREATE INDEX object_edge_edge ON %1$I.object_edge (edge_id);
+COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands'$t$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_tables(name, integer) IS
     'Makes the tables of objects of a model; those that users write may be there from before.';
