@@ -16,7 +16,6 @@ namespace streetgen {
 namespace {
 
 constexpr double sample_spacing = 0.5;  // metres along kerbs
-constexpr double returning = 2;         // radians: kerbs that turn by more may come back
 
 // The same order whatever kerbs are given beside the two.
 bool before(const Line& a, const Line& b) {
@@ -73,17 +72,11 @@ bool SharedGround::bounds(int kerb, int other) const {
   return false;
 }
 
-bool SharedGround::parted(int kerb, int other) const {
-  const Strip &strip = strips_[kerb], &next = strips_[other];
-  return (chains_.next(kerb) == other || chains_.previous(kerb) == other) && strip.plain &&
-         next.plain && strip.turn + next.turn < returning;
-}
-
 std::vector<int> SharedGround::rivals(int kerb) const {
   std::vector<int> found;
   const Box& box = grounds_[kerb].box();
   for (const int other : ground_index_.near(box, -sides_touch))
-    if (other != kerb && kerbs_[other].level == kerbs_[kerb].level && !parted(kerb, other) &&
+    if (other != kerb && kerbs_[other].level == kerbs_[kerb].level &&
         overlap(grounds_[kerb], grounds_[other]))
       found.push_back(other);
   side_index_.each_near(box, -sides_touch, [&](int side) {

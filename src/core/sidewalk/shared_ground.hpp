@@ -31,8 +31,6 @@ class SharedGround {
     int segment;
   };
   bool bounds(int kerb, int other) const;
-  // Whether the two follow each other, so that their strips part where one ends.
-  bool parted(int kerb, int other) const;
   bool on_roadway(const Point& place, int kerb) const;
   bool left_of(const Point& place, const Side& side) const;
   std::vector<int> in_order_of_place(std::vector<int> kerbs) const;

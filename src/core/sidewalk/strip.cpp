@@ -60,18 +60,6 @@ Point direction_at(const Line& line, bool at_start) {
   return at_start ? unit(line[1] - line[0]) : unit(line.back() - line[line.size() - 2]);
 }
 
-double turn_of(const Line& line) {
-  double turn = 0;
-  Point before = unit(line[1] - line[0]);
-  for (std::size_t i = 2; i < line.size(); ++i) {
-    if (same(line[i - 1], line[i])) continue;
-    const Point after = unit(line[i] - line[i - 1]);
-    turn += std::abs(std::atan2(cross(before, after), dot(before, after)));
-    before = after;
-  }
-  return turn;
-}
-
 void append_piece(Ring ring, std::vector<MultiPolygon>& pieces) {
   ring.push_back(ring.front());
   ring = closed(std::move(ring));
@@ -158,7 +146,6 @@ class Strips {
                   const BackLine& back, int first, int last) {
     Strip& strip = strips_[kerb];
     strip.widest = *std::max_element(course.widths.begin(), course.widths.end());
-    strip.turn = turn_of(course.line);
     strip.narrow = ground.narrow;
     if (ground.whole) {
       const Ring ring = ring_behind(course.line, ground, back, first, last);

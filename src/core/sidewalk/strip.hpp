@@ -11,7 +11,6 @@ struct Strip {
   MultiPolygon surface;  // empty where the kerb has no sidewalk
   double widest = 0;     // metres
   bool plain = true;     // one ring along the kerb, which it cannot cross
-  double turn = 0;       // radians that the kerb turns by, to either side
   bool narrow = false;   // another kerb of its chain, across, has part of what it wants
 };
 
