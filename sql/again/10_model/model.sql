@@ -195,7 +195,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_merging_lanes(model name) RETURNS void
     AS $$
 BEGIN
     IF to_regclass(format('%I.lane', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = format('%I.lane', model)::regclass AND attname = 'start_abscissa') THEN
+        WHERE attrelid = to_regclass(format('%I.lane', model)) AND attname = 'start_abscissa') THEN
         RETURN;
     END IF;
     EXECUTE format('ALTER TABLE %I.lane ADD start_abscissa float8, ADD end_abscissa float8, '
@@ -213,7 +213,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS v
     AS $$
 BEGIN
     IF to_regclass(format('%I.roundabout_edge', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = format('%I.roundabout_edge', model)::regclass AND attname = 'face') THEN
+        WHERE attrelid = to_regclass(format('%I.roundabout_edge', model)) AND attname = 'face') THEN
         RETURN;
     END IF;
     -- What was computed has rings of one face only.
