@@ -294,40 +294,6 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'the corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the '
         'side; '
         'level_change: the roadway goes on there on another level; by_hand'),
-    ('ramp_override', 'ramp_override_id', 'key'),
-    ('ramp_override', 'axis_id', 'the link'),
-    ('ramp_override', 'abscissa', 'a place on the link, metres along the axis; the nearer end of its edge is meant'),
-    ('ramp_override', 'tangent', 'metres before and behind the bend into the lane; NULL: setting ramp_tangent'),
-    ('ramp_override', 'length', 'metres that a merging lane keeps its width; 0: none; NULL: setting merging_length'),
-    ('ramp_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out'),
-    ('ramp', 'ramp_id', 'key; kept while a ramp is at the node'),
-    ('ramp', 'node_id', 'the node'),
-    ('ramp', 'edge_id', 'the link'),
-    ('ramp', 'edge_before', 'the highway before the node, in the direction of the ramp''s traffic'),
-    ('ramp', 'edge_after', 'the highway behind it'),
-    ('ramp', 'kind', 'on: traffic comes upon the highway; off: it leaves'),
-    ('ramp', 'side', 'on which the ramp lies, left or right of the highway with its traffic'),
-    ('ramp', 'lanes_before', 'lanes of the highway before the node in the direction of the ramp''s traffic, general '
-        'and bus lanes'),
-    ('ramp', 'lanes_ramp', 'lanes of the link'),
-    ('ramp', 'lanes_after', 'lanes of the highway behind the node'),
-    ('ramp', 'lanes_missing', 'merging lanes that are due: lanes that do not add up, at most those of the link; 0 '
-        'where a number of lanes is estimated'),
-    ('ramp', 'lanes_merging', 'merging lanes that are there'),
-    ('ramp', 'length', 'metres that they keep their width, from the limit on; 0: none'),
-    ('ramp', 'taper', 'metres of taper wanted, by setting taper_ratio; 0: none'),
-    ('ramp', 'tangent', 'metres before and behind the bend of the link into its lane, at least'),
-    ('ramp', 'auxiliary', 'do they go on to those of the next ramp'),
-    ('ramp', 'cut', 'does the next junction leave them less room than length and taper want'),
-    ('ramp', 'short_link', 'is the link too short for its tangent'),
-    ('ramp', 'geom', 'the node'),
-    ('ramp', 'method', 'hypothesis: by settings; by_hand: by ramp_override'),
-    ('ramp_path', 'interconnection_id', 'the interconnection'),
-    ('ramp_path', 'ramp_id', 'the ramp'),
-    ('ramp_path', 'kind', 'on or off the highway'),
-    ('ramp_path', 'lane_in', 'lane that traffic comes by'),
-    ('ramp_path', 'lane_out', 'lane that it goes on'),
-    ('ramp_path', 'geom', 'the path'),
     ('lane', 'start_abscissa', 'where a merging lane begins within the section, metres along the axis; NULL: at the '
         'limit'),
     ('lane', 'end_abscissa', 'where one ends, metres along the axis; NULL: at the limit'),
@@ -527,6 +493,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     UNION ALL SELECT relation, attribute, description FROM streetgen._signal_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._block_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._overpass_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._ramp_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._object_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';

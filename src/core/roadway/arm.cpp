@@ -5,7 +5,6 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -41,6 +40,16 @@ double half_towards(const Arm& arm, const Point& place) {
 bool as_wide(const Arm& a, const Arm& b) {
   return std::abs(a.start_to(+1) - b.start_to(-1)) <= same_width &&
          std::abs(a.start_to(-1) - b.start_to(+1)) <= same_width;
+}
+
+Line line_with_places(const Arm& arm, const WidthProfile& profile, double start, double end) {
+  if (profile.empty() || start >= end) return distinct(planar(substring(arm.line, start, end)));
+  Line part;
+  profile.each_stretch(start, end, [&](const auto& from, const auto& to) {
+    const Line piece = substring(arm.line, from.abscissa, to.abscissa);
+    part.insert(part.end(), piece.begin(), piece.end());
+  });
+  return distinct(planar(std::move(part)));
 }
 
 Line border_across(const Arm& arm, double abscissa) {

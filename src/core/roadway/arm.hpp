@@ -7,6 +7,7 @@
 #include "streetgen/corner.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/ramp.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -54,6 +55,8 @@ std::pair<double, double> halves(const Arm& arm, double u, double v, int side);
 double half_towards(const Arm& arm, const Point& place);
 // Whether an arm goes on as the other with both kerbs in one line.
 bool as_wide(const Arm& a, const Arm& b);
+// The line between two abscissas, planar, with a point at each place of a profile.
+Line line_with_places(const Arm& arm, const WidthProfile& profile, double start, double end);
 // Left and right kerb at `abscissa`, across the local direction.
 Line border_across(const Arm& arm, double abscissa);
 

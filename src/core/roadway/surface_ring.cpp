@@ -78,7 +78,7 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
 }
 
-// From the axis to an end of the border line: a change of width may go on within the section.
+// From the axis to an end of the border line: a change may go on within the section.
 double half_of_border(const Arm& arm, const Point& end) {
   return distance(planar(position_at(arm.line, arm.limit).point), end);
 }
@@ -90,11 +90,8 @@ KerbLine tapering_kerb(const Arm& a, const Arm& b) {
   const Line on = substring(b.line, 0, b.limit);
   line.insert(line.end(), on.begin() + 1, on.end());
   line = distinct(planar(std::move(line)));
-  // A change of width may go on within both sections.
-  const auto half = [](const Arm& arm, const Point& end) {
-    return distance(planar(position_at(arm.line, arm.limit).point), end);
-  };
-  KerbLine kerb = kerb_line(line, 0, length(line), half(a, a.border[0]), half(b, b.border[1]), -1);
+  KerbLine kerb = kerb_line(line, 0, length(line), half_of_border(a, a.border[0]),
+                            half_of_border(b, b.border[1]), -1);
   return kerb.whole ? kerb : KerbLine{{a.border[0], b.border[1]}};
 }
 
@@ -203,19 +200,7 @@ WidthProfile::Place place_at(const Arm& arm, double abscissa) {
 
 MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double start, double end,
                         const Line& from, const Line& to) {
-  Line part;
-  // With a point where a change of width begins or ends.
-  const auto append = [&](double u, double v) {
-    const Line piece = substring(arm.line, u, v);
-    part.insert(part.end(), piece.begin(), piece.end());
-  };
-  if (profile.empty() || start >= end)
-    append(start, end);
-  else
-    profile.each_stretch(start, end, [&](const auto& from, const auto& to) {
-      append(from.abscissa, to.abscissa);
-    });
-  part = distinct(planar(std::move(part)));
+  const Line part = line_with_places(arm, profile, start, end);
   std::vector<double> left(part.size()), right(part.size());
   double abscissa = start;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -415,7 +400,6 @@ MultiPolygon held_by(Geos& geos, Outline outline) {
   if (!geos.valid(held)) held.clear();
   return held;
 }
-
 }  // namespace
 
 Ring closed(Ring ring) {

@@ -74,9 +74,9 @@ class Plausibility {
   void run() {
     for (Movement& movement : movements_) {
       const Leg &from = legs_[movement.from], &to = legs_[movement.to];
+      const double order = movement_order(from, to) + 360 * movement.side;
       movement.verdicts.resize(from.in.size() * to.out.size());
-      ways_.push_back({&movement, &to, movement_angle(from, to),
-                       movement_order(from, to) + 360 * movement.side});
+      ways_.push_back({&movement, &to, movement_angle(from, to), order});
     }
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg) approach(leg);
     reach_every_lane();
@@ -491,7 +491,6 @@ class Plausibility {
   std::vector<Movement>& movements_;
   std::vector<Way> ways_;
 };
-
 }  // namespace
 
 void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements) {
