@@ -26,7 +26,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('kerb', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_left', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_right', 'geometry', '''LINESTRING(0 -4,50 -4)'''), ('width_start', 'float8', '2'), ('width_end', 'float8', '2'),
     ('lines', 'geometry[]', 'ARRAY[''LINESTRING(0 0,50 0)'', ''LINESTRING(0 4,50 4)'']::geometry[]'), ('part', 'text', '''edges'''),
     ('roadway_offset', 'float8', '1'), ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3'),
-    ('on_circle', 'float8', '1'), ('fill', 'float8', '0.9'), ('one_way', 'float8', '1'), ('against', 'float8', '0'), ('arm_nodes', 'integer', '4'), ('single_arm', 'float8', '1'), ('inside', 'integer', '0'),
+    ('on_circle', 'float8', '1'), ('compactness', 'float8', '0.9'), ('one_way', 'float8', '1'), ('against', 'float8', '0'), ('arm_nodes', 'integer', '4'), ('single_arm', 'float8', '1'), ('inside', 'integer', '0'),
     ('names', 'text[]', '''{Ring}'''), ('patterns', 'text[]', '''{ring}'''), ('shape', 'float8', '1'), ('name', 'float8', '1'), ('network', 'float8', '1'), ('weights', 'float8[]', '''{1,1,1}'''),
     ('elements', 'streetgen.alignment_element[]', '(SELECT array_agg(e) FROM streetgen.horizontal_alignment(''LINESTRING(0 0,50 0)'', ''{0,0}'', ''{0,0}'') e)'), ('clothoids', 'float8[]', '''{0,0}'''),
     ('abscissas', 'float8[]', '''{0,50}'''), ('heights', 'float8[]', '''{1,2}'''), ('start', 'geometry', '''POINT(0 0)'''), ('heading', 'float8', '0'), ('length', 'float8', '10'), ('curvature_start', 'float8', '0'), ('curvature_end', 'float8', '0.01'),
