@@ -57,6 +57,25 @@ INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, 
 SELECT 'what it leads to stays the piece at its place', (SELECT to_axis = 2 FROM town.turn_restriction);
 DELETE FROM town.axis WHERE axis_id = 12;
 UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649800 6860020)' WHERE axis_id = 2;
+-- A node of the restriction is dragged, axis by axis and all at once, and dragged back; then the junction as a whole.
+CREATE TABLE drawn AS SELECT axis_id, geom FROM town.axis;
+CREATE FUNCTION pg_temp.drag(axes bigint[], x float8, y float8, dx float8, dy float8) RETURNS void LANGUAGE sql AS $$
+  UPDATE town.axis a SET geom = (SELECT ST_MakeLine(CASE WHEN ST_DWithin(d.geom, ST_SetSRID(ST_MakePoint(x, y), 2154), 1e-6) THEN ST_Translate(d.geom, dx, dy) ELSE d.geom END ORDER BY d.path) FROM ST_DumpPoints(a.geom) d) WHERE axis_id = ANY (axes) $$;
+CREATE FUNCTION pg_temp.held() RETURNS boolean LANGUAGE sql AS $$
+  SELECT (SELECT bool_and(NOT plausible AND reason = 'restriction') FROM pg_temp.across WHERE (axis_in, axis_out) = (1, 2)) AND (SELECT (from_axis, via_axes, to_axis) = (1, '{4}'::bigint[], 2) FROM town.turn_restriction)
+    AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = 'turn_restriction') $$;
+DO $$ BEGIN PERFORM pg_temp.drag('{1}', 650000, 6860000, 1, -2); PERFORM pg_temp.drag('{3}', 650000, 6860000, 1, -2); PERFORM pg_temp.drag('{4}', 650000, 6860000, 1, -2); END $$;
+SELECT 'a restriction via an axis goes with its first node', pg_temp.held() AND (SELECT ST_DWithin(geom, 'SRID=2154;POINT(650001 6859998)', 1e-6) AND ST_DWithin(via_geom, (SELECT geom FROM town.axis WHERE axis_id = 4), 1.5) FROM town.turn_restriction) AND test.followed('town', 'anew');
+SELECT pg_temp.drag('{2,4,5}', 650000, 6860020, -2, 2) \g /dev/null
+SELECT 'and with its last', pg_temp.held() AND (SELECT ST_DWithin(to_geom, 'SRID=2154;POINT(649998 6860022)', 1e-6) AND ST_DWithin(via_geom, (SELECT geom FROM town.axis WHERE axis_id = 4), 1.5) FROM town.turn_restriction) AND test.followed('town', 'anew');
+UPDATE town.axis a SET geom = ST_Translate(d.geom, 60, 45) FROM drawn d WHERE d.axis_id = a.axis_id;
+SELECT 'and with all of the junction', pg_temp.held() AND (SELECT ST_DWithin(geom, 'SRID=2154;POINT(650060 6860045)', 1e-6) AND ST_DWithin(to_geom, 'SRID=2154;POINT(650060 6860065)', 1e-6) AND ST_DWithin(via_geom, (SELECT geom FROM town.axis WHERE axis_id = 4), 1.5) FROM town.turn_restriction) AND test.followed('town', 'anew');
+UPDATE town.axis a SET geom = d.geom FROM drawn d WHERE d.axis_id = a.axis_id;
+UPDATE town.turn_restriction SET geom = 'SRID=2154;POINT(650000 6860004)';
+SELECT 'one off its node is told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'turn restriction without a place');
+UPDATE town.turn_restriction SET geom = 'SRID=2154;POINT(650000 6860000)', to_geom = 'SRID=2154;POINT(650000 6860016)';
+SELECT 'at either end', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'turn restriction without a place');
+UPDATE town.turn_restriction SET to_geom = 'SRID=2154;POINT(650000 6860020)';
 UPDATE town.turn_restriction SET kind = 'only', to_axis = 5;
 SELECT 'only that way forbids all others', (SELECT bool_and((axis_out = 5) = plausible) FROM pg_temp.across WHERE axis_in = 1 AND ST_X(ST_EndPoint(line_in)) < 650000) AND (SELECT bool_or(plausible) FROM pg_temp.across WHERE axis_in = 3) AND test.followed('town', 'anew');
 UPDATE town.turn_restriction SET via_axes = '{3}', via_geom = 'SRID=2154;MULTIPOINT(650000 6859850)';

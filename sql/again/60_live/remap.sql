@@ -9,26 +9,38 @@ WITH changed AS MATERIALIZED (SELECT axis_id, ST_Force2D(before) AS before, ST_F
     FROM unnest($1, $2, $3) c(axis_id, before, after)),
 tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE name = 'tolerance'),
 place AS MATERIALIZED (
-    SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, p.relation IN ('interconnection_override',
-        'turn_restriction', 'corner_override', 'overpass_override') AS at_node,
+    SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, r.via_axes,
+        p.relation IN ('interconnection_override', 'turn_restriction', 'corner_override', 'overpass_override')
+            AND p.role NOT LIKE 'via_axis %%' AS at_node,
+        CASE WHEN p.role = 'to_axis' AND r.via_axes IS NOT NULL THEN 'to_geom' ELSE 'geom' END AS node,
            (SELECT ST_Force2D(a.geom) FROM %1$I.axis a WHERE a.axis_id = p.axis_id) AS line
-    FROM %1$I.override_place p LEFT JOIN changed c USING (axis_id)
+    FROM %1$I.override_place p LEFT JOIN changed c USING (axis_id) LEFT JOIN %1$I.turn_restriction r
+        ON p.relation = 'turn_restriction' AND r.turn_restriction_id = p.override_id
     WHERE p.geom && ST_Expand((SELECT ST_Extent(line)::geometry FROM unnest($2 || $3) line), CASE p.relation
         WHEN 'kerb_point_override' THEN 110 ELSE 30 END)),
--- The node was moved: all axes that are named meet at the new place of a vertex that was there.
+-- The axes that meet at each node of a decision. A restriction via axes has two nodes, at either end of these axes.
+meeting AS MATERIALIZED (
+    SELECT relation, override_id, node, role, axis_id, before, after, geom, reach FROM place WHERE at_node
+    UNION ALL SELECT p.relation, p.override_id, p.node, p.role, v.axis_id, c.before, c.after, p.geom, p.reach
+    FROM place p CROSS JOIN LATERAL (SELECT p.via_axes[CASE p.node WHEN 'geom' THEN 1
+            ELSE cardinality(p.via_axes) END]) v(axis_id) LEFT JOIN changed c ON c.axis_id = v.axis_id
+    WHERE p.at_node AND p.via_axes IS NOT NULL),
+-- The node was moved: the axes that met there no longer do, and all meet at the new place of a vertex that was there.
 moved AS MATERIALIZED (
-    SELECT DISTINCT ON (relation, override_id) relation, override_id, v.geom AS new_place,
+    SELECT DISTINCT ON (relation, override_id, node) relation, override_id, node, v.geom AS new_place,
            (SELECT d.geom FROM ST_DumpPoints(p.before) d ORDER BY ST_Distance(d.geom, p.geom), d.path LIMIT 1)
                AS old_place
-    FROM place p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom,
+    FROM meeting p CROSS JOIN tolerance t CROSS JOIN LATERAL streetgen._moved_vertex(p.before, p.after, p.geom,
         p.reach) v(geom)
-    WHERE p.at_node AND NOT ST_DWithin(p.after, p.geom, p.reach)
+    WHERE EXISTS (SELECT FROM meeting o WHERE (o.relation, o.override_id, o.node) = (p.relation, p.override_id, p.node)
+            AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id
+                AND ST_DWithin(a.geom, p.geom, p.reach)))
         AND NOT streetgen._remap_is_cut_back(p.before, p.after, t.value)
-        AND NOT EXISTS (SELECT FROM %1$I.override_place o
-            WHERE (o.relation, o.override_id) = (p.relation, p.override_id)
+        AND NOT EXISTS (SELECT FROM meeting o
+            WHERE (o.relation, o.override_id, o.node) = (p.relation, p.override_id, p.node)
                         AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = o.axis_id
                             AND ST_DWithin(a.geom, v.geom, o.reach)))
-    ORDER BY relation, override_id, role),
+    ORDER BY relation, override_id, node, role, axis_id),
 -- Which axis each is on now: its own, if that still lies there (1); one that came by (2); the one that took its line
 -- over (3); its own, redrawn and
 -- neither cut back nor, for an end, made longer (4).
@@ -46,20 +58,20 @@ heir AS (
     WHERE NOT p.at_node AND ST_DWithin(streetgen._remap_part_of_axis(p.relation, p.before), p.geom, p.reach)
         AND NOT streetgen._remap_is_cut_back(p.before, p.after, t.value)
         AND CASE p.relation WHEN 'transition_override' THEN NOT streetgen._remap_is_cut_back(p.after, p.before, t.value)
-            ELSE streetgen._remap_lies_beside(p.after, p.geom) END),
+            WHEN 'turn_restriction' THEN true ELSE streetgen._remap_lies_beside(p.after, p.geom) END),
 found AS MATERIALIZED (
-    SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn,
+    SELECT relation, override_id, role, geom, heir AS axis_id, heir_line AS line, turn = 4 AS redrawn, before,
         streetgen._remap_runs_against(before, heir_line, geom) AS turned FROM (
         SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
-        WHERE turn = 1 OR turn IS NOT NULL
-            AND NOT (at_node AND EXISTS (SELECT FROM place o
-            WHERE (o.relation, o.override_id, o.axis_id) = (h.relation, h.override_id, h.heir) AND o.role <> h.role))
+        WHERE turn IN (1, 4) OR turn IS NOT NULL
+            AND NOT EXISTS (SELECT FROM place o
+            WHERE (o.relation, o.override_id, o.axis_id) = (h.relation, h.override_id, h.heir) AND o.role <> h.role)
         ORDER BY relation, override_id, role, turn, ST_Distance(heir_line, geom), heir) h
-    WHERE (named OR turn > 1) AND NOT EXISTS (SELECT FROM moved m
-        WHERE (m.relation, m.override_id) = (h.relation, h.override_id)))
+    WHERE (named OR turn > 1) AND NOT (at_node AND EXISTS (SELECT FROM moved m
+        WHERE (m.relation, m.override_id, m.node) = (h.relation, h.override_id, h.node))))
 $sql$, model) $$;
 COMMENT ON FUNCTION streetgen._remap_places(name) IS
-    'The beginning of the statements of _remap_statement: the CTEs moved (overrides whose node is elsewhere) and '
+    'The beginning of the statements of _remap_statement: the CTEs moved (nodes of overrides that are elsewhere) and '
     'found (which axis each override near changed axes is on).';
 
 CREATE OR REPLACE FUNCTION streetgen._remap_statement(model name, relation name) RETURNS text
@@ -213,23 +225,33 @@ WHERE o.interconnection_override_id = n.id AND (o.geom, o.axis_in, o.lane_in, o.
 new AS (
     SELECT o.turn_restriction_id AS id,
         coalesce(ST_Translate(o.geom, ST_X(m.new_place) - ST_X(m.old_place), ST_Y(m.new_place) - ST_Y(m.old_place)),
-        o.geom) AS geom, coalesce(a.axis_id, o.from_axis) AS from_axis, coalesce(b.axis_id, o.to_axis) AS to_axis,
-        v.axes AS via_axes
+        o.geom) AS geom,
+        coalesce(ST_Translate(o.to_geom, ST_X(n.new_place) - ST_X(n.old_place),
+            ST_Y(n.new_place) - ST_Y(n.old_place)), o.to_geom) AS to_geom,
+        coalesce(a.axis_id, o.from_axis) AS from_axis, coalesce(b.axis_id, o.to_axis) AS to_axis,
+        v.axes AS via_axes, v.geom AS via_geom
     FROM %1$I.turn_restriction o
-    LEFT JOIN moved m ON (m.relation, m.override_id) = ('turn_restriction', o.turn_restriction_id)
+    LEFT JOIN moved m ON (m.relation, m.override_id, m.node) = ('turn_restriction', o.turn_restriction_id, 'geom')
+    LEFT JOIN moved n ON (n.relation, n.override_id, n.node) = ('turn_restriction', o.turn_restriction_id, 'to_geom')
     LEFT JOIN found a ON (a.relation, a.override_id, a.role) = ('turn_restriction', o.turn_restriction_id, 'from_axis')
     LEFT JOIN found b ON (b.relation, b.override_id, b.role) = ('turn_restriction', o.turn_restriction_id, 'to_axis')
     LEFT JOIN LATERAL (
-        SELECT array_agg(coalesce(f.axis_id, u.axis_id) ORDER BY u.i) AS axes
-        FROM unnest(o.via_axes) WITH ORDINALITY u(axis_id, i) LEFT JOIN found f
+        SELECT array_agg(coalesce(f.axis_id, u.axis_id) ORDER BY u.i) AS axes,
+            -- On its axis redrawn: beside where it was, else as far along the line as before.
+            ST_Collect(CASE WHEN f.redrawn IS NOT TRUE THEN p.geom
+                WHEN streetgen._remap_lies_beside(f.line, p.geom) THEN ST_ClosestPoint(f.line, p.geom)
+                ELSE ST_LineInterpolatePoint(f.line, ST_LineLocatePoint(f.before, p.geom)) END ORDER BY u.i) AS geom
+        FROM unnest(o.via_axes) WITH ORDINALITY u(axis_id, i)
+            CROSS JOIN LATERAL ST_GeometryN(o.via_geom, u.i::integer) p(geom) LEFT JOIN found f
             ON (f.relation, f.override_id, f.role) = ('turn_restriction', o.turn_restriction_id, 'via_axis ' || u.i)
         ) v ON o.via_axes IS NOT NULL
     WHERE o.turn_restriction_id IN (SELECT override_id FROM moved WHERE relation = 'turn_restriction'
         UNION ALL SELECT override_id FROM found WHERE relation = 'turn_restriction'))
 UPDATE %1$I.turn_restriction o SET geom = n.geom, from_axis = n.from_axis, to_axis = n.to_axis,
-    via_axes = n.via_axes FROM new n
-WHERE o.turn_restriction_id = n.id AND (o.geom, o.from_axis, o.to_axis, o.via_axes)
-    IS DISTINCT FROM (n.geom, n.from_axis, n.to_axis, n.via_axes)$sql$
+    via_axes = n.via_axes, via_geom = n.via_geom, to_geom = n.to_geom FROM new n
+WHERE o.turn_restriction_id = n.id
+    AND (o.geom::bytea, o.from_axis, o.to_axis, o.via_axes, o.via_geom::bytea, o.to_geom::bytea)
+    IS DISTINCT FROM (n.geom::bytea, n.from_axis, n.to_axis, n.via_axes, n.via_geom::bytea, n.to_geom::bytea)$sql$
         ELSE $sql$,
 new AS (
     SELECT o.%2$I_id AS id,

@@ -83,8 +83,7 @@ tolerance AS MATERIALIZED (SELECT value::float8 AS value FROM %1$I.setting WHERE
 ending AS MATERIALIZED (SELECT node_id, axis_id, geom FROM %1$I.node n
     JOIN LATERAL (SELECT from_node, axis_id FROM %1$I.edge
     UNION ALL SELECT to_node, axis_id FROM %1$I.edge) e(node_id, axis_id) USING (node_id)
-    WHERE axis_id IN (SELECT from_axis FROM %1$I.turn_restriction
-        UNION SELECT to_axis FROM %1$I.turn_restriction))$part$),
+    WHERE axis_id IN (SELECT unnest(ARRAY[from_axis, to_axis] || via_axes) FROM %1$I.turn_restriction))$part$),
     (11, 'interconnection', 'with', $part$
 decided AS MATERIALIZED (
     SELECT DISTINCT ON (c.interconnection_id) d.*, c.interconnection_id, c.connecting AS was_connecting, c.plausible,
@@ -185,10 +184,12 @@ SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'no
     (31, 'network', 'rule', $part$
 SELECT 'warning', 'turn restriction without a place', 'turn_restriction', r.turn_restriction_id, 0, r.geom
     FROM %1$I.turn_restriction r
-    WHERE CASE WHEN via_axes IS NULL THEN NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id)
-            WHERE a.axis_id = r.from_axis AND b.axis_id = r.to_axis AND ST_DWithin(a.geom, r.geom, 3 * t.value))
-        ELSE EXISTS (SELECT FROM unnest(via_axes || ARRAY[from_axis, to_axis]) u(axis_id)
-            WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id)) END$part$),
+    WHERE EXISTS (SELECT FROM (VALUES (r.from_axis, coalesce(r.via_axes[1], r.to_axis), r.geom),
+            (r.via_axes[cardinality(r.via_axes)], r.to_axis, r.to_geom)) m(axis_a, axis_b, geom)
+        WHERE m.geom IS NOT NULL AND NOT EXISTS (SELECT FROM tolerance t, ending a JOIN ending b USING (node_id)
+            WHERE a.axis_id = m.axis_a AND b.axis_id = m.axis_b AND ST_DWithin(a.geom, m.geom, 3 * t.value)))
+        OR EXISTS (SELECT FROM unnest(via_axes) u(axis_id)
+            WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = u.axis_id))$part$),
     (32, 'network', 'rule', $part$
 SELECT 'warning', 'contradictory turn restrictions', 'turn_restriction', a.turn_restriction_id,
     b.turn_restriction_id, a.geom FROM %1$I.turn_restriction a
