@@ -87,6 +87,44 @@ DELETE FROM row.pedestrian_crossing WHERE street_object_id = (SELECT max(street_
 SELECT 'a crossing of a rule that was deleted by its own table stays away', count(*) = 2 FROM row.pedestrian_crossing;
 SELECT 'and bays look at that too', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('row', wait => true);
 
+-- What a user takes by name, what is named anew, and what is emptied.
+SELECT streetgen.create_model('own', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO own.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0, 100 0)'), 8);
+INSERT INTO own.placement_rule (rule_id, type, side, every, axis_offset, distance_from_limit) VALUES (1, 'tree', 'left', 10, 1, 5), (2, 'lamp', 'right', 30, 1, 5);
+CREATE FUNCTION pg_temp.stand(text) RETURNS integer[] LANGUAGE sql AS $$ SELECT array_agg(abscissa::integer ORDER BY abscissa) FROM own.street_object WHERE placed_by = $1 AND type IN ('tree', 'plane') $$;
+CREATE FUNCTION pg_temp.still() RETURNS boolean LANGUAGE sql AS $$ SELECT sum(inserted + updated + deleted) = 0 AND NOT EXISTS (SELECT FROM streetgen.check_model('own') WHERE severity = 'error') FROM streetgen.generate('own', wait => true) $$;
+UPDATE own.street_object SET placed_by = 'user' WHERE type = 'tree' AND abscissa = 20;
+SELECT 'a tree that a user takes is of no rule, and its place stays free', pg_temp.stand('user') = '{20}' AND pg_temp.stand('rule') = '{10,30,40,50,60,70,80,90}' AND (SELECT rule_id IS NULL AND rule_place IS NULL FROM own.street_object WHERE placed_by = 'user') AND pg_temp.still();
+UPDATE own.street_object SET placed_by = 'import', source = 'survey', source_ref = '1' WHERE type = 'tree' AND abscissa = 30;
+SELECT 'also for an import', pg_temp.stand('import') = '{30}' AND NOT pg_temp.stand('rule') && '{20,30}' AND pg_temp.still();
+INSERT INTO own.street_object (type, axis_id, abscissa, side, placement, placed_by, rule_id, rule_place) SELECT type, axis_id, 97, side, placement, 'user', rule_id, rule_place + 1000 FROM own.street_object WHERE type = 'tree' AND abscissa = 90;
+SELECT 'no new object of a user is of a rule', (SELECT rule_id IS NULL FROM own.street_object WHERE abscissa = 97) AND pg_temp.still();
+-- As an earlier version let it: the user's, moved, and still with its rule.
+ALTER TABLE own.street_object DISABLE TRIGGER USER;
+UPDATE own.street_object SET placed_by = 'user', abscissa = 44 WHERE type = 'tree' AND abscissa = 40;
+ALTER TABLE own.street_object ENABLE TRIGGER USER;
+UPDATE own.axis SET width = 9;
+SELECT 'one that kept its rule loses the rule, and the place stays free', pg_temp.stand('user') = '{20,44,97}' AND pg_temp.stand('rule') = '{10,50,60,70,80,90}' AND NOT EXISTS (SELECT FROM own.street_object WHERE placed_by <> 'rule' AND rule_id IS NOT NULL) AND pg_temp.still();
+CREATE TABLE own_before AS SELECT street_object_id, geom, placed_by, (SELECT count(*) FROM own.free_place) AS places FROM own.street_object WHERE type = 'tree';
+UPDATE own.object_type SET type = 'plane' WHERE type = 'tree';
+SELECT 'objects of a type that is renamed stay the rule''s, with their keys', count(*) = 10 AND bool_and(o.type = 'plane' AND o.placed_by = b.placed_by AND o.geom::bytea = b.geom::bytea) AND bool_and(places = (SELECT count(*) FROM own.free_place)) AND pg_temp.still() FROM own_before b JOIN own.street_object o USING (street_object_id);
+SELECT 'and the rule places the new name', (SELECT type = 'plane' FROM own.placement_rule WHERE rule_id = 1) AND (SELECT count(*) = 10 FROM own.street_object WHERE type = 'plane');
+UPDATE own.street_object SET type = 'bollard' WHERE type = 'plane' AND abscissa = 90;
+SELECT 'one that gets another type is the user''s', NOT pg_temp.stand('rule') && '{90}' AND pg_temp.still();
+UPDATE own.free_place SET geom = ST_Translate(geom, -30, 0) WHERE abs(ST_X(geom) - 650090) < 1e-6;
+SELECT 'a free place that is moved frees one place and takes another', pg_temp.stand('rule') = '{10,50,70,80,90}' AND pg_temp.still();
+TRUNCATE own.free_place;
+SELECT 'where no place is free any more, rules place objects at once', pg_temp.stand('rule') = '{10,20,30,40,50,60,70,80,90}' AND pg_temp.still();
+TRUNCATE own.street_object CASCADE;
+SELECT 'objects of rules that were emptied stay away, as deleted ones', NOT EXISTS (SELECT FROM own.street_object) AND pg_temp.still();
+SELECT 'and stand at no edge', NOT EXISTS (SELECT FROM own.object_edge);
+TRUNCATE own.free_place;
+SELECT 'taken back, they come back', pg_temp.stand('rule') = '{10,20,30,40,50,60,70,80,90}' AND pg_temp.still();
+SET streetgen.computes = 'on';
+INSERT INTO own.object_edge VALUES (1000000, (SELECT min(edge_id) FROM own.edge));
+RESET streetgen.computes;
+SELECT 'check_model tells of a row of object_edge without its object', array_agg(id) = '{1000000}' FROM streetgen.check_model('own') WHERE severity = 'error' AND rule = 'row of object_edge whose object or edge is gone';
+
 -- Two junctions near each other.
 SELECT streetgen.create_model('near', 2154, subjects => '{object}') \g /dev/null
 INSERT INTO near.axis (axis_id, geom, width, radius) VALUES (1, pg_temp.line('LINESTRING(0 0, 60 0)'), 6, 2), (2, pg_temp.line('LINESTRING(60 0, 74 0)'), 6, 2), (3, pg_temp.line('LINESTRING(74 0, 130 0)'), 6, 2), (4, pg_temp.line('LINESTRING(60 0, 60 80)'), 6, 2), (5, pg_temp.line('LINESTRING(74 0, 74 80)'), 6, 2);

@@ -45,5 +45,9 @@ UNION ALL SELECT 'notice', 'parking bay on another bay', 'parking_bay', b.street
 UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
     o.geom
     FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a
-        WHERE a.axis_id = o.axis_id)$part$) $$;
+        WHERE a.axis_id = o.axis_id)
+UNION ALL SELECT 'error', 'row of object_edge whose object or edge is gone', 'object_edge', street_object_id,
+    NULL::float8, coalesce(o.geom, e.geom)
+    FROM %1$I.object_edge LEFT JOIN %1$I.street_object o USING (street_object_id) LEFT JOIN %1$I.edge e USING (edge_id)
+    WHERE o.street_object_id IS NULL OR e.edge_id IS NULL$part$) $$;
 COMMENT ON FUNCTION streetgen._object_check_part() IS 'The parts of streetgen._check_part() for objects.';

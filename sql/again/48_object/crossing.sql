@@ -115,8 +115,8 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
         SELECT d.*, k.kept FROM drawn d LEFT JOIN LATERAL (
             SELECT streetgen._on_roadway(d.ground, ARRAY(
                 SELECT surface FROM %1$I.section WHERE surface && d.ground
-                    AND (SELECT e.level - d.level FROM %1$I.edge e WHERE e.edge_id = section.edge_id) = 0
-                UNION ALL SELECT surface FROM %1$I.intersection WHERE surface && d.ground AND level - d.level = 0))
+                    AND (SELECT e.level FROM %1$I.edge e WHERE e.edge_id = section.edge_id) = d.level
+                UNION ALL SELECT surface FROM %1$I.intersection WHERE surface && d.ground AND level = d.level))
                 AS kept) k ON d.ground IS NOT NULL),
     new AS (
         -- Stripe by stripe, since they may touch in a bend.

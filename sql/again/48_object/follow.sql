@@ -115,17 +115,24 @@ CREATE OR REPLACE FUNCTION %1$I.leave_edges() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
 BEGIN
-    CASE TG_TABLE_NAME
-        WHEN 'edge' THEN DELETE FROM %1$I.object_edge o USING gone g WHERE o.edge_id = g.edge_id;
-        ELSE DELETE FROM %1$I.object_edge o USING gone g WHERE o.street_object_id = g.street_object_id;
-    END CASE;
+    IF TG_OP = 'TRUNCATE' THEN
+        DELETE FROM %1$I.object_edge o WHERE NOT EXISTS (SELECT FROM %1$I.street_object s
+            WHERE s.street_object_id = o.street_object_id);
+    ELSIF TG_TABLE_NAME = 'edge' THEN
+        DELETE FROM %1$I.object_edge o USING gone g WHERE o.edge_id = g.edge_id;
+    ELSE
+        DELETE FROM %1$I.object_edge o USING gone g WHERE o.street_object_id = g.street_object_id;
+    END IF;
     RETURN NULL;
 END $body$;
 CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS gone
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
 CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.edge REFERENCING OLD TABLE AS gone
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
+CREATE OR REPLACE TRIGGER leave_edges_truncate AFTER TRUNCATE ON %1$I.street_object
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
 COMMENT ON TRIGGER leave_edges ON %1$I.street_object IS 'An object that is gone stands at no edge';
+COMMENT ON TRIGGER leave_edges_truncate ON %1$I.street_object IS 'An object that is gone stands at no edge';
 COMMENT ON TRIGGER leave_edges ON %1$I.edge IS 'No object stands at an edge that is gone';
 CREATE OR REPLACE FUNCTION %1$I.rejoin_objects() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT

@@ -83,23 +83,31 @@ DECLARE
     axis record;
     place float8[];
     known boolean;
+    renamed boolean;
 BEGIN
+    EXECUTE format('SELECT count(*) FILTER (WHERE type = $1) = 1, count(*) FILTER (WHERE type = $2) = 0
+        FROM %I.object_type WHERE type IN ($1, $2)', TG_TABLE_SCHEMA) INTO known, renamed USING NEW.type, OLD.type;
+    IF TG_OP = 'UPDATE' AND known AND renamed THEN
+        -- Its type has another name now, and nothing else changed.
+        RETURN NEW;
+    END IF;
     IF NEW.geom IS NOT NULL THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.geom := ST_Force2D(NEW.geom);
     END IF;
-    IF TG_OP = 'UPDATE' AND NEW.placed_by = 'rule' AND OLD.placed_by = 'rule' AND (NEW.type, NEW.geom::bytea,
-        NEW.placement, NEW.axis_id, NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset, NEW.orientation,
-        NEW.orientation_kind) IS DISTINCT FROM (OLD.type, OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa,
-        OLD.abscissa_end, OLD.side, OLD.axis_offset, OLD.orientation, OLD.orientation_kind) THEN
+    IF TG_OP = 'UPDATE' AND OLD.placed_by = 'rule' AND (NEW.placed_by, NEW.rule_id, NEW.rule_place, NEW.type,
+        NEW.geom::bytea, NEW.placement, NEW.axis_id, NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset,
+        NEW.orientation, NEW.orientation_kind) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place, OLD.type,
+        OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa, OLD.abscissa_end, OLD.side, OLD.axis_offset,
+        OLD.orientation, OLD.orientation_kind) THEN
         -- It belongs to the user from then on, and the rule leaves its place free.
         PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
-        NEW.placed_by := 'user';
+        NEW.placed_by := CASE NEW.placed_by WHEN 'rule' THEN 'user' ELSE NEW.placed_by END;
+    END IF;
+    IF NEW.placed_by <> 'rule' THEN
         NEW.rule_id := NULL;
         NEW.rule_place := NULL;
     END IF;
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type WHERE type = $1)', TG_TABLE_SCHEMA) INTO known
-        USING NEW.type;
     IF NOT known THEN
         RAISE EXCEPTION 'there is no object type "%"', NEW.type USING ERRCODE = '22023',
             HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA);
@@ -165,6 +173,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
-    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s. '
-    'An abscissa beyond the axis, an axis or a type that is not there, a side that is missing, a number that is none: '
-    '22023.';
+    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s; '
+    'a type that was renamed does not. An abscissa beyond the axis, an axis or a type that is not there, a side that '
+    'is missing, a number that is none: 22023.';

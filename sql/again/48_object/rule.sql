@@ -74,6 +74,8 @@ DECLARE
     bays constant text[] := %1$I._types_below('parking_bay');
     crossings constant text[] := %1$I._types_below('crossing');
     any_free constant boolean := EXISTS (SELECT FROM %1$I.free_place);
+    any_former constant boolean := EXISTS (SELECT FROM %1$I.street_object WHERE placed_by <> 'rule'
+        AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes)));
 BEGIN
     -- A rule that places something else now places it anew: rows of the former type go with their objects.
     DELETE FROM %1$I.street_object o USING %1$I.placement_rule r WHERE o.rule_id = r.rule_id
@@ -166,6 +168,13 @@ BEGIN
             abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
             streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
         FROM taken t, streetgen._usual_bay() usual WHERE type = ANY (bays)),
+    -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
+    former AS MATERIALIZED (
+        SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
+            JOIN %1$I.street_object o USING (rule_id, axis_id, rule_place) WHERE any_former AND o.placed_by <> 'rule'),
+    left_free AS (
+        INSERT INTO %1$I.free_place (rule_id, geom)
+        SELECT rule_id, geom FROM former ORDER BY rule_id, axis_id, rule_place),
     -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
     in_the_way AS MATERIALIZED (
         SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
@@ -178,6 +187,7 @@ BEGIN
         UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN %1$I.free_place f
             ON f.rule_id - t.rule_id = 0 AND ST_DWithin(f.geom, t.geom, least(3, coalesce(t.every, 2) / 2))
             WHERE any_free
+        UNION SELECT rule_id, axis_id, rule_place FROM former
         -- Three metres: half of a crossing, and one for who looks along the street.
         UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
             WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
@@ -219,6 +229,10 @@ BEGIN
     SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
         'relative'
     FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
+    IF any_former THEN
+        UPDATE %1$I.street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
+            AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes));
+    END IF;
     INSERT INTO %1$I.pedestrian_crossing (street_object_id)
         SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
             AND o.type = ANY (%1$I._types_below('crossing')) AND (axes IS NULL OR o.axis_id = ANY (axes))
@@ -244,9 +258,11 @@ DECLARE
     beside bigint[];
 BEGIN
     IF %1$I._has_rules() THEN
-        beside := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
-            JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
-        PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+        IF places IS NOT NULL THEN
+            beside := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
+                JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
+            PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+        END IF;
         PERFORM FROM %1$I._place_objects(beside);
     END IF;
 END $body$;
@@ -257,7 +273,11 @@ BEGIN
     IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
         PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
     ELSIF %1$I._has_rules() THEN
-        PERFORM streetgen._begin_edit(%2$L);
+        IF TG_OP = 'TRUNCATE' THEN
+            PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
+        ELSE
+            PERFORM streetgen._begin_edit(%2$L);
+        END IF;
     END IF;
     RETURN NULL;
 END $body$;
@@ -265,10 +285,10 @@ CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNC
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
 CREATE OR REPLACE TRIGGER enter_rules BEFORE UPDATE OF distance_least ON %1$I.object_type
     FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
-CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object
+CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.street_object
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.enter_rules();
-CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE ON %1$I.free_place
+CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.free_place
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.enter_rules();
 COMMENT ON TRIGGER enter_rules ON %1$I.placement_rule IS 'Locks the model: all its objects may follow';
@@ -296,34 +316,54 @@ CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
 BEGIN
-    INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
-        ORDER BY street_object_id;
-    PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_object));
+    IF TG_OP = 'DELETE' THEN
+        INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
+            ORDER BY street_object_id;
+        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_object));
+    ELSIF TG_WHEN = 'BEFORE' THEN
+        -- TRUNCATE: what goes is known only before.
+        INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM %1$I.street_object
+            WHERE placed_by = 'rule' ORDER BY street_object_id;
+    ELSE
+        PERFORM %1$I._renew_rules_beside(NULL);
+    END IF;
     RETURN NULL;
 END $body$;
 CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS old_object
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.free_places();
+CREATE OR REPLACE TRIGGER free_places_before BEFORE TRUNCATE ON %1$I.street_object
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.free_places();
+CREATE OR REPLACE TRIGGER free_places_truncate AFTER TRUNCATE ON %1$I.street_object
+    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.free_places();
 COMMENT ON TRIGGER free_places ON %1$I.street_object
     IS 'Rules take the places of objects that are gone, and leave those of their own objects free';
+COMMENT ON TRIGGER free_places_before ON %1$I.street_object IS 'Rules leave the places of their own objects free';
+COMMENT ON TRIGGER free_places_truncate ON %1$I.street_object IS 'Rules take the places of objects that are gone';
 CREATE OR REPLACE FUNCTION %1$I.fill_places() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
+DECLARE
+    -- TRUNCATE: all.
+    changed geometry[];
 BEGIN
-    IF TG_OP <> 'INSERT' THEN
-        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_place));
+    IF TG_OP = 'INSERT' THEN
+        changed := ARRAY(SELECT geom FROM new_place);
+    ELSIF TG_OP = 'DELETE' THEN
+        changed := ARRAY(SELECT geom FROM old_place);
+    ELSIF TG_OP = 'UPDATE' THEN
+        changed := ARRAY(SELECT geom FROM old_place UNION ALL SELECT geom FROM new_place);
     END IF;
-    IF TG_OP <> 'DELETE' THEN
-        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_place));
-    END IF;
+    PERFORM %1$I._renew_rules_beside(changed);
     RETURN NULL;
 END $body$;
 $sql$, model, model);
-    FOR followed IN SELECT * FROM (VALUES ('insert', 'NEW TABLE AS new_place'), ('delete', 'OLD TABLE AS old_place'),
-        ('update', 'OLD TABLE AS old_place NEW TABLE AS new_place')) f(event, tables)
+    FOR followed IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS new_place'),
+        ('delete', 'REFERENCING OLD TABLE AS old_place'),
+        ('update', 'REFERENCING OLD TABLE AS old_place NEW TABLE AS new_place'), ('truncate', '')) f(event, tables)
     LOOP
         EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER fill_places_%2$s AFTER %2$s ON %1$I.free_place REFERENCING %3$s
+CREATE OR REPLACE TRIGGER fill_places_%2$s AFTER %2$s ON %1$I.free_place %3$s
     FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
     EXECUTE FUNCTION %1$I.fill_places();
 COMMENT ON TRIGGER fill_places_%2$s ON %1$I.free_place IS 'Rules place objects where they may again'
@@ -336,7 +376,7 @@ $sql$, model, followed.event, followed.tables);
         streetgen._own_function(model, '_take_from_rules(bigint[])',
         'Makes objects of rules those of the user, and leaves their places free'),
         streetgen._own_function(model, '_renew_rules_beside(geometry[])',
-        'Brings the objects that rules place within 100 m of places up to date, under locks'),
+        'Brings the objects that rules place within 100 m of places (NULL: everywhere) up to date, under locks'),
         streetgen._own_function(model, 'enter_rules()', 'Before an edit of rules or objects: locks the model'),
         streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
         streetgen._own_function(model, 'fill_places()', 'After an edit of free places: rules place objects there'),
