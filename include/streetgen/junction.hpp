@@ -58,11 +58,11 @@ struct JunctionGroups {
 
 // One junction are
 //   the two nodes of an edge whose limits crossed, and of one that is inside by hand;
-//   the nodes of a link of no more than `gap` between the carriageways of a street, an edge or
-//     several that go on from each other at nodes of two: at its ends are one-way edges, across the
-//     link, of opposite directions and of one name, or within 30 degrees where both go through;
-//   the two ends of a slip lane, a one-way edge or chain of edges of no more than `extent` that
-//     leaves one street before a corner and comes upon another one behind it, and that corner.
+//   the nodes of a link of no more than `gap` between the carriageways of a street: an edge, or
+//     several that go on from each other at nodes of two.  At its ends one-way edges lie across the
+//     link, of opposite directions.  They have one name, or both go through within 30 degrees;
+//   the two ends of a slip lane, and the corner that it cuts.  A slip lane is a one-way edge or
+//     chain of edges of no more than `extent`, from before the corner to another street behind it.
 // The last two join from the shortest on, and only what then lies within `extent`, not counting what
 // is joined by hand.  The first is never parted.  An edge that by hand is not inside joins nothing.
 // An edge of a roundabout is no link and no slip lane.  Independent of the order of nodes and edges,

@@ -46,9 +46,9 @@ struct RingEdge {
 // A closed way of edges within the bounds of radius and shape, with no edge between it and the
 // ground within.  What hangs into that ground is left out, and what crosses without a node, above
 // or below, parts nothing.  Edges may lie on several levels, as those of a ring over a motorway.
-// Two faces that are nearly circles (compactness of 0.9, one radius at most twice the other), share
-// one piece of way and fit into half of the greatest circle are one ring, a double roundabout,
-// where neither has another such neighbour.  Their shape is that of the less round one; so is that
+// A double roundabout is one ring of two faces.  Both are nearly circles: compactness of 0.9, one
+// radius at most twice the other.  They share one piece of way, fit into half of the greatest
+// circle, and neither has another such neighbour.  Their shape is that of the less round one; so is that
 // of a peanut, whose narrowest place parts two such halves.
 struct NetworkRing {
   int level = 0;                // on which the most of the line lies, the lower one of two alike
