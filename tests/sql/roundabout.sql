@@ -98,6 +98,11 @@ SELECT 'at a mini-roundabout all arms yield, and its junction is a roundabout', 
   AND (SELECT bool_and(rule = 'yield') FROM painted.right_of_way WHERE connecting AND junction_id = (SELECT junction_id FROM painted.junction WHERE kind = 'roundabout'));
 SELECT 'all its arms are joined to all others', (SELECT count(DISTINCT (a.edge_id, b.edge_id)) = 12 FROM painted.interconnection JOIN painted.lane a ON a.lane_id = lane_in JOIN painted.lane b ON b.lane_id = lane_out WHERE plausible AND a.edge_id <> b.edge_id);
 SELECT 'in SUMO who comes from the left goes first there', (SELECT count(*) = 1 FROM streetgen.export_sumo('painted', 'nodes') WHERE line LIKE '%type="left_before_right"%');
+-- Three metres off its node, under a bridge with a node above it.
+INSERT INTO painted.axis (geom, width, lane_count, level) SELECT arm(3.7, 1.2, 0, 45 + 90 * a), 6, 2, 1 FROM generate_series(0, 3) a;
+UPDATE painted.control_point SET geom = 'SRID=2154;POINT(650003 6860000)';
+SELECT 'also 3 m off its node, and not at the bridge above', (SELECT count(*) = 4 AND bool_and(level = 0) FROM painted.junction JOIN painted.edge e ON junction_id IN (from_node, to_node) WHERE junction.kind = 'roundabout')
+  AND (SELECT array_agg(substring(line FROM 'id="(\d+)"')::bigint) = (SELECT array_agg(junction_id) FROM painted.junction WHERE kind = 'roundabout') FROM streetgen.export_sumo('painted', 'nodes') WHERE line LIKE '%type="left_before_right"%');
 
 -- What is no ring, or an odd one, beside a good one.
 DO $$ BEGIN PERFORM streetgen.create_model('odd', 2154, subjects => '{interconnection,roundabout}', driving_side => 'right'); END $$;

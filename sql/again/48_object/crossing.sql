@@ -1,5 +1,11 @@
 -- Pedestrian crossings: their ground between the borders of the roadway, and their stripes.
 
+CREATE OR REPLACE FUNCTION streetgen._usual_crossing(OUT width float8, OUT angle float8)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 4.0::float8, 90.0::float8 $$;
+COMMENT ON FUNCTION streetgen._usual_crossing() IS
+    'Width (m) and angle (degrees) of a crossing of which nothing is said, such as one that a rule places.';
+
 CREATE OR REPLACE FUNCTION streetgen._drawn_on(line geometry, run float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -166,7 +172,8 @@ BEGIN
             USING OLD.street_object_id;
         RETURN OLD;
     END IF;
-    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.5, 20, 'm', 'Four is usual.'),
+    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.5, 20, 'm',
+            (streetgen._usual_crossing()).width || ' is usual.'),
         streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees', '90 is square.');
     IF TG_OP = 'INSERT' THEN
         EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, placement, axis_id, abscissa)

@@ -90,8 +90,8 @@ CREATE UNIQUE INDEX IF NOT EXISTS street_object_control ON %1$I.street_object (c
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_rule ON %1$I.street_object (rule_id, axis_id, rule_place);
 CREATE TABLE IF NOT EXISTS %1$I.pedestrian_crossing (
     street_object_id bigint PRIMARY KEY REFERENCES %1$I.street_object ON DELETE CASCADE,
-    width float8 NOT NULL DEFAULT 4 CHECK (width BETWEEN 0.5 AND 20),
-    angle float8 NOT NULL DEFAULT 90 CHECK (angle BETWEEN 20 AND 160),
+    width float8 NOT NULL DEFAULT %6$s CHECK (width BETWEEN 0.5 AND 20),
+    angle float8 NOT NULL DEFAULT %7$s CHECK (angle BETWEEN 20 AND 160),
     surface geometry(Polygon, %2$s), stripes geometry(MultiPolygon, %2$s));
 CREATE INDEX IF NOT EXISTS pedestrian_crossing_surface ON %1$I.pedestrian_crossing USING gist (surface);
 CREATE TABLE IF NOT EXISTS %1$I.parking_bay (
@@ -123,7 +123,7 @@ COMMENT ON TABLE %1$I.parking_bay
 COMMENT ON TABLE %1$I.specialised_type
     IS 'Types of objects with a table of their own, as streetgen.specialise makes them';$t$,
         model, srid, (streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
-        streetgen._finite('geom'));
+        streetgen._finite('geom'), (streetgen._usual_crossing()).width, (streetgen._usual_crossing()).angle);
     -- What users took away of a model that is there stays away.
     EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
         SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')

@@ -19,8 +19,8 @@ sidewalk_beside AS MATERIALIZED (
     WHERE s.width > 0 AND area >= s.width * ST_Length(o.geom) / 2)$part$ END $$;
 COMMENT ON FUNCTION streetgen._export_sidewalks(boolean) IS
     'Query sidewalk_beside of writers over a model, after streetgen._export_edges: the sidewalks along edges that are '
-    'lanes in a file, each with its side and width, the lane beside it, the direction of traffic that has it at its '
-    'kerb, and its line along the axis; nothing of a model that computes none.';
+    'lanes in a file. Each has its side and width, and the lane beside it. along_axis is the direction of traffic that '
+    'has it at its kerb, and line lies along the axis. A model that computes no sidewalks has none.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_sidewalks(computed boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -46,8 +46,8 @@ marked AS (
         CASE WHEN 'object' = ANY (subjects) THEN $part$SELECT edge_id, 1 AS turn, c.width, c.angle, o.geom
     FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
         JOIN %1$I.object_edge USING (street_object_id)$part$ END,
-        CASE WHEN 'junction' = ANY (subjects) THEN $part$SELECT edge_id, 2 AS turn, 4 AS width, 90 AS angle, geom
-    FROM %1$I.junction_crossing$part$ END) || $part$),
+        CASE WHEN 'junction' = ANY (subjects) THEN $part$SELECT edge_id, 2 AS turn, usual.width, usual.angle, geom
+    FROM %1$I.junction_crossing, streetgen._usual_crossing() usual$part$ END) || $part$),
 -- A crossing on an edge is that of its nearer end. Where both a control point and an object say it, the object does.
 crossing AS MATERIALIZED (
     SELECT DISTINCT ON (edge_id, at_start) edge_id, at_start, node_id, m.width AS along, across,

@@ -88,21 +88,23 @@ sumo_edge AS MATERIALIZED (
         || $part$)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, boolean) IS
     'Query sumo_edge of the files of SUMO over a model that computes these subjects: the edges that lane groups and '
-    'sidewalks are, with the nodes that traffic comes from and goes to, the shares of the length of the group where '
-    'they begin and end, the number of their sidewalks (walk, 0 or 1), and a line, which is SQL. loops: of edges in '
-    'parts alone.';
+    'sidewalks are. Each has the nodes that traffic comes from and goes to. It begins and ends at shares of the length '
+    'of its group, and walk counts its sidewalks (0 or 1). line is SQL. loops: of edges in parts alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge(subjects, 'geom', true) || $part$,
 -- Who is on a mini-roundabout comes from the left, and goes first; netconvert mirrors networks of left-hand traffic.
 mini AS (
-    SELECT DISTINCT n.node_id, 'left_before_right' AS type
-    FROM %1$I.control_point p JOIN %1$I.node n ON ST_DWithin(p.geom, n.geom, 1.5) WHERE p.kind = 'mini_roundabout'),
+    SELECT DISTINCT n.node_id FROM %1$I.control_point p JOIN %1$I.edge e USING (axis_id)
+        JOIN %1$I.node n ON n.node_id IN (e.from_node, e.to_node) AND ST_DWithin(p.geom, n.geom,
+            (SELECT value::float8 FROM %1$I.setting WHERE name = 'control_distance'))
+    WHERE p.kind = 'mini_roundabout'),
 sumo_node AS (
     SELECT DISTINCT ON (place_id) 2 AS turn, place_id AS id, place_id::text AS name, n.geom, surface,
         CASE WHEN kind = 'signals' THEN 'traffic_light' WHEN kind = 'right_before_left' THEN kind
-            WHEN m.type IS NOT NULL THEN m.type
+            WHEN kind = 'roundabout' AND bool_or(m.node_id IS NOT NULL) OVER (PARTITION BY place_id)
+                THEN 'left_before_right'
             WHEN bool_or(stops) OVER (PARTITION BY place_id) THEN 'priority_stop' ELSE 'priority' END AS type,
         CASE WHEN kind = 'signals' THEN junction_id END AS controller
     FROM %1$I.node n JOIN place USING (node_id)
@@ -289,8 +291,8 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'node has the intersection as parameter surface; its shape is a place '
     'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
-    'one. With subject roundabout, accepted rings are roundabouts (edges). At a mini-roundabout who comes from the '
-    'left goes first (left_before_right), or from the right where one drives on the left. '
+    'one. With it, who comes from the left goes first at a mini-roundabout (left_before_right), or from the right '
+    'where one drives on the left. With subject roundabout, accepted rings are roundabouts (edges). '
     'Coordinates are counted from whole metres, which location says. options as streetgen.export_option() lists '
     'them: an unknown one, another '
     'part, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '
