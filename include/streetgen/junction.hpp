@@ -63,10 +63,10 @@ struct JunctionGroups {
 //     link, of opposite directions.  They have one name, or both go through within 30 degrees;
 //   the two ends of a slip lane, and the corner that it cuts.  A slip lane is a one-way edge or
 //     chain of edges of no more than `extent`, from before the corner to another street behind it.
-// The last two join from the shortest on, and only what then lies within `extent`, not counting what
-// is joined by hand.  The first is never parted.  An edge that by hand is not inside joins nothing.
-// An edge of a roundabout is no link and no slip lane.  Independent of the order of nodes and edges,
-// but for `of_node`.
+// The last two join from the shortest on, and only what then lies within `extent`, not counting
+// what is joined by hand.  The first is never parted.  An edge that by hand is not inside joins
+// nothing.  An edge of a roundabout is no link and no slip lane.  Independent of the order of nodes
+// and edges, but for `of_node`.
 JunctionGroups group_junctions(const JunctionNetwork& network, const JunctionRules& rules);
 
 }  // namespace streetgen

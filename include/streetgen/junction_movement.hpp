@@ -82,11 +82,11 @@ struct JunctionMovement {
   Line line;
 };
 
-// Every lane that comes in with every lane that goes out by another leg, where the edges inside lead
-// from the one to the other in their directions.  A pair whose every such way is forbidden by
-// restrictions, at a node or via edges, is there, and not plausible.  Paths are tangent to both lanes and
-// go clear of the kerbs of `surface` where a path does; the rules of plausible pairs are those of
-// one node.  More pairs than settings.most: none are made.  By (lane_in, lane_out).
+// Every lane that comes in with every lane that goes out by another leg, where the edges inside
+// lead from the one to the other in their directions.  A pair whose every such way is forbidden by
+// restrictions, at a node or via edges, is there, and not plausible.  Paths are tangent to both
+// lanes and go clear of the kerbs of `surface` where a path does; the rules of plausible pairs are
+// those of one node.  More pairs than settings.most: none are made.  By (lane_in, lane_out).
 std::vector<JunctionMovement> junction_movements(const JunctionPlace& place,
                                                  const InterconnectionSettings& settings);
 

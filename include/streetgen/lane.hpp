@@ -91,7 +91,8 @@ struct Lane {
   MultiPolygon surface;
   unsigned turns = 0;
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand
-  // Metres along the edge where a merging lane begins and ends within the section; none: at the limit.
+  // Metres along the edge where a merging lane begins and ends within the section; none: at the
+  // limit.
   std::optional<double> start{}, end{};
 
   bool reaches(bool at_start) const { return !(at_start ? start : end).has_value(); }

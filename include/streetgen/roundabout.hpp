@@ -48,8 +48,8 @@ struct RingEdge {
 // or below, parts nothing.  Edges may lie on several levels, as those of a ring over a motorway.
 // A double roundabout is one ring of two faces.  Both are nearly circles: compactness of 0.9, one
 // radius at most twice the other.  They share one piece of way, fit into half of the greatest
-// circle, and neither has another such neighbour.  Their shape is that of the less round one; so is that
-// of a peanut, whose narrowest place parts two such halves.
+// circle, and neither has another such neighbour.  Their shape is that of the less round one; so is
+// that of a peanut, whose narrowest place parts two such halves.
 struct NetworkRing {
   int level = 0;                // on which the most of the line lies, the lower one of two alike
   std::vector<RingEdge> edges;  // face by face, counter-clockwise from its smallest place on

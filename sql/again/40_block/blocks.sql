@@ -15,8 +15,8 @@ COMMENT ON FUNCTION streetgen._blocks(bigint[], bytea[], bigint[], text[], boole
     'that stay as they are; such faces do not come out. places and kinds: decided by hand. Each block has its ground '
     '(MULTIPOLYGON, EWKB) and the sides about it: edge, left or right of it, the ring (1 goes about the block), and '
     'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, each edge about it has a '
-    'kerb, and no axis bounds it. The last row, number 0, has the sides that lie in no block. Lists of different length: 2202E; NULL in one: '
-    '22004; bad geometry, or a number out of its range: 22023.';
+    'kerb, and no axis bounds it. The last row, number 0, has the sides that lie in no block. Lists of different '
+    'length: 2202E; NULL in one: 22004; bad geometry, or a number out of its range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

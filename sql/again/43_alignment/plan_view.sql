@@ -35,9 +35,10 @@ CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, lines bytea[], surf
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_road_lanes';
 COMMENT ON FUNCTION streetgen._road_lanes(bytea, bytea[], bytea[], float8[], float8) IS
     'The plan view of an axis (EWKB) in one row of arrays, and the lanes across it, given from the left by line, '
-    'surface (MULTIPOLYGON, empty: so wide about the line) and width (0: it lies on its surface alone): station (metres along the chain), border '
-    '(metres to the left of the chain, by border from the left, then by station; straight between stations), starts '
-    'and ends (x, y, heading and width of each lane at the first and the last station).';
+    'surface (MULTIPOLYGON, empty: so wide about the line) and width (0: it lies on its surface alone). '
+    'station: metres along the chain. border: metres to the left of the chain, by border from the left, then by '
+    'station, and straight between stations. starts and ends: x, y, heading and width of each lane at the first and '
+    'the last station.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_station(s float8[], x float8[], y float8[], heading float8[],
     length float8[], curvature float8[], place_x float8, place_y float8)

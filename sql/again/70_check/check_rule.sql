@@ -365,7 +365,8 @@ SELECT 'notice', 'link shorter than the tangent of its ramp, m', 'ramp', r.ramp_
     (96, 'ramp', 'rule', $part$
 SELECT 'warning', 'ramp override without its ramp', 'ramp_override', o.ramp_override_id, o.abscissa, o.geom
     FROM %1$I.ramp_override o WHERE NOT EXISTS (SELECT FROM %1$I.ramp r,
-        LATERAL streetgen._ramp_stretch(%1$L, r.ramp_id) s WHERE s.axis_id = o.axis_id AND o.abscissa BETWEEN s.low AND s.high)$part$),
+        LATERAL streetgen._ramp_stretch(%1$L, r.ramp_id) s WHERE s.axis_id = o.axis_id
+            AND o.abscissa BETWEEN s.low AND s.high)$part$),
     (58, 'lane', 'rule', $part$
 SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
     FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s

@@ -23,7 +23,9 @@ struct Arm {
   std::vector<MergingStretch> merging{};  // seen from the node
 
   // From the line to the kerb on one side, metres; +1: left, seen from the node, -1: right.
-  double start_to(int side) const { return half_start + side * roadway_offset + merging_at(0, side); }
+  double start_to(int side) const {
+    return half_start + side * roadway_offset + merging_at(0, side);
+  }
   double end_to(int side) const;
   // What merging lanes add on a side, metres.
   double merging_at(double abscissa, int side) const {

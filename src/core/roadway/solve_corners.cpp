@@ -138,8 +138,8 @@ double limit_by_corners(const Layout& layout, const EdgeEnd& end, const SolvedCo
   return limit;
 }
 
-// The outer kerb of a ramp is that of the link up to its bend, and that of the highway from there on;
-// straight where the link has no room for it.
+// The outer kerb of a ramp is that of the link up to its bend, and that of the highway from there
+// on; straight where the link has no room for it.
 void bend_ramps(const Layout& layout, SolvedCorners& solved) {
   for (const Ramp& ramp : layout.streets.ramps) {
     const Junction& junction = layout.junctions[ramp.node];

@@ -321,8 +321,9 @@ class Builder {
         pair.angle = rounded_degrees(turn_angle(in.direction, out.direction));
         pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
                                                                          : turn_of(pair.angle);
-        Trajectory path = path_between(node, to_node(from.in[i], in, from, true, movement.from),
-                                       to_node(to.out[o], out, to, false, movement.to), kerbs, ramp != nullptr);
+        Trajectory path =
+            path_between(node, to_node(from.in[i], in, from, true, movement.from),
+                         to_node(to.out[o], out, to, false, movement.to), kerbs, ramp != nullptr);
         pair.control = path.control;
         pair.line = std::move(path.line);
         movement.radius.push_back(quarter_radius(pair.line));

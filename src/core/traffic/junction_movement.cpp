@@ -84,7 +84,8 @@ class Across {
     LaneKinds restricted;
   };
 
-  // The way of general traffic, else of such that some restriction excepts, else by forbidden turns.
+  // The way of general traffic, else of such that some restriction excepts, else by forbidden
+  // turns.
   std::vector<Way> ways_from(int leg) const {
     std::vector<Way> ways(place_.legs.size());
     const bool bound = !place_.restrictions.empty() || !place_.way_restrictions.empty();

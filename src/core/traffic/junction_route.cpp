@@ -150,7 +150,8 @@ std::vector<std::optional<JunctionRoute>> JunctionRoutes::from(int leg) const {
   const auto go_on = [&](int node, const Arm& at, const Followed& followed, int before,
                          double spent) {
     for (int s = 0; s < states; ++s) {
-      if (!open(s) || first_node(s) != node || (before != none && s / 2 == visits[before].state / 2))
+      if (!open(s) || first_node(s) != node ||
+          (before != none && s / 2 == visits[before].state / 2))
         continue;
       const Arm next = arm_of(s, true);
       if (!allowed(node, at, next, followed)) continue;

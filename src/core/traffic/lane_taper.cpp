@@ -120,7 +120,8 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     for (std::size_t p = 0; p < own.size(); ++p) borders[p] = {own[p]};
     return borders;
   }
-  for (const MergingStretch& stretch : strip.merging) borders.resize(borders.size() + stretch.lanes);
+  for (const MergingStretch& stretch : strip.merging)
+    borders.resize(borders.size() + stretch.lanes);
   const double middle = length(strip.axis) / 2;
   for (const WidthProfile::Place& place : strip.profile.places) {
     const double half = strip.half_at(place.abscissa);

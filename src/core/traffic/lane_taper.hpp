@@ -30,8 +30,8 @@ ChangingLanes changing_lanes(const LanesAtNode& here, const LanesAtNode& there, 
 
 // The lines between lanes, kerbs included. What a kerb departs from the edge's own width goes to
 // the lanes that change on its side of the middle, or to those on the other side; without any, all
-// lanes share it. `own` are the shares of the lanes of the edge's own width.  Merging lanes come first
-// and last, those of the left kerb and those of the right one in the order of strip.merging.
+// lanes share it. `own` are the shares of the lanes of the edge's own width.  Merging lanes come
+// first and last, those of the left kerb and those of the right one in the order of strip.merging.
 std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector<double>& own,
                                        const TaperedLanes& tapered);
 

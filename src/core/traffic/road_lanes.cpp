@@ -92,12 +92,14 @@ std::vector<std::optional<Span>> seen_spans(const LaneGround& lane,
 }
 
 // Where a lane is not seen, its span at the station before, else behind.
-void fill(const LaneGround& lane, const ChainPlace& start, std::vector<std::optional<Span>>& spans) {
+void fill(const LaneGround& lane, const ChainPlace& start,
+          std::vector<std::optional<Span>>& spans) {
   const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
   const double middle = dot(lane.line.front() - start.point, left);
   const auto first = std::find_if(spans.begin(), spans.end(),
                                   [](const auto& span) { return span.has_value(); });
-  Span last = first == spans.end() ? Span{middle + lane.width / 2, middle - lane.width / 2} : **first;
+  Span last =
+      first == spans.end() ? Span{middle + lane.width / 2, middle - lane.width / 2} : **first;
   for (auto& span : spans) span = last = span.value_or(last);
 }
 

@@ -19,7 +19,8 @@ bool fill_ramp(const ComputedStreets& computed, const Named& named, std::size_t 
              ramp.lanes_after, ramp.missing, ramp.merging, ramp.full_length,
              ramp.missing > 0 ? ramp.taper : 0.0, ramp.tangent, ramp.auxiliary, ramp.cut,
              ramp.short_link,
-             Geometry{stored_point(computed.streets.network.nodes[ramp.node].point, flat(computed))},
+             Geometry{
+                 stored_point(computed.streets.network.nodes[ramp.node].point, flat(computed))},
              name(ramp.by_hand ? "by_hand" : "hypothesis"));
 }
 

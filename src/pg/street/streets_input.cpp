@@ -370,8 +370,9 @@ RampRules ramps_of(const StreetsCall& call, const Settings& given) {
   }
   const auto& rows = call.ramps;
   for (int i = 0; i < rows.count; ++i) {
-    RampOverride put{DatumGetInt64(rows.axis_id.values[i]),
-                     finite(DatumGetFloat8(rows.abscissa.values[i]), "abscissa of a ramp override")};
+    RampOverride put{
+        DatumGetInt64(rows.axis_id.values[i]),
+        finite(DatumGetFloat8(rows.abscissa.values[i]), "abscissa of a ramp override")};
     const auto measure = [&](const Column& column, const char* of) -> std::optional<double> {
       if (column.nulls[i]) return std::nullopt;
       return in_range(DatumGetFloat8(column.values[i]), 0, 1000, of);
