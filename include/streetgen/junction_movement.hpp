@@ -17,8 +17,9 @@ struct JunctionLeg {
   int edge = 0;  // tells the two ends of one edge from those of others
   int node = 0;  // index into JunctionPlace::nodes
   int importance = 99;
-  double speed = 50;  // km/h
-  Line border_line;   // of the section limit at this end: two points
+  double speed = 50;     // km/h
+  bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
+  Line border_line;      // of the section limit at this end: two points
 };
 
 // A lane that comes in or goes out by a leg; one for both directions does both, as two rows.

@@ -19,7 +19,7 @@ COMMENT ON COLUMN streetgen.junction_edge_input.on_ring IS 'is it part of a roun
 COMMENT ON COLUMN streetgen.junction_edge_input.by_hand IS 'by hand: inside its junction or not; NULL: by the rules';
 
 CREATE TYPE streetgen.junction_leg AS (junction_id bigint, edge_id bigint, at_start boolean, axis_id bigint,
-    node_id bigint, importance integer, speed float8, border_line bytea);
+    node_id bigint, importance integer, speed float8, on_ring boolean, border_line bytea);
 COMMENT ON TYPE streetgen.junction_leg IS 'An end of an edge that leaves a junction.';
 COMMENT ON COLUMN streetgen.junction_leg.junction_id IS 'the junction';
 COMMENT ON COLUMN streetgen.junction_leg.edge_id IS 'the edge';
@@ -28,6 +28,7 @@ COMMENT ON COLUMN streetgen.junction_leg.axis_id IS 'the axis of the edge';
 COMMENT ON COLUMN streetgen.junction_leg.node_id IS 'the node at that end';
 COMMENT ON COLUMN streetgen.junction_leg.importance IS '1 highest';
 COMMENT ON COLUMN streetgen.junction_leg.speed IS 'km/h';
+COMMENT ON COLUMN streetgen.junction_leg.on_ring IS 'is its edge part of a roundabout?';
 COMMENT ON COLUMN streetgen.junction_leg.border_line IS 'border line of the section limit there, LINESTRING, EWKB';
 
 CREATE TYPE streetgen.junction_lane AS (junction_id bigint, edge_id bigint, at_start boolean, lane_id bigint,

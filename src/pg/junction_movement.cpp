@@ -30,7 +30,7 @@ struct MovementCall {
   } grounds;
   struct {
     int count;
-    Column junction_id, edge_id, at_start, axis_id, node_id, importance, speed, border_line;
+    Column junction_id, edge_id, at_start, axis_id, node_id, importance, speed, on_ring, border_line;
   } legs;
   struct {
     int count;
@@ -68,6 +68,7 @@ void take(FunctionCallInfo fcinfo, MovementCall* call) {
                 column(legs, "node_id", INT8OID),
                 column(legs, "importance", INT4OID),
                 column(legs, "speed", FLOAT8OID),
+                column(legs, "on_ring", BOOLOID),
                 column(legs, "border_line", BYTEAOID)};
   const Rows lanes = rows(fcinfo, 2, "lanes of junctions");
   call->lanes = {lanes.count,
@@ -157,6 +158,7 @@ void read_legs(const MovementCall& call, Places& places) {
     leg.node = read.node(id(call.legs.node_id, i));
     leg.importance = DatumGetInt32(call.legs.importance.values[i]);
     leg.speed = in_range(DatumGetFloat8(call.legs.speed.values[i]), 0, 1000, "speed");
+    leg.on_ring = flag(call.legs.on_ring, i);
     leg.border_line = line_of(call.legs.border_line, i, "a border line");
     read.legs[{edge, flag(call.legs.at_start, i)}] = static_cast<int>(read.place.legs.size());
     read.place.legs.push_back(std::move(leg));

@@ -18,6 +18,14 @@ INSERT INTO town_restriction SELECT id, restriction, from_way, to_way, via_ways,
 FROM (VALUES (10, 'no_left_turn', 1, 3, NULL), (10, 'no_left_turn', 1, 3, NULL), (11, 'only_straight_on', 1, 2, NULL), (12, 'no_u_turn', 1, 1, NULL), (13, 'no_entry', 3, 2, NULL),
              (14, NULL, 1, 2, NULL), (15, 'no_dancing', 1, 2, NULL), (16, 'no_left_turn', 1, 2, '4'), (17, 'no_left_turn', 1, 4, NULL), (18, 'no_left_turn', NULL, 3, NULL), (19, 'only_left_turn', 1, NULL, NULL),
              (20, 'no_u_turn', 1, 2, '3,5,6'), (21, 'only_straight_on', 2, 1, '3,5,6'), (22, 'no_u_turn', 1, 2, '5')) v(id, restriction, from_way, to_way, via_ways);
+ALTER TABLE town_restriction RENAME via_ways TO kept;
+ALTER TABLE town_restriction ADD via_way boolean;
+UPDATE town_restriction SET via_way = kept IS NOT NULL;
+DROP TABLE import_report;
+CREATE TABLE import_report AS SELECT * FROM streetgen.import_osm('restricted', 'town');
+SELECT 'a table of an older flex file is to be imported anew', (SELECT array_agg(ref ORDER BY ref) = '{16,20,21,22}' FROM import_report, unnest(source_refs) ref WHERE what = 'turn restriction via ways that its table does not name (import the table anew), left out');
+ALTER TABLE town_restriction DROP via_way;
+ALTER TABLE town_restriction RENAME kept TO via_ways;
 DROP TABLE import_report;
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_osm('restricted', 'town');
 SELECT 'restrictions name axes, kind and turn', (SELECT array_agg(concat_ws(' ', split_part(r.source_ref, '/', 1), a.source_ref, b.source_ref, r.kind, r.turn) ORDER BY r.source_ref)

@@ -129,7 +129,7 @@ UPDATE town.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT junct
 SELECT 'a kind typed is that of the junction', (SELECT kind = 'stop' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override) AND test.followed('town', 'anew');
 UPDATE town.junction_editing SET kind = 'signals' WHERE by_hand;
 SELECT 'typed anew it is one decision', (SELECT kind = 'signals' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override);
-UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1), kind = kind;
+UPDATE town.junction_editing SET kind = kind;
 SELECT 'what changes nothing writes nothing', (SELECT count(*) = 1 FROM town.junction_override) AND (SELECT kind = 'signals' FROM pg_temp.side);
 DELETE FROM town.junction_editing WHERE by_hand;
 SELECT 'deleted it is as the classifier says', (SELECT s = b FROM pg_temp.side s, before b) AND NOT EXISTS (SELECT FROM town.junction_override);
@@ -159,7 +159,9 @@ UPDATE town.junction_edge_editing SET by_hand = false WHERE by_hand;
 SELECT 'not by hand they are apart', (SELECT count(*) = 2 FROM town.junction_node WHERE junction_id = (SELECT junction_id FROM pg_temp.side));
 SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
   ('a junction drawn', $$INSERT INTO town.junction_editing (kind) VALUES ('stop')$$, '0A000'), ('an edge drawn', 'INSERT INTO town.junction_edge_editing (inside) VALUES (true)', '0A000'),
-  ('a kind that is none', $$UPDATE town.junction_editing SET kind = 'circus'$$, '23514')) v(name, statement, state);
+  ('a kind that is none', $$UPDATE town.junction_editing SET kind = 'circus'$$, '23514'),
+  ('a junction moved', 'UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another key', 'UPDATE town.junction_editing SET junction_id = junction_id + 1', '0A000'),
+  ('an edge moved', 'UPDATE town.junction_edge_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another edge', 'UPDATE town.junction_edge_editing SET edge_id = edge_id + 1000', '0A000')) v(name, statement, state);
 SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of the new junction override % cannot be "circus"%';
 DROP TABLE before;
 DELETE FROM town.axis WHERE axis_id = 1;

@@ -45,6 +45,7 @@ SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |n
 -- By hand.
 CREATE VIEW typed AS SELECT v.*, a.lane_position AS from_lane, b.lane_position AS to_lane FROM town.lane_adjacency_editing v JOIN town.lane a ON a.lane_id = lane_a JOIN town.lane b ON b.lane_id = lane_b JOIN town.edge e ON e.edge_id = a.edge_id WHERE axis_id = 1;
 UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (3, 4));
+SELECT 'and a run changes nothing for it', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town'));
 SELECT 'a change typed holds one way', array_agg(concat(from_lane, to_lane, ' ', change, ' ', by_hand) ORDER BY from_lane, to_lane) = '{"12 allowed f","21 allowed f","34 forbidden t","43 allowed f"}' FROM typed WHERE change <> 'opposite';
 SELECT 'the interval of the paper goes with it', NOT EXISTS (SELECT FROM town.lane_interval i JOIN typed t ON (t.lane_a, t.lane_b) = (i.lane_id, i.l) WHERE t.by_hand);
 UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
@@ -59,7 +60,7 @@ SELECT 'and holds again with them', (SELECT count(*) = 1 FROM town.lane_adjacenc
 DELETE FROM town.lane_adjacency_editing WHERE by_hand;
 SELECT 'deleted it is as painted', (SELECT bool_and(change = 'allowed') FROM typed WHERE change <> 'opposite') AND NOT EXISTS (SELECT FROM town.lane_adjacency_override);
 SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
-  ('a change drawn', $$INSERT INTO town.lane_adjacency_editing (change) VALUES ('allowed')$$, '0A000'), ('another lane', 'UPDATE town.lane_adjacency_editing SET lane_b = lane_a', '0A000'),
+  ('a change drawn', $$INSERT INTO town.lane_adjacency_editing (change) VALUES ('allowed')$$, '0A000'), ('another lane', 'UPDATE town.lane_adjacency_editing SET lane_b = lane_a', '0A000'), ('a line moved', 'UPDATE town.lane_adjacency_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'),
   ('a word that is none', $$UPDATE town.lane_adjacency_editing SET change = 'perhaps' WHERE change = 'allowed'$$, '23514'), ('opposite', $$UPDATE town.lane_adjacency_editing SET change = 'opposite' WHERE change = 'allowed'$$, '22023'),
   ('to lanes against one', $$UPDATE town.lane_adjacency_editing SET change = 'allowed' WHERE change = 'opposite'$$, '22023')) v(name, statement, state);
 UPDATE town.lane_adjacency_editing SET change = change, by_hand = by_hand;

@@ -95,12 +95,11 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'There is a row for every two lanes side by side: set its change.');
-    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_adjacency_id, NEW.lane_a, NEW.lane_b, NEW.side)
-        IS DISTINCT FROM (OLD.lane_adjacency_id, OLD.lane_a, OLD.lane_b, OLD.side) THEN
+    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_adjacency_id, NEW.lane_a, NEW.lane_b, NEW.side, NEW.geom::bytea)
+        IS DISTINCT FROM (OLD.lane_adjacency_id, OLD.lane_a, OLD.lane_b, OLD.side, OLD.geom::bytea) THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
             'Only change and by_hand can be changed.');
     ELSIF TG_OP = 'UPDATE' THEN
-        NEW.geom := OLD.geom;
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;

@@ -60,9 +60,11 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'A junction is where axes meet: draw these, or say in junction_edge_editing which edges lie inside.');
+    ELSIF TG_OP = 'UPDATE' AND (NEW.junction_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.junction_id, OLD.geom::bytea)
+        THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
+            'Only kind and by_hand can be changed; a junction moves with its axes.');
     ELSIF TG_OP = 'UPDATE' THEN
-        NEW.junction_id := OLD.junction_id;
-        NEW.geom := OLD.geom;
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
@@ -85,7 +87,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._edit_junction() IS
     'Trigger of junction_editing: writes the kind to junction_override, at a node of the junction; kind NULL, or '
-    'DELETE, takes it back. An unknown kind: 23514; a junction that is gone: 22023; INSERT: 0A000.';
+    'DELETE, takes it back. An unknown kind: 23514; a junction that is gone: 22023; INSERT, another '
+    'key or place: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_junction_edge() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -97,9 +100,10 @@ DECLARE
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Edges come from axes: draw these in axis_editing.');
+    ELSIF TG_OP = 'UPDATE' AND (NEW.edge_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.edge_id, OLD.geom::bytea) THEN
+        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
+            'Only inside and by_hand can be changed; an edge moves with its axis.');
     ELSIF TG_OP = 'UPDATE' THEN
-        NEW.edge_id := OLD.edge_id;
-        NEW.geom := OLD.geom;
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
@@ -120,4 +124,4 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_junction_edge() IS
     'Trigger of junction_edge_editing: writes to junction_override, in the middle of the edge, whether the edge lies '
     'inside a junction, which merges or parts what is at its ends; inside NULL, or DELETE, takes it back. An edge '
-    'whose axis is gone: 22023; INSERT: 0A000.';
+    'whose axis is gone: 22023; INSERT, another key or line: 0A000.';

@@ -68,8 +68,8 @@ BEGIN
     SELECT * FROM streetgen._junction_movements(
         ARRAY(SELECT ROW (j.junction_id, j.surface::bytea)::streetgen.junction_ground FROM {model}.junction j
             WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id),
-        ARRAY(SELECT ROW (junction_id, edge_id, at_start, axis_id, node_id, importance, speed,
-            border_line::bytea)::streetgen.junction_leg FROM leg
+        ARRAY(SELECT ROW (junction_id, edge_id, at_start, axis_id, node_id, e.importance, e.speed, {on_ring},
+            border_line::bytea)::streetgen.junction_leg FROM leg e LEFT JOIN {model}.axis a USING (axis_id)
             ORDER BY junction_id, axis_id, start_abscissa, at_start),
         -- From left to right in their driving direction; positions run from the left of the axis.
         ARRAY(SELECT ROW (junction_id, edge_id, at_start, lane_id, comes_in, driven_along, kind, turn,
@@ -107,7 +107,8 @@ BEGIN
             WHERE inside ORDER BY junction_id, turn_restriction_id, i),
         {srid}, rules.u_turn, rules.arcs, rules.chords, rules.tolerance, rules.most);
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'srid', (SELECT srid FROM streetgen.model m
-        WHERE m.name = model), 'via', streetgen._fill_template(streetgen._via_edges(), jsonb_build_object('model',
+        WHERE m.name = model), 'on_ring', streetgen._on_ring(model),
+        'via', streetgen._fill_template(streetgen._via_edges(), jsonb_build_object('model',
         quote_ident(model)))));
     PERFORM streetgen._own_function(model, '_found_movements(bigint[])', 'The paths across junctions of several nodes');
 END $$;

@@ -348,10 +348,7 @@ SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'tu
     cardinality(r.via_axes), r.geom FROM %1$I.turn_restriction r
     WHERE r.via_axes IS NOT NULL AND 1 <> (SELECT count(DISTINCT coalesce(j.junction_id, -1))
             + count(*) FILTER (WHERE j.junction_id IS NULL)
-        FROM (SELECT u.axis_id, ST_GeometryN(r.via_geom, u.i::integer) AS geom
-            FROM unnest(r.via_axes) WITH ORDINALITY u(axis_id, i)) o CROSS JOIN LATERAL (
-            SELECT n.edge_id FROM %1$I.edge n WHERE n.axis_id = o.axis_id
-            ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1) e
+        FROM ($part$ || streetgen._fill_template(streetgen._via_edges(), '{"model": "%1$I"}') || $part$) e
             LEFT JOIN %1$I.junction_edge j USING (edge_id))$part$),
     (72, 'junction', 'rule', $part$
 SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom

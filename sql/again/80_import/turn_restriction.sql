@@ -32,6 +32,7 @@ SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_w
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$'
                 THEN 'not understood'
             WHEN from_way IS NULL OR to_way IS NULL THEN 'without the way that it leads from or to'
+            WHEN %6$s = '0' THEN 'via ways that its table does not name (import the table anew)'
             WHEN v.axes IS NULL AND ST_IsEmpty(ST_CollectionExtract(r.geom, 1)) THEN 'without a place'
             WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
                 THEN 'of ways that are no axes'

@@ -127,6 +127,7 @@ class Across {
     for (const int lane : lanes_[leg].in) ends.in.push_back(end_of(lane));
     for (const int lane : lanes_[leg].out) ends.out.push_back(end_of(lane));
     ends.importance = place_.legs[leg].importance;
+    ends.on_ring = place_.legs[leg].on_ring;
     return ends;
   }
 

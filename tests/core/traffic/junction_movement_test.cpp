@@ -39,7 +39,7 @@ class DualCarriageway : public ::testing::Test {
   }
 
   void leg(std::int64_t axis, int node, Line border) {
-    place.legs.push_back({axis, static_cast<int>(place.legs.size()), node, 3, 50, border});
+    place.legs.push_back({axis, static_cast<int>(place.legs.size()), node, 3, 50, false, border});
   }
   void lane(int leg, bool comes_in, Line line) {
     JunctionLane lane;
@@ -91,6 +91,12 @@ TEST_F(DualCarriageway, ATurnBackToTheOtherCarriagewayGoesAboutTheMedian) {
   double farthest = -100;
   for (const Point& p : back->line) farthest = std::max(farthest, p.x);
   EXPECT_GT(farthest, -4);
+}
+
+TEST_F(DualCarriageway, NobodyTurnsBackFromAStreetThatGoesRoundARoundabout) {
+  EXPECT_EQ(between(junction_movements(place, settings), 0, 3)->reason, Reason::u_turn);
+  place.legs[0].on_ring = true;
+  EXPECT_NE(between(junction_movements(place, settings), 0, 3)->reason, Reason::u_turn);
 }
 
 TEST_F(DualCarriageway, NothingRunsAgainstAOneWayEdgeInside) {
