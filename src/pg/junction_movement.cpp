@@ -30,7 +30,8 @@ struct MovementCall {
   } grounds;
   struct {
     int count;
-    Column junction_id, edge_id, at_start, axis_id, node_id, importance, speed, on_ring, border_line;
+    Column junction_id, edge_id, at_start, axis_id, node_id, importance, speed, on_ring;
+    Column border_line;
   } legs;
   struct {
     int count;
