@@ -23,6 +23,8 @@ namespace streetgen {
 
 // Merging lanes lie beside the others on a part of an edge only, where a ramp is.
 enum class LaneKind { general, bus, cycle, parking, merging };
+// What lists of turns, widths and changes count.
+inline bool drives(LaneKind kind) { return kind == LaneKind::general || kind == LaneKind::bus; }
 enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
 
 // How lanes are numbered: from the middle outwards, 1 the centre lane where there is one.

@@ -13,10 +13,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace streetgen {
+
+struct Edge;
 
 // What an axis may be at a ramp.
 enum class RampPart {
@@ -33,12 +36,18 @@ struct RampLanes {
   int parting_left = 0, parting_right = 0;
 };
 
+constexpr double steepest_ramp = 0.5;  // cosine of the angle between a link and its highway
+
 struct RampAxis {
   std::int64_t axis_id = 0;
   RampPart part = RampPart::none;
+  bool counted = true;  // a source states its lanes; else no merging lane is due
+};
+
+// The lanes of an edge, as they are once roundabouts and a user have decided.
+struct RampEdgeLanes {
   RampLanes along{}, against{};
-  bool both_ways = false;  // it has lanes for both directions: it takes no part
-  bool counted = true;     // a source states its lanes; else no merging lane is due
+  bool both_ways = false;   // it has lanes for both directions: it takes no part
   double lane_width = 3.5;  // metres, of a merging lane beside its lanes
 };
 
@@ -53,6 +62,8 @@ struct RampOverride {
 struct RampRules {
   std::vector<RampAxis> axes{};  // by axis_id, each at most once; those without take no part
   std::vector<RampOverride> overrides{};
+  // The lanes of an edge; street_model fills it in.
+  std::function<RampEdgeLanes(const Edge&)> lanes_of{};
   double tangent = 15;         // metres, setting ramp_tangent
   double merging_length = 60;  // metres, setting merging_length
   int outer_side = -1;         // of traffic: -1 right, where it keeps right; +1 left
@@ -91,7 +102,7 @@ struct Ramp {
   bool before_at_start = false, after_at_start = true;  // the ends that touch the node
   int side = -1;  // of the highway with its traffic, on which the ramp lies: +1 left, -1 right
   int lanes_before = 0, lanes_ramp = 0, lanes_after = 0;
-  int missing = 0;  // merging lanes that are due
+  int missing = 0;  // merging lanes that are due; 0 where `length` is
   double merging_width = 0;  // metres, of all of them
   double tangent = 0;  // metres, as wanted
   double length = 0;   // metres of full width, as wanted

@@ -51,6 +51,14 @@ SELECT 'both hold', (tangent, round(length)) = (40, 100) FROM road.ramp WHERE ki
 UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'reverse' WHERE axis_id = 4;
 SELECT 'a link turned round keeps what was decided', (method, tangent, round(length)) = ('by_hand', 40, 100) FROM road.ramp WHERE kind = 'on';
 UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'direct' WHERE axis_id = 4;
+UPDATE road.ramp_editing SET by_hand = true WHERE kind = 'off';
+SELECT 'by_hand typed alone decides nothing', count(*) = 1 AND NOT EXISTS (SELECT FROM road.ramp WHERE kind = 'off' AND method = 'by_hand') FROM road.ramp_override;
+INSERT INTO road.ramp_override (axis_id, abscissa, length) SELECT axis_id, abscissa, 80 FROM road.ramp_override;
+UPDATE road.ramp_editing SET length = NULL WHERE kind = 'on';
+SELECT 'a length emptied does not come back from an older row', (method, tangent, round(length)) = ('by_hand', 40, 60) FROM road.ramp WHERE kind = 'on';
+UPDATE road.ramp_editing SET tangent = NULL WHERE kind = 'on';
+SELECT 'emptied altogether nothing is decided', method = 'hypothesis' AND NOT EXISTS (SELECT FROM road.ramp_override) FROM road.ramp WHERE kind = 'on';
+UPDATE road.ramp_editing SET length = 100 WHERE kind = 'on';
 DELETE FROM road.ramp_editing WHERE kind = 'on';
 SELECT 'deleted in the view it is computed again', (method, tangent, round(length)) = ('hypothesis', 15, 60) AND NOT EXISTS (SELECT FROM road.ramp_override) FROM road.ramp WHERE kind = 'on';
 INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (5, 0, 0);
@@ -66,6 +74,29 @@ SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
 INSERT INTO road.ramp_override (axis_id, abscissa, length) VALUES (1, 0, 10);
 SELECT 'an override without its ramp is a row of check_model', count(*) = 1 FROM streetgen.check_model('road') WHERE rule = 'ramp override without its ramp';
 DELETE FROM road.ramp_override;
+
+-- A source forbids a change by its own lanes, and knows no merging lane.
+UPDATE road.axis SET change_forward = 'yes|yes|no' WHERE axis_id = 2;
+SELECT 'no word of a source keeps merging traffic from its way', count(*) = 4 AND bool_and(change = 'allowed') FROM road.lane_adjacency WHERE lane_a IN (SELECT lane_id FROM merging) OR lane_b IN (SELECT lane_id FROM merging);
+SELECT 'between the other lanes the words hold', count(*) FILTER (WHERE change = 'forbidden') = 1 AND count(*) = 4 FROM road.lane_adjacency a JOIN road.lane l ON l.lane_id = lane_a JOIN road.lane r ON r.lane_id = lane_b
+    JOIN road.edge e ON e.edge_id = l.edge_id WHERE axis_id = 2 AND 'merging' NOT IN (l.kind, r.kind);
+UPDATE road.axis SET change_forward = NULL WHERE axis_id = 2;
+SELECT 'no line on the ramp whose traffic has its lane', count(*) = 0 FROM road.marking WHERE kind IN ('stop', 'yield');
+
+-- Mirrored, and against its traffic.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('left_hand', 2154, driving_side => 'left', subjects => '{ramp}'), streetgen.create_model('backwards', 2154, subjects => '{ramp}');
+END $$;
+CREATE FUNCTION pg_temp.mirrored(line geometry) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_Affine(line, 1, 0, 0, -1, 0, 2 * 6860000) $$;
+INSERT INTO left_hand.axis (axis_id, geom, width, lane_count, direction, kind, speed) SELECT axis_id, pg_temp.mirrored(geom), width, lane_count, direction, kind, speed FROM road.axis;
+INSERT INTO backwards.axis (axis_id, geom, width, lane_count, direction, kind, speed) SELECT axis_id, CASE axis_id WHEN 2 THEN ST_Reverse(geom) ELSE geom END, width, lane_count,
+    CASE axis_id WHEN 2 THEN 'reverse' ELSE direction END, kind, speed FROM road.axis;
+SELECT 'where one keeps left all is mirrored', (SELECT count(*) FROM left_hand.lane WHERE kind = 'merging') = 2 AND bool_and(EXISTS (SELECT FROM left_hand.lane l JOIN left_hand.edge f USING (edge_id)
+    WHERE l.kind = r.kind AND f.axis_id = e.axis_id AND ST_HausdorffDistance(pg_temp.mirrored(l.geom), r.geom) < 1e-3 AND ST_Area(ST_SymDifference(pg_temp.mirrored(l.surface), r.surface)) < 0.01))
+    FROM road.lane r JOIN road.edge e USING (edge_id);
+SELECT 'an axis drawn against its traffic has the same lanes', bool_and(EXISTS (SELECT FROM backwards.lane l WHERE l.kind = r.kind AND ST_Area(ST_SymDifference(l.surface, r.surface)) < 0.01)) FROM road.lane r;
+SELECT 'on its left, against it', count(*) = 2 AND bool_and(side = 'left' AND NOT along_axis) FROM backwards.lane WHERE kind = 'merging';
+SELECT 'nothing is wrong with ' || name, NOT EXISTS (SELECT FROM streetgen.check_model(name::name) WHERE severity <> 'notice') FROM (VALUES ('left_hand'), ('backwards')) m(name);
 
 -- Live: by any path the same.
 CREATE FUNCTION agree(what text) RETURNS TABLE(said text, holds boolean) LANGUAGE plpgsql AS $$

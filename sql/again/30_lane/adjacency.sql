@@ -37,19 +37,20 @@ FROM %1$I.lane_separator s %2$s
             AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
                 CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)
         ORDER BY o.lane_adjacency_override_id DESC LIMIT 1) d ON true
-    -- What the source says of lane_a, by its number among the lanes of its direction, from left to right.
+    -- What the source says of lane_a, by its number among the lanes of its direction, from left to right. A source
+    -- does not count merging lanes.
     CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.change_forward ELSE a.change_backward END AS list,
         CASE v.side WHEN 'right' THEN l.lane_position ELSE r.lane_position END AS at) n
     CROSS JOIN LATERAL (SELECT (v.side = 'left') = l.along_axis AS leftwards, CASE WHEN n.list IS NOT NULL
-        AND l.along_axis = r.along_axis THEN split_part(n.list, '|', (
+        AND l.along_axis = r.along_axis AND 'merging' NOT IN (l.kind, r.kind) THEN split_part(n.list, '|', (
             SELECT count(*) FROM %1$I.lane w WHERE w.edge_id = l.edge_id AND w.along_axis = l.along_axis
                 AND w.kind IN ('general', 'bus') AND (w.lane_position - n.at) * CASE WHEN l.along_axis THEN 1
                     ELSE -1 END <= 0)::integer) END AS word) c;
 COMMENT ON VIEW %1$I.lane_adjacency IS
     'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
     'lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
-    'change_forward or change_backward of the axis says, else it follows from the line between them: allowed over a '
-    'dashed one between lanes of one direction that the same traffic uses, else forbidden';
+    'change_forward or change_backward of the axis says, but for merging lanes, else it follows from the line between '
+    'them: allowed over a dashed one between lanes of one direction that the same traffic uses, else forbidden';
 CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
 SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
     (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,

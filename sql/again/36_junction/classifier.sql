@@ -1,5 +1,13 @@
 -- What kind of junction a place is: by rules, as the paper has it, or by a function of the user.
 
+CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN kind IS NULL THEN 'unclassed' WHEN kind IN ('motorway', 'trunk') THEN 'highway'
+        WHEN kind LIKE '%\_link' THEN 'link' END;
+COMMENT ON FUNCTION streetgen._ramp_part(text) IS
+    'What an axis of a class is at a ramp: highway (motorway and trunk), link (classes that end so), unclassed (NULL); '
+    'NULL: it takes no part.';
+
 CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -8,15 +16,15 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         WHEN count(*) <= 1 THEN 'end'
         WHEN bool_or(a.control = 'signals') THEN 'signals'
         WHEN count(*) = 2 THEN 'continuation'
-        WHEN bool_or(a.kind LIKE '%\_link') AND bool_or(a.kind IN ('motorway', 'trunk')) THEN 'ramp'
-        WHEN bool_and(coalesce(a.kind, '') LIKE 'motorway%' OR coalesce(a.kind, '') LIKE '%\_link') THEN 'ramp'
+        WHEN bool_or(p.part = 'link') AND bool_or(p.part = 'highway') THEN 'ramp'
+        WHEN bool_and(coalesce(a.kind, '') LIKE 'motorway%' OR p.part IS NOT DISTINCT FROM 'link') THEN 'ramp'
         -- Without classes: fast one-way streets that meet at acute angles.
         WHEN bool_and(a.kind IS NULL) AND count(*) = 3 AND bool_and(a.lanes_in = 0 OR a.lanes_out = 0)
             AND max(a.speed) >= 80 AND streetgen._least_angle(array_agg(a.azimuth)) <= 30 THEN 'ramp'
         WHEN bool_or(a.control = 'stop') THEN 'stop'
         WHEN bool_or(a.control = 'yield') OR min(a.importance) <> max(a.importance) THEN 'priority'
         ELSE 'right_before_left' END
-    FROM unnest(arms) a $$;
+    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind) AS part) p $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
     'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
     'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (a link at a motorway '

@@ -21,7 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_column()
     ('ramp', 'lanes_ramp', 'lanes of the link'),
     ('ramp', 'lanes_after', 'lanes of the highway behind the node'),
     ('ramp', 'lanes_missing', 'merging lanes that are due: lanes that do not add up, at most those of the link; 0 '
-        'where a number of lanes is estimated'),
+        'where a number of lanes is estimated or merging lanes shall have no length'),
     ('ramp', 'lanes_merging', 'merging lanes that are there'),
     ('ramp', 'length', 'metres that they keep their width, from the limit on; 0: none'),
     ('ramp', 'taper', 'metres of taper wanted, by setting taper_ratio; 0: none'),

@@ -24,6 +24,7 @@ DECLARE
     subject text;
     half record;
     known bigint[];
+    decided record;
 BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'A ramp is where a link meets a highway: draw these.');
@@ -52,19 +53,24 @@ BEGIN
         'Leave it empty for setting ramp_tangent.'),
         streetgen._check_edit_number('the length of ' || subject, NEW.length, 0, 1000, 'm',
         '0 for no merging lane; leave it empty for setting merging_length.');
-    -- What is not typed stays as it was decided.
-    IF known = '{}' THEN
+    -- What is not typed stays as it was decided; of several rows the younger one holds.
+    EXECUTE format($sql$
+SELECT CASE WHEN $2 THEN $3 ELSE (array_agg(tangent ORDER BY ramp_override_id DESC)
+        FILTER (WHERE tangent IS NOT NULL))[1] END AS tangent,
+    CASE WHEN $4 THEN $5 ELSE (array_agg(length ORDER BY ramp_override_id DESC)
+        FILTER (WHERE length IS NOT NULL))[1] END AS length
+FROM %I.ramp_override WHERE ramp_override_id = ANY ($1)$sql$, TG_TABLE_SCHEMA) INTO decided USING known,
+        NEW.tangent IS DISTINCT FROM OLD.tangent, NEW.tangent, NEW.length IS DISTINCT FROM OLD.length, NEW.length;
+    NEW.by_hand := num_nonnulls(decided.tangent, decided.length) > 0;
+    IF NOT NEW.by_hand THEN
+        EXECUTE format('DELETE FROM %I.ramp_override WHERE ramp_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
+    ELSIF known = '{}' THEN
         EXECUTE format('INSERT INTO %I.ramp_override (axis_id, abscissa, tangent, length) VALUES ($1, $2, $3, $4)',
-            TG_TABLE_SCHEMA) USING half.axis_id, half.place,
-            CASE WHEN NEW.tangent IS DISTINCT FROM OLD.tangent THEN NEW.tangent END,
-            CASE WHEN NEW.length IS DISTINCT FROM OLD.length THEN NEW.length END;
+            TG_TABLE_SCHEMA) USING half.axis_id, half.place, decided.tangent, decided.length;
     ELSE
-        EXECUTE format('UPDATE %I.ramp_override SET tangent = CASE WHEN $2 THEN $3 ELSE tangent END, '
-            'length = CASE WHEN $4 THEN $5 ELSE length END WHERE ramp_override_id = $1', TG_TABLE_SCHEMA)
-            USING known[cardinality(known)], NEW.tangent IS DISTINCT FROM OLD.tangent, NEW.tangent,
-            NEW.length IS DISTINCT FROM OLD.length, NEW.length;
+        EXECUTE format('UPDATE %I.ramp_override SET tangent = $2, length = $3 WHERE ramp_override_id = ANY ($1)',
+            TG_TABLE_SCHEMA) USING known, decided.tangent, decided.length;
     END IF;
-    NEW.by_hand := true;
     NEW.geom := OLD.geom;
     RETURN NEW;
 END $$;

@@ -1,13 +1,5 @@
 -- The one statement, ramps: axes that may be part of one go into the core, which tells ramps and their merging lanes.
 
-CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN kind IS NULL THEN 'unclassed' WHEN kind IN ('motorway', 'trunk') THEN 'highway'
-        WHEN kind LIKE '%\_link' THEN 'link' END;
-COMMENT ON FUNCTION streetgen._ramp_part(text) IS
-    'What an axis of a class is at a ramp: highway (motorway and trunk), link (classes that end so), unclassed (NULL); '
-    'NULL: it takes no part.';
-
 CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_axis(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$(

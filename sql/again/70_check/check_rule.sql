@@ -325,45 +325,6 @@ SELECT 'warning', 'kerb point override without its axis', 'kerb_point_override',
     (67, 'network', 'rule', $part$
 SELECT 'warning', 'control point off all axes', 'control_point', p.control_point_id, 0, p.geom
     FROM %1$I.control_point p WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = p.axis_id)$part$),
-    (68, 'junction', 'rule', $part$
-SELECT 'error', 'node of degree three and more without a junction', 'node', d.node_id, d.degree, n.geom FROM degree d
-    JOIN %1$I.node n USING (node_id) WHERE d.degree >= 3
-        AND NOT EXISTS (SELECT FROM %1$I.junction_node j WHERE j.node_id = d.node_id)$part$),
-    (69, 'junction', 'rule', $part$
-SELECT 'warning', 'stale: the junction of a node changed since', 'node', m.node_id, m.junction_id, n.geom
-    FROM unnest((%1$I._junction_members(NULL)).members) m JOIN %1$I.junction_node j USING (node_id)
-        JOIN %1$I.node n USING (node_id) WHERE j.junction_id <> m.junction_id$part$),
-    (70, 'junction', 'rule', $part$
-SELECT 'notice', 'edge that junction_extent keeps out of a junction', 'edge', m.edge_id, e.end_abscissa
-    - e.start_abscissa, e.geom FROM unnest((%1$I._junction_members(NULL)).members) m JOIN %1$I.edge e USING (edge_id)
-    WHERE m.parted$part$),
-    (71, 'junction', 'rule', $part$
-SELECT 'notice', 'junction wider than junction_extent, m', 'junction', j.junction_id, c.width, j.geom
-    FROM %1$I.junction j JOIN (SELECT n.junction_id, ST_MaxDistance(ST_Collect(p.geom), ST_Collect(p.geom)) AS width
-        FROM %1$I.junction_node n JOIN %1$I.node p USING (node_id) GROUP BY n.junction_id HAVING count(*) > 1) c
-        USING (junction_id)
-    WHERE c.width > (SELECT value::float8 FROM %1$I.setting WHERE name = 'junction_extent')$part$),
-    (71, 'junction', 'rule', $part$
-SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'turn_restriction', r.turn_restriction_id,
-    cardinality(r.via_axes), r.geom FROM %1$I.turn_restriction r
-    WHERE r.via_axes IS NOT NULL AND 1 <> (SELECT count(DISTINCT coalesce(j.junction_id, -1))
-            + count(*) FILTER (WHERE j.junction_id IS NULL)
-        FROM ($part$ || streetgen._fill_template(streetgen._via_edges(), '{"model": "%1$I"}') || $part$) e
-            LEFT JOIN %1$I.junction_edge j USING (edge_id))$part$),
-    (72, 'junction', 'rule', $part$
-SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
-    FROM %1$I.junction_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$),
-    (94, 'ramp', 'rule', $part$
-SELECT 'notice', 'merging lane cut by the next junction, m', 'ramp', r.ramp_id, r.length, r.geom FROM %1$I.ramp r
-    WHERE r.cut$part$),
-    (95, 'ramp', 'rule', $part$
-SELECT 'notice', 'link shorter than the tangent of its ramp, m', 'ramp', r.ramp_id, ST_Length(e.geom), r.geom
-    FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id) WHERE r.short_link$part$),
-    (96, 'ramp', 'rule', $part$
-SELECT 'warning', 'ramp override without its ramp', 'ramp_override', o.ramp_override_id, o.abscissa, o.geom
-    FROM %1$I.ramp_override o WHERE NOT EXISTS (SELECT FROM %1$I.ramp r,
-        LATERAL streetgen._ramp_stretch(%1$L, r.ramp_id) s WHERE s.axis_id = o.axis_id
-            AND o.abscissa BETWEEN s.low AND s.high)$part$),
     (58, 'lane', 'rule', $part$
 SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
     FROM %1$I.lane l, (SELECT value::float8 AS least FROM %1$I.setting WHERE name = 'lane_width_minimal') s
@@ -510,6 +471,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_statement(model name) RETURNS text
     SELECT format('WITH ' || string_agg(query, ',' ORDER BY place) FILTER (WHERE kind = 'with')
         || string_agg(query, E'\nUNION ALL' ORDER BY place) FILTER (WHERE kind = 'rule'), model)
     FROM (SELECT * FROM (SELECT * FROM streetgen._check_part() UNION ALL SELECT * FROM streetgen._height_check_part()
+                UNION ALL SELECT * FROM streetgen._junction_check_part()
+                UNION ALL SELECT * FROM streetgen._ramp_check_part()
                 UNION ALL SELECT * FROM streetgen._signal_check_part()
                 UNION ALL SELECT * FROM streetgen._object_check_part())
             part WHERE subject = ANY (streetgen._subjects(model))

@@ -20,7 +20,10 @@ std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInp
 StreetModel street_model(const StreetModelInput& input) {
   StreetModel model;
   RampRules ramps = input.ramps;
-  count_ramp_lanes(ramps, input.axes, input.lanes, input.lane_settings);
+  if (!ramps.axes.empty())
+    count_ramp_lanes(ramps, input.axes,
+                     {input.lanes, input.lane_overrides, input.circulations, input.lane_settings},
+                     input.lane_settings);
   model.streets = streets(input.axes, input.settings, input.overrides, input.former,
                           input.subjects.kerb, ramps);
   if (input.subjects.lane) {

@@ -14,7 +14,6 @@ namespace streetgen {
 namespace {
 
 const double straightest = std::cos(M_PI / 6);  // of a highway past its ramp
-const double steepest = std::cos(M_PI / 3);     // of a ramp and its highway
 constexpr double look = 10;                     // metres from the node, to tell directions
 constexpr double fast = 80;                     // km/h, of a highway without a class
 constexpr double shortest = 20;                 // metres, of an edge with a merging lane
@@ -34,11 +33,12 @@ constexpr double least_link = 1;                // metres that stay between the 
 struct RampLeg {
   EdgeEnd end;
   const RampAxis* axis = nullptr;
+  RampEdgeLanes lanes{};
   Point direction;  // away from the node
   double speed = 0;
 
-  const RampLanes& coming() const { return end.at_start ? axis->against : axis->along; }
-  const RampLanes& leaving() const { return end.at_start ? axis->along : axis->against; }
+  const RampLanes& coming() const { return end.at_start ? lanes.against : lanes.along; }
+  const RampLanes& leaving() const { return end.at_start ? lanes.along : lanes.against; }
   bool one_way() const { return (coming().count > 0) != (leaving().count > 0); }
 };
 
@@ -46,7 +46,7 @@ class Finder {
  public:
   Finder(Layout& layout, const RampRules& rules) : layout_(layout), rules_(rules) {
     for (const RampAxis& axis : rules.axes)
-      if (axis.part != RampPart::none && !axis.both_ways) by_id_.emplace(axis.axis_id, &axis);
+      if (axis.part != RampPart::none) by_id_.emplace(axis.axis_id, &axis);
   }
 
   void run() {
@@ -64,9 +64,11 @@ class Finder {
     for (const EdgeEnd& end : layout_.junctions[node].ends) {
       const auto found = by_id_.find(layout_.axis_of(end.edge).axis_id);
       if (found == by_id_.end()) return std::nullopt;
+      const RampEdgeLanes lanes = rules_.lanes_of(layout_.streets.network.edges[end.edge]);
+      if (lanes.both_ways) return std::nullopt;
       const Line& line = layout_.arm(end).line;
       const Point far = position_at(line, std::min(look, length(line))).point;
-      legs.push_back({end, found->second, unit(far - line.front()), layout_.axis_of(end.edge).speed});
+      legs.push_back({end, found->second, lanes, unit(far - line.front()), layout_.axis_of(end.edge).speed});
     }
     const int link = link_of(legs);
     if (link < 0 || !legs[link].one_way()) return std::nullopt;
@@ -99,7 +101,7 @@ class Finder {
   }
 
   std::optional<Ramp> ramp_of(int node, const RampLeg& link, const RampLeg& beside, const RampLeg& away) const {
-    if (dot(link.direction, beside.direction) < steepest) return std::nullopt;
+    if (dot(link.direction, beside.direction) < steepest_ramp) return std::nullopt;
     Ramp ramp;
     ramp.node = node;
     ramp.on = link.coming().count > 0;
@@ -125,7 +127,7 @@ class Finder {
                                 : out.count + own.count - in.count - parting;
     const bool counted = link.axis->counted && before.axis->counted && after.axis->counted;
     ramp.missing = counted ? std::clamp(lacking, 0, own.count) : 0;
-    ramp.merging_width = ramp.missing * (ramp.on ? after : before).axis->lane_width;
+    ramp.merging_width = ramp.missing * (ramp.on ? after : before).lanes.lane_width;
     ramp.tangent = rules_.tangent;
     ramp.length = rules_.merging_length;
     decide(ramp);

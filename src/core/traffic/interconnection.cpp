@@ -20,7 +20,6 @@ namespace streetgen {
 namespace {
 
 constexpr double same_direction = 1e-3;  // radians
-constexpr double ramp_cosine = 0.5;     // of a ramp and its highway
 constexpr double finest_turn = 0.1;     // degrees between chords of a ramp
 
 // From the place of the first point to the next place; zero where there is none.
@@ -289,7 +288,7 @@ class Builder {
     const bool papers = rule == TrajectoryRule::bezier && settings_.least_radius == 0;
     PathChoice choice(kerbs, in.border, out.border, papers);
     // Both directions lead to the node.
-    if (on_ramp && dot(in.end.direction, out.end.direction) < -ramp_cosine &&
+    if (on_ramp && dot(in.end.direction, out.end.direction) < -steepest_ramp &&
         choice.offer(ramp_path(in, out))) return choice.best();
     if (papers) {
       if (!choice.offer(direct(rule, 0))) choice.offer(late(rule));

@@ -10,9 +10,9 @@
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "streetgen/surface.hpp"
-#include "traffic/circulation.hpp"
 #include "traffic/lane_layout.hpp"
 #include "traffic/lane_taper.hpp"
+#include "traffic/lane_wishes.hpp"
 #include "traffic/marking.hpp"
 
 namespace streetgen {
@@ -72,10 +72,6 @@ MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const
   if (convex(surface.front().front()) || geos.valid(surface)) return surface;
   const std::vector<double> half(middle.size(), width / 2);
   return variable_buffer(middle, half);
-}
-
-bool drives(const LaneWish& wish) {
-  return wish.kind == LaneKind::general || wish.kind == LaneKind::bus;
 }
 
 // The lanes of one edge with the lines between them.
@@ -150,12 +146,12 @@ LineBetween line_between(const std::vector<PlacedLane>& lanes, int position) {
   if (position == 0 || position == static_cast<int>(lanes.size())) return {};
   const LaneWish &left = lanes[position - 1].wish, &right = lanes[position].wish;
   if (left.both_ways || right.both_ways) {
-    const bool parts = left.both_ways != right.both_ways && drives(left) && drives(right);
+    const bool parts = left.both_ways != right.both_ways && drives(left.kind) && drives(right.kind);
     return {parts ? SeparatorKind::centre : SeparatorKind::same_direction, true};
   }
   if (left.along_axis == right.along_axis) return {SeparatorKind::same_direction, true};
   const auto driven = std::count_if(lanes.begin(), lanes.end(),
-                                    [](const PlacedLane& lane) { return drives(lane.wish); });
+                                    [](const PlacedLane& lane) { return drives(lane.wish.kind); });
   return {SeparatorKind::centre, driven <= 2};
 }
 
@@ -248,17 +244,9 @@ class Builder {
           std::vector<LaneOverride> overrides, const LaneSettings& settings,
           const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations)
       : streets_(streets),
-        axes_(std::move(axes)),
-        overrides_(std::move(overrides)),
         settings_(settings),
-        controls_(end_controls(streets.network, axes_, controls, settings.control_distance)),
-        circulations_(circulations) {
-    std::sort(axes_.begin(), axes_.end(),
-              [](const LanesOfAxis& a, const LanesOfAxis& b) { return a.axis_id < b.axis_id; });
-    std::stable_sort(
-        overrides_.begin(), overrides_.end(),
-        [](const LaneOverride& a, const LaneOverride& b) { return a.axis_id < b.axis_id; });
-  }
+        controls_(end_controls(streets.network, axes, controls, settings.control_distance)),
+        wishes_(std::move(axes), std::move(overrides), circulations, settings) {}
 
   Lanes run() {
     const std::vector<NodeRank> ranks = ranks_of(streets_);
@@ -269,14 +257,13 @@ class Builder {
       tell_progress("lanes", e, streets_.network.edges.size());
       const LaneStrip strip = strip_of(streets_, e);
       const bool crossed = limits_crossed(streets_, e);
-      std::vector<LaneWish> wishes = wishes_of(e);
-      const std::vector<Decision> decisions = decide(e, wishes);
+      const auto [wishes, decisions] = wishes_.of(streets_.network.edges[e]);
       const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
       EdgeLanes made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
       std::size_t ordinary = 0;
       for (Lane& lane : made.lanes) {
         const bool merging = lane.kind == LaneKind::merging;
-        const Decision decision = merging ? Decision{} : decisions[ordinary++];
+        const auto decision = merging ? LaneWishes::Decision{} : decisions[ordinary++];
         lane.edge = e;
         lane.method = decision.by_hand ? Method::by_hand
                       : crossed        ? Method::crossed_limits
@@ -301,25 +288,12 @@ class Builder {
     return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
   }
 
-  std::vector<LaneWish> wishes_of(int e) const {
-    const Edge& edge = streets_.network.edges[e];
-    const auto found = std::lower_bound(
-        axes_.begin(), axes_.end(), edge.axis_id,
-        [](const LanesOfAxis& a, std::int64_t axis_id) { return a.axis_id < axis_id; });
-    std::vector<LaneWish> wishes = found != axes_.end() && found->axis_id == edge.axis_id
-                                       ? across(found->lanes, settings_.driving_side)
-                                       : across({}, settings_.driving_side);
-    if (const Circulation* circulation = circulations_.of(edge)) turn_round(*circulation, wishes);
-    return wishes;
-  }
-
   TaperedLanes tapered_lanes(const WidthProfile& profile,
                              const std::vector<LaneWish>& wishes) const {
     TaperedLanes tapered;
     const auto at_end = [&](bool at_start, const WidthProfile::Beyond& beyond) {
       if (beyond.edge < 0) return ChangingLanes{};
-      std::vector<LaneWish> there = wishes_of(beyond.edge);
-      decide(beyond.edge, there);
+      const std::vector<LaneWish> there = wishes_.of(streets_.network.edges[beyond.edge]).lanes;
       return changing_lanes({wishes, at_start}, {there, beyond.at_start}, settings_.driving_side);
     };
     tapered.start = at_end(true, profile.beyond_start);
@@ -327,43 +301,10 @@ class Builder {
     return tapered;
   }
 
-  struct Decision {
-    bool by_hand = false;
-    const Line* line = nullptr;
-  };
-
-  // What overrides say of each lane; widths and directions go into its wish.
-  std::vector<Decision> decide(int e, std::vector<LaneWish>& wishes) const {
-    const Edge& edge = streets_.network.edges[e];
-    const int count = static_cast<int>(wishes.size());
-    std::vector<Decision> decisions(count);
-    auto by_hand = std::lower_bound(
-        overrides_.begin(), overrides_.end(), edge.axis_id,
-        [](const LaneOverride& o, std::int64_t axis_id) { return o.axis_id < axis_id; });
-    for (; by_hand != overrides_.end() && by_hand->axis_id == edge.axis_id; ++by_hand) {
-      if (by_hand->abscissa < edge.start_abscissa || by_hand->abscissa >= edge.end_abscissa)
-        continue;
-      for (int p = 1; p <= count; ++p) {
-        if (ordinality_of(p, count, settings_.order) != by_hand->ordinality) continue;
-        LaneWish& wish = wishes[p - 1];
-        if (by_hand->direction != LaneOverride::Direction::as_is) {
-          wish.along_axis = by_hand->direction != LaneOverride::Direction::against;
-          wish.both_ways = by_hand->direction == LaneOverride::Direction::both;
-        }
-        if (by_hand->width > 0) wish.width = by_hand->width;
-        if (!by_hand->line.empty()) decisions[p - 1].line = &by_hand->line;
-        decisions[p - 1].by_hand = true;
-      }
-    }
-    return decisions;
-  }
-
   const Streets& streets_;
-  std::vector<LanesOfAxis> axes_;
-  std::vector<LaneOverride> overrides_;
   const LaneSettings& settings_;
   std::vector<EndControl> controls_;  // by slot
-  Circulations circulations_;
+  LaneWishes wishes_;
   Geos geos_;
 };
 

@@ -160,12 +160,14 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
 
 // The line across the lanes that come by an end: `lower` is its importance less than that of the
 // most important edge at the node.
-std::optional<MarkingKind> end_marking(const EndControl& control, int lower) {
+std::optional<MarkingKind> end_marking(const EndControl& control, int lower, bool merges) {
   if (control.own == ControlKind::signals || control.own == ControlKind::stop)
     return MarkingKind::stop;
   if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
     return MarkingKind::yield;
-  if (control.beside_signals || lower > 1) return MarkingKind::stop;
+  if (control.beside_signals) return MarkingKind::stop;
+  if (merges) return std::nullopt;
+  if (lower > 1) return MarkingKind::stop;
   return lower == 1 ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
@@ -178,6 +180,10 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
       ++ranks[node].degree;
       ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
     }
+  for (const Ramp& ramp : streets.ramps)
+    if (ramp.on && ramp.merging > 0 &&
+        ramp.merging + std::max(0, ramp.lanes_after - ramp.lanes_before) >= ramp.lanes_ramp)
+      ranks[ramp.node].merging_link = ramp.link;
   return ranks;
 }
 
@@ -209,7 +215,8 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     if (ranks[node].degree < 3) continue;
     const std::optional<MarkingKind> kind =
         end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)],
-                    streets.roadways[lanes.front().edge].importance - ranks[node].importance);
+                    streets.roadways[lanes.front().edge].importance - ranks[node].importance,
+                    ranks[node].merging_link == lanes.front().edge);
     if (!kind) continue;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;

@@ -12,14 +12,11 @@ constexpr unsigned onwards = turn::through;
 constexpr unsigned leftwards = turn::sharp_left | turn::left | turn::slight_left;
 constexpr unsigned rightwards = turn::slight_right | turn::right | turn::sharp_right;
 
-bool drives(const LaneWish& lane) {
-  return lane.kind == LaneKind::general || lane.kind == LaneKind::bus;
-}
-
-RampLanes counted(const std::vector<LaneWish>& lanes) {
+// Of one direction.
+RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
   RampLanes found;
   for (const LaneWish& lane : lanes) {
-    if (!drives(lane)) continue;
+    if (!drives(lane.kind) || lane.along_axis != along_axis) continue;
     ++found.count;
     if (!(lane.turns & onwards)) continue;
     if (lane.turns & leftwards) ++found.parting_left;
@@ -29,13 +26,12 @@ RampLanes counted(const std::vector<LaneWish>& lanes) {
 }
 
 // The mean width of the lanes that drive.
-double lane_width(const AxisLanes& lanes, double width, const LaneSettings& settings) {
-  const std::vector<LaneWish> all = across(lanes, settings.driving_side);
-  const std::vector<double> shares = lane_shares(all, width, settings.narrowest);
+double lane_width(const std::vector<LaneWish>& lanes, double width, double narrowest) {
+  const std::vector<double> shares = lane_shares(lanes, width, narrowest);
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!drives(all[i])) continue;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    if (!drives(lanes[i].kind)) continue;
     sum += (shares[i + 1] - shares[i]) * width;
     ++count;
   }
@@ -44,25 +40,19 @@ double lane_width(const AxisLanes& lanes, double width, const LaneSettings& sett
 
 }  // namespace
 
-void count_ramp_lanes(RampRules& rules, const std::vector<StreetAxis>& axes,
-                      const std::vector<LanesOfAxis>& lanes, const LaneSettings& settings) {
-  if (rules.axes.empty()) return;
+void count_ramp_lanes(RampRules& rules, const std::vector<StreetAxis>& axes, LaneWishes wishes,
+                      const LaneSettings& settings) {
   rules.outer_side = settings.driving_side == DrivingSide::right ? -1 : +1;
-  std::unordered_map<std::int64_t, const AxisLanes*> lanes_of;
-  for (const LanesOfAxis& axis : lanes) lanes_of.emplace(axis.axis_id, &axis.lanes);
-  std::unordered_map<std::int64_t, const StreetAxis*> axis_of;
-  for (const StreetAxis& axis : axes) axis_of.emplace(axis.axis_id, &axis);
-  for (RampAxis& ramp : rules.axes) {
-    const auto found = lanes_of.find(ramp.axis_id);
-    const auto axis = axis_of.find(ramp.axis_id);
-    AxisLanes own = found != lanes_of.end() ? *found->second : AxisLanes{};
-    if (own.forward.empty() && own.backward.empty() && own.both_ways.empty())
-      own.forward.emplace_back();
-    ramp.along = counted(own.forward);
-    ramp.against = counted(own.backward);
-    ramp.both_ways = !own.both_ways.empty();
-    if (axis != axis_of.end()) ramp.lane_width = lane_width(own, axis->second->width, settings);
-  }
+  std::unordered_map<std::int64_t, double> widths;
+  for (const StreetAxis& axis : axes) widths.emplace(axis.axis_id, axis.width);
+  rules.lanes_of = [widths = std::move(widths), wishes = std::move(wishes),
+                    narrowest = settings.narrowest](const Edge& edge) {
+    const std::vector<LaneWish> lanes = wishes.of(edge).lanes;
+    RampEdgeLanes found{counted(lanes, true), counted(lanes, false)};
+    for (const LaneWish& lane : lanes) found.both_ways |= lane.both_ways;
+    found.lane_width = lane_width(lanes, widths.at(edge.axis_id), narrowest);
+    return found;
+  };
 }
 
 }  // namespace streetgen

@@ -1,4 +1,4 @@
-// The lanes of axes, as ramps count them.
+// The lanes of edges, as ramps count them.
 #pragma once
 
 #include <vector>
@@ -6,12 +6,13 @@
 #include "streetgen/lane.hpp"
 #include "streetgen/ramp.hpp"
 #include "streetgen/street.hpp"
+#include "traffic/lane_wishes.hpp"
 
 namespace streetgen {
 
-// Fills in the lanes of each ramp axis and the outer side of traffic.  An axis without lanes has one
-// along it.
-void count_ramp_lanes(RampRules& rules, const std::vector<StreetAxis>& axes,
-                      const std::vector<LanesOfAxis>& lanes, const LaneSettings& settings);
+// Says of what lanes ramps are made: those of each edge, after roundabouts and overrides, and the
+// outer side of traffic.
+void count_ramp_lanes(RampRules& rules, const std::vector<StreetAxis>& axes, LaneWishes wishes,
+                      const LaneSettings& settings);
 
 }  // namespace streetgen

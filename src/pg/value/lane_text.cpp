@@ -46,10 +46,6 @@ unsigned turns_of(const std::string& text, const std::string& what) {
   return turns;
 }
 
-bool drives(const LaneWish& lane) {
-  return lane.kind == LaneKind::general || lane.kind == LaneKind::bus;
-}
-
 double width_of(const std::string& text, const std::string& what) {
   if (text.empty()) return 0;
   char* end = nullptr;
@@ -88,7 +84,7 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
   std::vector<LaneWish*> all, driving;
   for (LaneWish& lane : lanes) {
     all.push_back(&lane);
-    if (drives(lane)) driving.push_back(&lane);
+    if (drives(lane.kind)) driving.push_back(&lane);
   }
   // The lanes that a list speaks of, a word each.
   const auto each = [&](const std::string& list, const auto& read) {
@@ -108,8 +104,9 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
 
 bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes) {
   const std::size_t words = parted(list, '|').size();
-  return words == lanes.size() ||
-         words == static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), drives));
+  const auto driving = std::count_if(lanes.begin(), lanes.end(),
+                                     [](const LaneWish& lane) { return drives(lane.kind); });
+  return words == lanes.size() || words == static_cast<std::size_t>(driving);
 }
 
 std::string turn_text(unsigned turns) {

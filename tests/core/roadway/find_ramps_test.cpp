@@ -254,6 +254,43 @@ TEST(FindRamps, CountsALaneForBothWaysTwice) {
   EXPECT_EQ(street_model(input).streets.ramps.at(0).missing, 1);
 }
 
+// Lanes are numbered from the left kerb of a one-way street on: the link's two are 1 and 2.
+TEST(FindRamps, CountsLanesAsTheyAreDecided) {
+  Highway highway;
+  highway.lanes_ramp = 2;
+  StreetModelInput input = highway.input();
+  ASSERT_EQ(street_model(input).streets.ramps.at(0).missing, 2);
+  input.lane_overrides = {{link, 10, 1, LaneOverride::Direction::against}};
+  EXPECT_TRUE(street_model(input).streets.ramps.empty()) << "a link for both directions";
+  input.lane_overrides = {{link, 10, 1, LaneOverride::Direction::both}};
+  EXPECT_TRUE(street_model(input).streets.ramps.empty()) << "a lane for both directions";
+  input.lane_overrides = {};
+  input.circulations = {{link, 10, false, true}};
+  const StreetModel turned = street_model(input);
+  EXPECT_TRUE(turned.streets.ramps.empty() || !turned.streets.ramps[0].on) << "traffic leaves";
+  input.circulations = {};
+  // Three lanes come, one of them turned against the others: a lane less goes on.
+  input.lanes[1].lanes.forward.resize(4);
+  EXPECT_EQ(street_model(input).streets.ramps.at(0).missing, 1);
+  input.lane_overrides = {{after, 10, 1, LaneOverride::Direction::against}};
+  EXPECT_EQ(street_model(input).streets.ramps.at(0).missing, 2);
+}
+
+TEST(FindRamps, PaintsNoLineWhereTrafficHasALaneOfItsOwn) {
+  const auto lines = [](const StreetModel& model) {
+    return std::count_if(model.lanes.markings.begin(), model.lanes.markings.end(),
+                         [](const Marking& m) { return m.kind != MarkingKind::arrow; });
+  };
+  Highway highway;
+  EXPECT_EQ(lines(street_model(highway.input())), 0);
+  highway.rules.overrides = {{link, 240, {}, 0.}};
+  EXPECT_EQ(lines(street_model(highway.input())), 1) << "without a merging lane it waits";
+  highway.rules.overrides = {};
+  StreetModelInput input = highway.input();
+  input.controls = {{link, 240, ControlKind::yield}};
+  EXPECT_EQ(lines(street_model(input)), 1) << "a sign says so";
+}
+
 TEST(FindRamps, DecidesByHand) {
   Highway highway;
   highway.rules.overrides = {{link, 240, 40., 100.}};

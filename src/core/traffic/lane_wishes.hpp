@@ -1,0 +1,36 @@
+// The lanes that each edge wants, with what was decided about them.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/lane.hpp"
+#include "traffic/circulation.hpp"
+
+namespace streetgen {
+
+class LaneWishes {
+ public:
+  LaneWishes(std::vector<LanesOfAxis> axes, std::vector<LaneOverride> overrides,
+             const std::vector<Circulation>& circulations, const LaneSettings& settings);
+
+  struct Decision {
+    bool by_hand = false;
+    const Line* line = nullptr;  // null: it follows the axis
+  };
+  struct OfEdge {
+    std::vector<LaneWish> lanes;  // from the left kerb to the right one
+    std::vector<Decision> decisions;  // of each lane
+  };
+  // What the source says of the axis, then roundabouts, then overrides.
+  OfEdge of(const Edge& edge) const;
+
+ private:
+  void decide(const Edge& edge, OfEdge& found) const;
+
+  std::vector<LanesOfAxis> axes_;
+  std::vector<LaneOverride> overrides_;
+  Circulations circulations_;
+  LaneSettings settings_;
+};
+
+}  // namespace streetgen
