@@ -1,0 +1,119 @@
+-- What models of older builds lack: columns that came since, with what they mean for the rows that are there.
+
+CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+DECLARE
+    statement text;
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'lanes_both')
+        THEN
+        RETURN;
+    END IF;
+    -- What was computed has lanes of one direction only.
+    FOREACH statement IN ARRAY ARRAY[
+        'ALTER TABLE %1$I.axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30)',
+        'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds '
+            '~ ''^(bus|cycle)(\|(bus|cycle)){0,9}$'')',
+        'ALTER TABLE %1$I.lane_override ADD both_ways boolean',
+        'ALTER TABLE %1$I.interconnection_override ADD along_in boolean, ADD along_out boolean',
+        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0',
+        'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
+        'ALTER TABLE %1$I.lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways)',
+        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS '
+            'marking_edge_id_kind_lane_position_key,
+            ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
+        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l
+            WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
+        'ALTER TABLE %1$I.marking ALTER along_axis SET NOT NULL',
+        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean,
+            DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key,
+            ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
+        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis
+            FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
+        'ALTER TABLE %1$I.interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL'
+    ] LOOP
+        EXECUTE format(statement, model);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._add_both_ways(name) IS
+    'Adds to the tables of a model what lanes for both directions and exceptions of turn restrictions are told by, '
+    'where it was made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_sidewalks(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'sidewalk_left') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %1$I.axis ADD sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
+        ADD sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50)', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ADD sidewalk_left float8 NOT NULL DEFAULT 0,
+        ADD sidewalk_right float8 NOT NULL DEFAULT 0', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ALTER sidewalk_left DROP DEFAULT, ALTER sidewalk_right DROP DEFAULT', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_sidewalks(name) IS
+    'Adds the columns of axis and edge that say how wide sidewalks are, where a model was made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_roadway_offset(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
+        AND attname = 'roadway_offset') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %1$I.axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100)',
+        model);
+    EXECUTE format('ALTER TABLE %1$I.edge ADD roadway_offset float8 NOT NULL DEFAULT 0', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ALTER roadway_offset DROP DEFAULT', model);
+    EXECUTE format('CREATE INDEX axis_roadway_offset ON %1$I.axis (roadway_offset) WHERE roadway_offset <> 0', model);
+    EXECUTE format('DROP INDEX IF EXISTS %1$I.edge_width', model);
+    EXECUTE format('CREATE INDEX edge_reach ON %1$I.edge ((greatest(width, width_end) + 2 * abs(roadway_offset)))',
+        model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_roadway_offset(name) IS
+    'Adds the columns of axis and edge that say how far the roadway lies beside the axis, '
+    'where a model was made before '
+    'them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_merging_lanes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.lane', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = to_regclass(format('%I.lane', model)) AND attname = 'start_abscissa') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.lane ADD start_abscissa float8, ADD end_abscissa float8, '
+        'DROP CONSTRAINT IF EXISTS lane_kind_check, ADD CONSTRAINT lane_kind_check CHECK (kind IN (%s))', model,
+        '''general'', ''bus'', ''cycle'', ''parking'', ''merging''');
+END $$;
+COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
+    'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '
+    'model was made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.roundabout_edge', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = to_regclass(format('%I.roundabout_edge', model)) AND attname = 'face') THEN
+        RETURN;
+    END IF;
+    -- What was computed has rings of one face only.
+    EXECUTE format('ALTER TABLE %I.roundabout_edge ADD face integer NOT NULL DEFAULT 1', model);
+    EXECUTE format('ALTER TABLE %I.roundabout_edge ALTER face DROP DEFAULT', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_roundabout_faces(name) IS
+    'Adds the column that says which face of its ring an edge bounds, where a model was made before double '
+    'roundabouts.';
