@@ -52,8 +52,8 @@ struct LaneStep {
   bool plausible = true;
 };
 
-// Of traffic that comes by one axis, passes edges inside in their order, whatever lies between, and
-// goes on by another axis.
+// A restriction of the traffic that comes by one axis, passes the edges `via` in their order, and
+// goes on by another axis.  Other edges may lie between these.
 struct WayRestriction {
   std::int64_t from_axis = 0;
   std::int64_t to_axis = 0;

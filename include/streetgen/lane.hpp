@@ -23,7 +23,7 @@ namespace streetgen {
 
 // Merging lanes lie beside the others on a part of an edge only, where a ramp is.
 enum class LaneKind { general, bus, cycle, parking, merging };
-// What lists of turns, widths and changes count.
+// The lanes that lists of turns, widths and lane changes of a source count: general and bus lanes.
 inline bool drives(LaneKind kind) { return kind == LaneKind::general || kind == LaneKind::bus; }
 enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
 

@@ -21,7 +21,7 @@ namespace streetgen {
 
 struct Edge;
 
-// What an axis may be at a ramp.
+// The part that an axis may take at a ramp.
 enum class RampPart {
   none,
   highway,
@@ -32,7 +32,8 @@ enum class RampPart {
 // The lanes of one direction, general and bus lanes together.
 struct RampLanes {
   int count = 0;
-  // Of them, lanes marked for going on and for a turn to that side, seen with the traffic.
+  // How many of these lanes are marked both to go on and to turn to that side.  Sides are those of
+  // the traffic.
   int parting_left = 0, parting_right = 0;
 };
 
@@ -108,7 +109,7 @@ struct Ramp {
   double length = 0;   // metres of full width, as wanted
   double taper = 0;    // metres, as the taper ratio has it
   bool by_hand = false;
-  // What came of it.
+  // The merging lanes that were made, and what kept them from being as wanted.
   int merging = 0;          // lanes
   double full_length = 0;   // metres that the lanes keep their width, from the limit on
   bool cut = false;         // the next junction leaves less room than wanted

@@ -68,8 +68,8 @@ struct NetworkRing {
   int inside = 0;          // nodes of its level within, and loops that hang on the ring there
 };
 
-// Those of one level come first, level by level, each in the order of the smallest places; then
-// those that edges of several levels close.  Deterministic, and independent of the order of the
+// Rings of one level come first, level by level, each level in the order of smallest places.  Rings
+// whose edges lie on several levels follow.  Deterministic, and independent of the order of the
 // axes.  The edges are those of streetgen::network with the same axes.
 std::vector<NetworkRing> network_rings(const std::vector<RingAxis>& axes,
                                        const RingSettings& settings);
