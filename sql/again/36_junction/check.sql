@@ -22,14 +22,14 @@ SELECT 'notice', 'junction wider than junction_extent, m', 'junction', j.junctio
         FROM %1$I.junction_node n JOIN %1$I.node p USING (node_id) GROUP BY n.junction_id HAVING count(*) > 1) c
         USING (junction_id)
     WHERE c.width > (SELECT value::float8 FROM %1$I.setting WHERE name = 'junction_extent')$part$),
-    (71, 'junction', 'rule', $part$
+    (72, 'junction', 'rule', $part$
 SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'turn_restriction', r.turn_restriction_id,
     cardinality(r.via_axes), r.geom FROM %1$I.turn_restriction r
     WHERE r.via_axes IS NOT NULL AND 1 <> (SELECT count(DISTINCT coalesce(j.junction_id, -1))
             + count(*) FILTER (WHERE j.junction_id IS NULL)
         FROM ($part$ || streetgen._fill_template(streetgen._via_edges(), '{"model": "%1$I"}') || $part$) e
             LEFT JOIN %1$I.junction_edge j USING (edge_id))$part$),
-    (72, 'junction', 'rule', $part$
+    (73, 'junction', 'rule', $part$
 SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
     FROM %1$I.junction_override o WHERE NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id = o.axis_id)$part$) $$;
 COMMENT ON FUNCTION streetgen._junction_check_part() IS 'The parts of streetgen._check_part() for junctions.';
