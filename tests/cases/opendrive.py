@@ -1,6 +1,6 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
-degrees. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks; opendrive.py FILE --beside a row
+degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks; opendrive.py FILE --beside a row
 "element, id, edge or empty, WKT" of each object, signal, sign and sidewalk."""
 import math
 import sys
@@ -122,6 +122,20 @@ def joints(roads):
             yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi))
 
 
+def not_of_junction(roads):
+    """Ends of connecting roads at roads that do not lead to their junction."""
+    for road in roads.values():
+        junction = road.element.get('junction')
+        if junction == '-1':
+            continue
+        for end in ('predecessor', 'successor'):
+            link = road.element.find('link/' + end)
+            other = roads[link.get('elementId')].element
+            back = other.find('link/' + ('successor' if link.get('contactPoint') == 'end' else 'predecessor'))
+            if other.get('junction') != '-1' or back is None or (back.get('elementType'), back.get('elementId')) != ('junction', junction):
+                yield road.element.get('id')
+
+
 def main():
     tree = ElementTree.parse(sys.argv[1])
     roads = {road.get('id'): Road(road) for road in tree.iter('road')}
@@ -142,7 +156,7 @@ def main():
     gaps = list(joints(roads))
     lanes = sum(is_lane(lane) for road in roads.values() if road.edge is not None for lane in road.lanes.values())
     print(lanes, len(gaps) // 2, len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
-          sum(metres > 0.01 or degrees > 0.1 for metres, degrees in gaps))
+          sum(metres > 0.01 or degrees > 0.1 for metres, degrees in gaps), sum(1 for _ in not_of_junction(roads)))
 
 
 main()

@@ -51,7 +51,8 @@ side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM %1
 sided AS (
     SELECT l.*, along_axis = right_hand AS on_right,
         lag(along_axis = right_hand) OVER (PARTITION BY edge_id ORDER BY lane_position) AS was_right
-    FROM %1$I.lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)),
+    FROM %1$I.lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)
+        AND lane_id NOT IN (SELECT lane_id FROM inner_lane)),
 road AS (
     SELECT edge_id, run, row_number() OVER (ORDER BY edge_id, run) AS road_id, min(lane_position) - 1 AS before,
         count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
@@ -66,9 +67,9 @@ road AS (
     GROUP BY edge_id, run),
 -- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
 met AS MATERIALIZED (
-    SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(way.geom))) AS cut
-    FROM way, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
-        JOIN %1$I.lane l USING (lane_id) WHERE ST_Length(way.geom) < 2 GROUP BY l.edge_id, at_end),
+    SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(w.geom))) AS cut
+    FROM junction_way w, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
+        JOIN %1$I.lane l USING (lane_id) WHERE ST_Length(w.geom) < 2 GROUP BY l.edge_id, at_end),
 stretch AS (
     SELECT e.edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
         coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
@@ -97,11 +98,11 @@ placed AS MATERIALIZED (
     FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
         v(at_end, places)),
 connecting AS MATERIALIZED (
-    SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id) AS road_id, way_id,
+    SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
         a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
         a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
         CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, d.*
-    FROM origin o, way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+    FROM origin o, junction_way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
         JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
         JOIN written_edge e ON e.edge_id = a.edge_id,
         LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w,
@@ -203,9 +204,9 @@ line AS (
         || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
         || '<center><lane id="0" type="none" level="false"/></center>'
         || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
-        || '</laneSection></lanes>' || coalesce(j.text, '') || '<userData code="interconnection" value="' || way_id
-        || '"/></road>'
-    FROM origin o, side, connecting c JOIN place USING (node_id) LEFT JOIN object_text j USING (road_id)
+        || '</laneSection></lanes>' || coalesce(j.text, '')
+        || '<userData code="interconnection" value="' || ways || '"/></road>'
+    FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN object_text j USING (road_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT s[cardinality(s)] + length[cardinality(s)] AS total,
             CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
@@ -220,7 +221,7 @@ line AS (
         || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
         || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
         ORDER BY road_id) || coalesce(min(c.text), '') || '</junction>'
-    FROM side, connecting JOIN place USING (node_id) LEFT JOIN junction_controller c USING (place_id)
+    FROM side, connecting JOIN joined_node USING (node_id) LEFT JOIN junction_controller c USING (place_id)
     GROUP BY place_id
     UNION ALL SELECT * FROM ring_line)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_lines() IS
@@ -246,7 +247,9 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_beside(model name) RETURNS text
     AS $$ SELECT streetgen._opendrive_heights(model) || streetgen._opendrive_sidewalks('sidewalk' = ANY (subjects))
         || streetgen._opendrive_objects('object' = ANY (subjects))
         || streetgen._opendrive_signals('signal' = ANY (subjects)) || $part$,
-crossroads AS MATERIALIZED (SELECT DISTINCT place_id, node_id FROM connecting JOIN place USING (node_id))$part$
+crossroads AS MATERIALIZED (
+    SELECT node_id, place_id FROM joined_node
+    WHERE place_id IN (SELECT place_id FROM connecting c JOIN joined_node n USING (node_id)))$part$
         || streetgen._opendrive_rings('roundabout' = ANY (subjects))
     FROM streetgen._subjects(model) subjects $$;
 COMMENT ON FUNCTION streetgen._opendrive_beside(name) IS
@@ -261,7 +264,8 @@ DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
 BEGIN
     RETURN QUERY EXECUTE streetgen._export_lines(model, known,
-        streetgen._opendrive_roads() || streetgen._opendrive_beside(model) || streetgen._opendrive_lines(),
+        streetgen._opendrive_junctions() || streetgen._opendrive_roads() || streetgen._opendrive_beside(model)
+            || streetgen._opendrive_lines(),
         '<OpenDRIVE>', '</OpenDRIVE>') USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
@@ -270,8 +274,9 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'polynomials, parking lanes too; those against the axis lie left of the centre lane where one drives on the right. '
     'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
     'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
-    'is a junction. Sidewalks are the outermost lanes, 0.15 m above the others. A signal stands at the end of each '
-    'lane that has one, lanes with the same green have one controller, and the program of the model is userData of the '
+    'is a junction, and nodes whose limits cross are one, without the edges between them. Sidewalks are the outermost '
+    'lanes, 0.15 m above the others. A signal stands at the end of each lane that has one, lanes with the same green '
+    'have one controller, and the program of the model is userData of the '
     'junction. Stop and yield lines without signals have signs (206 and 205 of country DE). Objects have their type, '
     'place and direction, crossings, bays and lines their outline. The junctions of an accepted roundabout are a '
     'junctionGroup. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '

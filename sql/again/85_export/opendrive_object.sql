@@ -40,11 +40,12 @@ standing AS MATERIALIZED (
     SELECT o.street_object_id, o.type, o.angle, o.geom, r.road_id, e.from_node, e.to_node,
         ST_X(place) AS x, ST_Y(place) AS y
     FROM %1$I.street_object o LEFT JOIN %1$I.object_edge g USING (street_object_id)
-        LEFT JOIN written_edge w ON w.edge_id = g.edge_id,
+        LEFT JOIN road_of_edge w ON w.edge_id = g.edge_id,
         LATERAL (SELECT CASE WHEN w.edge_id IS NOT NULL THEN w.edge_id
-            WHEN g.edge_id IS NULL OR $1 ->> 'junctions' = 'group' THEN (
+            WHEN g.edge_id IS NULL OR $1 ->> 'junctions' = 'group'
+                    OR g.edge_id IN (SELECT edge_id FROM written_edge) THEN (
                 SELECT e.edge_id FROM %1$I.edge e WHERE ST_DWithin(e.geom, o.geom, 50)
-                    AND e.edge_id IN (SELECT edge_id FROM written_edge)
+                    AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
                 ORDER BY e.geom <-> o.geom, e.edge_id LIMIT 1) END AS edge_id) n
         JOIN written_edge e ON e.edge_id = n.edge_id JOIN road_of_edge r ON r.edge_id = n.edge_id,
         LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom

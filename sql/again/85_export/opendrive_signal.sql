@@ -58,8 +58,8 @@ controller_line AS (
     GROUP BY controller),
 junction_controller AS MATERIALIZED (
     SELECT place_id, string_agg('<controller id="' || controller || '" type="0"/>', '' ORDER BY controller)
-        || '<userData code="program" value="' || min(p.text) || '"/>' AS text
-    FROM (SELECT DISTINCT place_id, controller, controller_id FROM numbered JOIN place USING (node_id)) n
+        || string_agg(DISTINCT '<userData code="program" value="' || p.text || '"/>', '') AS text
+    FROM (SELECT DISTINCT place_id, controller, controller_id FROM numbered JOIN joined_node USING (node_id)) n
         JOIN program p USING (controller_id)
     GROUP BY place_id)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_signals(boolean) IS
