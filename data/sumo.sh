@@ -4,8 +4,10 @@ install_sumo() { command -v netconvert >/dev/null || install_missing sumo python
 
 # write_sumo FILE MODEL: FILE.net.xml, and the plain files beside it where they shall be kept.
 write_sumo() {
-  local name=${1%.net.xml} model=$2 part ending side=() log=$build/netconvert.log told=warning
+  local name=${1%.net.xml} model=$2 part ending side=() log=$build/netconvert.log list compared told=warning
   install_sumo
+  # Each network has a list of its own, beside the log.
+  list=$build/$(basename "$name").differences
   while read -r part ending; do
     told=$told write_lines "$name.$ending.xml" "streetgen.export_sumo($(quoted "$model"), '$part', $(quoted "$export_options"))"
     told=error
@@ -18,11 +20,12 @@ write_sumo() {
     fail "netconvert made no network of $(basename "$1"): $(grep -m 1 '^Error' "$log" || tail -n 1 "$log"); $log says more"
   python3 -B "$root/data/sumo/finish.py" "$name" "$name.made.xml" >"$1"
   rm "$name.made.xml"
-  python3 -B "$root/data/sumo/hold.py" "$name" "$sumo_tolerance" >"$build/sumo_differences" || {
-    head -n 20 "$build/sumo_differences" >&2
-    fail "$(basename "$1") is not the model, but for --tolerance $sumo_tolerance: $(wc -l <"$build/sumo_differences") differences, listed in $build/sumo_differences"
+  compared=$(python3 -B "$root/data/sumo/hold.py" "$name" "$sumo_tolerance" 2>&1 >"$list") || {
+    head -n 20 "$list" >&2
+    say "$compared"
+    fail "$(basename "$1") is not the model, but for --tolerance $sumo_tolerance: $(wc -l <"$list") differences, listed in $list"
   }
-  ! grep -q '^crossing lost' "$build/sumo_differences" ||
-    say "$(basename "$1") lacks $(grep -c '^crossing lost' "$build/sumo_differences") crossings, where netconvert finds no sidewalk to come from: listed in $build/sumo_differences"
+  say "$(basename "$1"): $compared$([ ! -s "$list" ] || echo ", listed in $list")"
+  ! grep -q '^crossing lost' "$list" || say "where a crossing is lost netconvert finds no sidewalk to come from"
   [ -n "$keep_plain" ] || rm "$name".{nod,edg,con,typ,tll}.xml
 }

@@ -4,7 +4,7 @@
     hold.py NAME [TOLERANCE]
 
 reads NAME.edg.xml, NAME.con.xml and NAME.net.xml. Lanes, connections and pedestrian crossings that the network lost or invented, other widths,
-and lines that moved by more than 0.1 m are printed, a line each. Exit 1 where there are any, but for lines that moved by
+and lines that moved by more than 0.1 m are printed, a line each, with the names of SUMO and the middle of the line in the reference of the model. Exit 1 where there are any, but for lines that moved by
 no more than TOLERANCE metres (0.1), and for crossings that are lost: netconvert leaves out those where it finds no sidewalk to come from.
 """
 import math
@@ -57,6 +57,7 @@ class Network:
 
     def __init__(self):
         self.lanes, self.connections, self.crossings = {}, {}, {}
+        self.offset = 0, 0
 
     def add_crossing(self, edges, node, element):
         self.crossings[f"{' '.join(sorted(edges.split()))} at {node}"] = float(element.get("width")), line_of(element.get("shape"))
@@ -87,8 +88,10 @@ def ends_of(connection):
 def read_net(path):
     """Of the network; a path goes by internal lanes, several where vehicles wait between them."""
     net, inside, after, first = Network(), {}, {}, {}
-    for element in elements(path, {"edge", "connection"}):
-        if element.tag == "edge" and element.get("function") is None:
+    for element in elements(path, {"location", "edge", "connection"}):
+        if element.tag == "location":
+            net.offset = line_of(element.get("netOffset"))[0]
+        elif element.tag == "edge" and element.get("function") is None:
             net.add_edge(element)
         elif element.tag == "edge" and element.get("function") == "internal":
             for lane in element.iter("lane"):
@@ -111,32 +114,45 @@ def read_net(path):
 
 
 def differences(plain, net):
-    """Kind, what, and how far, of all that differs."""
+    """Kind, what, how far and the line, of all that differs."""
     for kind in "lane", "connection", "crossing":
         of_plain, of_net = getattr(plain, kind + "s"), getattr(net, kind + "s")
+        drawn = (lambda value: value) if kind == "connection" else (lambda value: value[1])
         for what in of_plain.keys() - of_net.keys():
-            yield f"{kind} lost", what, None
+            yield f"{kind} lost", what, None, drawn(of_plain[what])
         for what in of_net.keys() - of_plain.keys():
-            yield f"{kind} invented", what, None
+            yield f"{kind} invented", what, None, drawn(of_net[what])
         for name in of_plain.keys() & of_net.keys() if kind != "connection" else ():
             (width, line), (width_there, line_there) = of_plain[name], of_net[name]
             if abs(width - width_there) > WIDTH:
-                yield "width changed", name, None
-            yield f"{kind} moved", name, apart(line, line_there)
+                yield "width changed", name, None, line
+            yield f"{kind} moved", name, apart(line, line_there), line
     for ends in plain.connections.keys() & net.connections.keys():
         line, line_there = plain.connections[ends], net.connections[ends]
         if line and line_there:
-            yield "path moved", ends, apart(line, line_there)
+            yield "path moved", ends, apart(line, line_there), line
+
+
+def told(difference, offset):
+    """A line of text."""
+    kind, what, metres, line = difference
+    text = f"{kind} {what if isinstance(what, str) else ' -> '.join(what)}"
+    if metres is not None:
+        text += f" by {metres:.2f} m"
+    if line:
+        x, y = line[len(line) // 2]
+        text += f" at {x - offset[0]:.2f} {y - offset[1]:.2f}"
+    return text
 
 
 def main():
     name, tolerance = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else PLACE
     plain, net = read_plain(name), read_net(name + ".net.xml")
     found = [row for row in differences(plain, net) if row[2] is None or row[2] > PLACE]
-    for kind, what, metres in sorted(found, key=lambda row: (row[0], str(row[1]))):
-        print(kind, what if isinstance(what, str) else " -> ".join(what), "" if metres is None else f"by {metres:.2f} m")
+    for row in sorted(found, key=lambda row: (row[0], str(row[1]))):
+        print(told(row, net.offset))
     print(f"{len(plain.lanes)} lanes and {len(plain.connections)} connections, {len(plain.crossings)} crossings, {len(found)} not as in the model", file=sys.stderr)
-    sys.exit(any(kind != "crossing lost" and (metres is None or metres > tolerance) for kind, _, metres in found))
+    sys.exit(any(kind != "crossing lost" and (metres is None or metres > tolerance) for kind, _, metres, _ in found))
 
 
 if __name__ == "__main__":
