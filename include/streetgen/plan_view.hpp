@@ -1,9 +1,11 @@
-// Reference lines of roads as OpenDRIVE has them: chains of lines and arcs without a kink.
+// Reference lines of roads as OpenDRIVE has them: chains of lines, arcs and clothoids without a
+// kink.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "streetgen/alignment.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {
@@ -14,12 +16,15 @@ struct ChainPlace {
   double heading = 0;  // radians, counter-clockwise from east
 };
 
-// A line, or an arc where the curvature is not zero.
+// A line, an arc where the curvature is not zero, or a clothoid where it changes.
 struct PlanPiece {
   double s = 0;  // metres along the chain, where it begins
   ChainPlace start;
   double length = 0;     // metres, positive
-  double curvature = 0;  // one by metres, positive to the left
+  double curvature = 0;  // where it begins, one by metres, positive to the left
+  double curvature_end = 0;
+
+  bool straight() const { return curvature == 0 && curvature_end == 0; }
 };
 
 struct ChainEnds {
@@ -37,6 +42,13 @@ std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const Chain
 // where the ends of the path lie beside them.
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
                                  double tolerance);
+
+// The part of an alignment beside which a line lies: from the place nearest to its first point to
+// that nearest to its last one, turned round where the line goes against the alignment.  None where
+// a point lies more than `reach` metres beside the alignment or beyond it, where the line goes back
+// along it, and where the part has a gap or a kink.
+std::vector<PlanPiece> course_beside(const std::vector<AlignmentElement>& alignment,
+                                     const Line& line, double reach);
 
 double length(const std::vector<PlanPiece>& chain);
 

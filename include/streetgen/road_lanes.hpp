@@ -35,4 +35,7 @@ struct RoadLanes {
 // middle.  None is narrower than a millimetre.  An axis without length, or no lane: no station.
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance);
 
+// The same across a chain that is known.
+RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes);
+
 }  // namespace streetgen

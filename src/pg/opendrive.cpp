@@ -47,7 +47,7 @@ STREETGEN_FUNCTION(streetgen_decimal) {
 STREETGEN_FUNCTION(streetgen_opendrive_plan) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  constexpr int columns = 6;
+  constexpr int columns = 7;
   NumberArray given[columns];
   for (int i = 0; i < columns; ++i) given[i] = take_numbers(fcinfo, i);
   const double x0 = PG_GETARG_FLOAT8(columns), y0 = PG_GETARG_FLOAT8(columns + 1);
@@ -59,7 +59,7 @@ STREETGEN_FUNCTION(streetgen_opendrive_plan) {
       if (of[i].size() != of[0].size())
         throw Error(ErrorKind::invalid_input, "the columns of a chain are of different length");
     }
-    const auto& [s, x, y, heading, length, curvature] = of;
+    const auto& [s, x, y, heading, length, curvature, curvature_end] = of;
     text = "<planView>";
     for (std::size_t i = 0; i < s.size(); ++i) {
       append(text, "<geometry s=\"", s[i], 7);
@@ -67,7 +67,11 @@ STREETGEN_FUNCTION(streetgen_opendrive_plan) {
       append(text, "\" y=\"", y[i] - y0, digits);
       append(text, "\" hdg=\"", heading[i], 9);
       append(text, "\" length=\"", length[i], 7);
-      if (curvature[i] == 0) {
+      if (curvature[i] != curvature_end[i]) {
+        append(text, "\"><spiral curvStart=\"", curvature[i], 12);
+        append(text, "\" curvEnd=\"", curvature_end[i], 12);
+        text += "\"/></geometry>";
+      } else if (curvature[i] == 0) {
         text += "\"><line/></geometry>";
       } else {
         append(text, "\"><arc curvature=\"", curvature[i], 12);

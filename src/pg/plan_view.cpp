@@ -1,13 +1,15 @@
-// streetgen.plan_view and its twins for roads and paths: chains of lines and arcs.
+// streetgen.plan_view and its twins for roads and paths: chains of lines, arcs and clothoids.
 #include "streetgen/plan_view.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
 #include "streetgen/road_lanes.hpp"
+#include "value/alignment_numbers.hpp"
 #include "value/line_array.hpp"
 #include "value/number_array.hpp"
 #include "value/value_array.hpp"
@@ -21,15 +23,14 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-constexpr int chain_columns = 6;
+constexpr int chain_columns = 7;
+// A plan view has no clothoids.
+constexpr int plan_columns = 6;
 
 double number_of(const PlanPiece& piece, int column) {
-  const double numbers[chain_columns] = {piece.s,
-                                         piece.start.point.x,
-                                         piece.start.point.y,
-                                         piece.start.heading,
-                                         piece.length,
-                                         piece.curvature};
+  const double numbers[chain_columns] = {
+      piece.s,      piece.start.point.x, piece.start.point.y, piece.start.heading,
+      piece.length, piece.curvature,     piece.curvature_end};
   return numbers[column];
 }
 
@@ -73,7 +74,7 @@ std::vector<PlanPiece> read_chain(const NumberArray (&columns)[chain_columns]) {
   }
   std::vector<PlanPiece> chain;
   for (std::size_t k = 0; k < of[0].size(); ++k)
-    chain.push_back({of[0][k], {{of[1][k], of[2][k], 0}, of[3][k]}, of[4][k], of[5][k]});
+    chain.push_back({of[0][k], {{of[1][k], of[2][k], 0}, of[3][k]}, of[4][k], of[5][k], of[6][k]});
   return chain;
 }
 
@@ -95,9 +96,9 @@ STREETGEN_FUNCTION(streetgen_plan_view) {
   });
   report(outcome);
   for (const PlanPiece& piece : *slot->value) {
-    Datum values[chain_columns];
-    const bool nulls[chain_columns] = {false};
-    for (int i = 0; i < chain_columns; ++i) values[i] = Float8GetDatum(number_of(piece, i));
+    Datum values[plan_columns];
+    const bool nulls[plan_columns] = {false};
+    for (int i = 0; i < plan_columns; ++i) values[i] = Float8GetDatum(number_of(piece, i));
     tuplestore_putvalues(result_of(fcinfo)->setResult, result_of(fcinfo)->setDesc, values,
                          const_cast<bool*>(nulls));
   }
@@ -151,10 +152,12 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   using namespace streetgen;
   using namespace streetgen::pg;
   const std::string_view axis = take_bytes(fcinfo, 0);
-  const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(1), "lines");
-  const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(2), "surfaces");
-  const ValueArray widths = take_values(fcinfo, 3, FLOAT8OID, lines.count, "widths");
-  const double tolerance = PG_GETARG_FLOAT8(4);
+  const NumberArray alignment = take_numbers(fcinfo, 1);
+  const double reach = PG_GETARG_FLOAT8(2);
+  const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(3), "lines");
+  const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(4), "surfaces");
+  const ValueArray widths = take_values(fcinfo, 5, FLOAT8OID, lines.count, "widths");
+  const double tolerance = PG_GETARG_FLOAT8(6);
   InitMaterializedSRF(fcinfo, 0);
   Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -166,7 +169,10 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
                        read_line(bytes_of(lines.values[i]), "line " + number).line,
                        in_range(DatumGetFloat8(widths.values[i]), 0, 1e4, "width")});
     }
-    const RoadLanes road = road_lanes(read_line(axis, "axis").line, lanes, tolerance_of(tolerance));
+    const Line line = read_line(axis, "axis").line;
+    auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));
+    const RoadLanes road = course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
+                                          : road_lanes(std::move(course), lanes);
     Numbers& columns = *slot->value;
     columns = columns_of(road.chain);
     columns.push_back(road.stations);

@@ -10,12 +10,27 @@ import xml.etree.ElementTree as ElementTree
 def place(geometry, s):
     """x, y and heading, s metres behind where the piece begins."""
     x, y, heading = (float(geometry.get(name)) for name in ('x', 'y', 'hdg'))
-    arc = geometry.find('arc')
-    if arc is None:
+    first, last = curvatures(geometry)
+    if first != last:
+        # By Simpson's rule; the heading of a spiral is a quadratic of the length.
+        rate, parts = (last - first) / float(geometry.get('length')), 64
+        bent = [heading + (first + rate * s * i / parts / 2) * s * i / parts for i in range(parts + 1)]
+        weights = [1 if i in (0, parts) else 2 + 2 * (i % 2) for i in range(parts + 1)]
+        east, north = (sum(w * of(h) for w, h in zip(weights, bent)) * s / parts / 3 for of in (math.cos, math.sin))
+        return x + east, y + north, bent[-1]
+    if first == 0:
         return x + s * math.cos(heading), y + s * math.sin(heading), heading
-    curvature = float(arc.get('curvature'))
+    curvature = first
     end = heading + s * curvature
     return x + (math.sin(end) - math.sin(heading)) / curvature, y - (math.cos(end) - math.cos(heading)) / curvature, end
+
+
+def curvatures(geometry):
+    """Where a piece begins and where it ends."""
+    arc, spiral = geometry.find('arc'), geometry.find('spiral')
+    if spiral is not None:
+        return float(spiral.get('curvStart')), float(spiral.get('curvEnd'))
+    return (0.0, 0.0) if arc is None else (float(arc.get('curvature')),) * 2
 
 
 def value(polynomials, name, s):
@@ -41,8 +56,9 @@ class Road:
 
     def at(self, s):
         piece = [p for p in self.pieces if float(p.get('s')) <= s + 1e-9][-1]
-        arc = piece.find('arc')
-        return place(piece, s - float(piece.get('s'))), 0.0 if arc is None else float(arc.get('curvature'))
+        first, last = curvatures(piece)
+        on = s - float(piece.get('s'))
+        return place(piece, on), first + (last - first) * on / float(piece.get('length'))
 
     def borders(self, number, s):
         """Inner and outer border of a lane, metres to the left, each with its slope."""
@@ -75,7 +91,7 @@ class Road:
 
 def piece_stations(piece):
     s, length = float(piece.get('s')), float(piece.get('length'))
-    parts = 1 if piece.find('arc') is None else 8
+    parts = 1 if piece.find('line') is not None else 8
     return [s + length * i / parts for i in range(parts)]
 
 

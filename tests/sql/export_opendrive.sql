@@ -1,5 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
+\ir shared/made_terrain.sql
+\ir shared/made_design.sql
 -- Files of OpenDRIVE: a road for each edge and each movement, with every lane; and chains of lines and arcs.  (name, holds)
 SELECT 'a line is a line', (SELECT (count(*), min(length), min(curvature), min(heading)) = (1, 50, 0, 0) FROM streetgen.plan_view('LINESTRING(0 0,20 0,50 0)'));
 SELECT 'a kink becomes an arc', (SELECT array_agg(sign(curvature) ORDER BY s) = '{0,-1,0}' FROM streetgen.plan_view('LINESTRING(0 0,50 0,80 -40)', 0.1));
@@ -73,6 +75,21 @@ SELECT 'one within a junction, and one beyond all roads, too', pg_temp.found('//
 SELECT 'sidewalks are raised lanes', pg_temp.found('//lane[@type="sidewalk" and height[@inner="0.15"]]', file) = (SELECT count(DISTINCT (edge_id, side)) FROM busy.sidewalk WHERE side IN ('left', 'right') AND node_id IS NULL) FROM busy_file;
 SELECT 'the junctions of a ring are a group', pg_temp.found('//junctionGroup[@type="roundabout"]', file) = 1 AND pg_temp.found('//junctionReference', file) = 2 FROM busy_file;
 SELECT 'a part of it has what stands there', pg_temp.found('//object', f) = 1 AND pg_temp.found('//controller', f) = 0 FROM pg_temp.file('busy', '{"extent": [650000, 6859999, 650010, 6860001]}') f;
+-- A designed road has the elements of its alignment, also where a street was cut out of them, and a smoothed edge its arcs.
+SELECT test.make_design('designed') \g /dev/null
+SELECT FROM streetgen.design('designed', stages => '{paths,horizontal,vertical,structures,axes}'), streetgen.generate('designed') \g /dev/null
+CREATE TEMPORARY TABLE piece AS SELECT (xpath('name(/geometry/*)', g))[1]::text AS kind, n[1] AS x, n[2] AS y, n[3] AS length, coalesce((xpath('/geometry/spiral/@curvStart', g))[1]::text::float8, 0) AS curvature_start, coalesce((xpath('/geometry/spiral/@curvEnd', g))[1]::text::float8, 0) AS curvature_end,
+    ST_SetSRID(ST_Point(n[1] + (xpath('number(//offset/@x)', f))[1]::text::float8, n[2] + (xpath('number(//offset/@y)', f))[1]::text::float8), 2154) AS place
+  FROM pg_temp.file('designed') f, unnest(xpath('//road[@junction="-1"]//geometry', f)) g, LATERAL (SELECT ARRAY(SELECT (xpath('/geometry/@' || a, g))[1]::text::float8 FROM unnest(ARRAY['x', 'y', 'length']) WITH ORDINALITY u(a, k) ORDER BY k)) v(n);
+SELECT 'clothoids are spirals that change as those of the alignment', count(*) > 4 AND bool_and(EXISTS (SELECT FROM designed.alignment_element e WHERE e.kind = 'clothoid' AND abs(abs((e.curvature_end - e.curvature_start) / e.length) - abs((p.curvature_end - p.curvature_start) / p.length)) < 1e-8)) FROM piece p WHERE kind = 'spiral';
+SELECT 'one that no street cuts is there whole, where it begins or ends', count(*) > 4 FROM designed.alignment_element e WHERE kind = 'clothoid' AND EXISTS (SELECT FROM piece p WHERE kind = 'spiral' AND abs(p.length - e.length) < 1e-3 AND abs(p.curvature_start - e.curvature_start) < 1e-9 AND abs(p.curvature_end - e.curvature_end) < 1e-9 AND ST_DWithin(p.place, e.start, 1e-3));
+SELECT 'each piece begins on the alignment', bool_and((SELECT min(ST_Distance(p.place, ST_Force2D(streetgen._alignment_line(streetgen._link_elements('designed', design_link_id), '{}', 2154, 0, 'Infinity', 1e-4)::geometry))) < 1e-3 FROM designed.design_link)) FROM piece p;
+SELECT FROM streetgen.create_model('bent', 2154), streetgen.set('bent', 'smoothing', 'arcs') \g /dev/null
+INSERT INTO bent.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000,650180 6860060,650300 6860060)', 7);
+SELECT 'the arcs of a smoothed edge are those of its curve', count(*) = 2 AND (SELECT array_agg(round((1 / radius)::numeric, 6) ORDER BY r.start_abscissa) FROM bent.edge, streetgen._arc_road_stretches(curve) r WHERE radius IS NOT NULL) = array_agg(round(abs(c::text::float8)::numeric, 6))
+  FROM pg_temp.file('bent') f, unnest(xpath('//arc/@curvature', f)) c;
+UPDATE bent.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650000 6860000.5,650300 6860060)';
+SELECT 'an edge whose curve keeps a kink is a chain without one', pg_temp.found('//road[@junction="-1"]', f) = 1 FROM pg_temp.file('bent') f;
 -- Heights of axes, and of profiles.
 SELECT FROM streetgen.create_model('hill', 2154, dimension => 3, driving_side => 'right') \g /dev/null
 INSERT INTO hill.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING Z (650000 6860000 10,650100 6860000 20)', 7), (2, 'SRID=2154;LINESTRING Z (650100 6860000 20,650200 6860000 20)', 5), (3, 'SRID=2154;LINESTRING Z (650100 6860000 20,650100 6860100 40)', 5);

@@ -1,4 +1,4 @@
--- Chains of lines and arcs along a line: what OpenDRIVE calls a plan view.
+-- Chains of lines, arcs and clothoids along a line: what OpenDRIVE calls a plan view.
 
 CREATE OR REPLACE FUNCTION streetgen._plan_view(line bytea, tolerance float8)
     RETURNS TABLE(s float8, x float8, y float8, heading float8, length float8, curvature float8)
@@ -22,30 +22,32 @@ COMMENT ON FUNCTION streetgen.plan_view(geometry, float8) IS
     'section 8.';
 
 CREATE OR REPLACE FUNCTION streetgen._path_view(path bytea, place_from float8[], place_to float8[], tolerance float8)
-    RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[])
+    RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
+        curvature_end float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_path_view';
 COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8) IS
     'The plan view of a path (EWKB) in one row of arrays, from one place to another: x, y and heading. It begins and '
     'ends there, also where the ends of the path lie beside them.';
 
-CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, lines bytea[], surfaces bytea[], widths float8[],
-    tolerance float8)
+CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, alignment float8[], reach float8, lines bytea[],
+    surfaces bytea[], widths float8[], tolerance float8)
     RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
-        station float8[], border float8[], starts float8[], ends float8[])
+        curvature_end float8[], station float8[], border float8[], starts float8[], ends float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_road_lanes';
-COMMENT ON FUNCTION streetgen._road_lanes(bytea, bytea[], bytea[], float8[], float8) IS
-    'The plan view of an axis (EWKB) in one row of arrays, and the lanes across it, given from the left by line, '
-    'surface (MULTIPOLYGON, empty: so wide about the line) and width (0: it lies on its surface alone). '
-    'station: metres along the chain. border: metres to the left of the chain, by border from the left, then by '
-    'station, and straight between stations. starts and ends: x, y, heading and width of each lane at the first and '
-    'the last station.';
+COMMENT ON FUNCTION streetgen._road_lanes(bytea, float8[], float8, bytea[], bytea[], float8[], float8) IS
+    'The plan view of an axis (EWKB) in one row of arrays, and the lanes across it. It is the part of the alignment '
+    '(seven numbers for each element) beside the axis, where all of the axis lies within reach of that; else a chain '
+    'of lines and arcs within tolerance of the axis. Lanes are given from the left by line, surface (MULTIPOLYGON, '
+    'empty: so wide about the line) and width (0: it lies on its surface alone). station: metres along the chain. '
+    'border: metres to the left of the chain, by border from the left, then by station, and straight between '
+    'stations. starts and ends: x, y, heading and width of each lane at the first and the last station.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_station(s float8[], x float8[], y float8[], heading float8[],
-    length float8[], curvature float8[], place_x float8, place_y float8)
+    length float8[], curvature float8[], curvature_end float8[], place_x float8, place_y float8)
     RETURNS TABLE(station float8, aside float8, direction float8, beyond float8)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_chain_station';
-COMMENT ON FUNCTION streetgen._chain_station(float8[], float8[], float8[], float8[], float8[], float8[], float8,
-    float8) IS
+COMMENT ON FUNCTION streetgen._chain_station(float8[], float8[], float8[], float8[], float8[], float8[], float8[],
+    float8, float8) IS
     'Where a place lies beside a plan view of arrays: station (metres along it, of the nearest place), aside (metres '
     'to its left), direction (its heading there, radians) and beyond (metres straight on behind its end, negative '
     'before it begins, else 0). Arrays of different length, or empty: 22023.';

@@ -15,10 +15,10 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_open(element xml) RETURNS text
 COMMENT ON FUNCTION streetgen._opendrive_open(xml) IS 'The opening tag of an empty element.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_plan(s float8[], x float8[], y float8[], heading float8[],
-    length float8[], curvature float8[], x0 float8, y0 float8, digits integer) RETURNS text
+    length float8[], curvature float8[], curvature_end float8[], x0 float8, y0 float8, digits integer) RETURNS text
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50 AS 'MODULE_PATHNAME', 'streetgen_opendrive_plan';
-COMMENT ON FUNCTION streetgen._opendrive_plan(float8[], float8[], float8[], float8[], float8[], float8[], float8,
-    float8, integer) IS 'The element planView of a chain, from an origin x0, y0.';
+COMMENT ON FUNCTION streetgen._opendrive_plan(float8[], float8[], float8[], float8[], float8[], float8[], float8[],
+    float8, float8, integer) IS 'The element planView of a chain, from an origin x0, y0.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_change(element text, place text, station float8[], value float8[])
     RETURNS text
@@ -82,14 +82,14 @@ stretch AS (
 drawn AS MATERIALIZED (
     SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
         d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
-    FROM origin o, road r JOIN stretch t USING (edge_id),
+    FROM origin o, road r JOIN stretch t USING (edge_id) LEFT JOIN course c USING (edge_id),
         -- Crossed limits may lie at one place.
         LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
             least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
         LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
             (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
-        LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea, r.lines,
-            r.surfaces, r.widths, o.tolerance) d),
+        LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea,
+            coalesce(c.alignment, '{}'), coalesce(c.reach, 0), r.lines, r.surfaces, r.widths, o.tolerance) d),
 placed AS MATERIALIZED (
     SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
         CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
@@ -175,7 +175,8 @@ line AS (
             || coalesce('<successor elementType="junction" elementId="' || t.place_id || '"/>', '') || '</link>' END
         || '<type s="0" type="unknown"><speed max="' || streetgen._decimal(e.speed, 1)
         || '" unit="km/h"/></type>'
-        || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, o.x, o.y, digits)
+        || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x,
+            o.y, digits)
         || CASE WHEN h.station IS NULL THEN '' ELSE '<elevationProfile>' || streetgen._opendrive_change('elevation',
             's', h.station, h.heights) || '</elevationProfile>' END
         || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', d.station,
@@ -196,7 +197,8 @@ line AS (
         || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
         || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
         || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
-        || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, o.x, o.y, digits)
+        || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, curvature_end, o.x,
+            o.y, digits)
         || coalesce('<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
             a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
             b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>', '')
@@ -264,25 +266,26 @@ DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
 BEGIN
     RETURN QUERY EXECUTE streetgen._export_lines(model, known,
-        streetgen._opendrive_junctions() || streetgen._opendrive_roads() || streetgen._opendrive_beside(model)
+        streetgen._opendrive_junctions() || streetgen._opendrive_courses(model) || streetgen._opendrive_roads() || streetgen._opendrive_beside(model)
             || streetgen._opendrive_lines(),
         '<OpenDRIVE>', '</OpenDRIVE>') USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'A file of ASAM OpenDRIVE 1.7 (or 1.6), line by line. An edge is a road, its reference line a chain of lines and '
-    'arcs (streetgen.plan_view) along the axis between its section limits. Its lanes have the borders of the model as '
-    'polynomials, parking lanes too; those against the axis lie left of the centre lane where one drives on the right. '
-    'A lane that lies among those of the other direction is a road of its own. An interconnection that connects is a '
-    'connecting road with one lane, which begins and ends where the lanes do, in their direction. A node with such '
-    'is a junction, and nodes whose limits cross are one, without the edges between them. Sidewalks are the outermost '
-    'lanes, 0.15 m above the others. A signal stands at the end of each lane that has one, lanes with the same green '
-    'have one controller, and the program of the model is userData of the '
-    'junction. Stop and yield lines without signals have signs (206 and 205 of country DE). Objects have their type, '
-    'place and direction, crossings, bays and lines their outline. The junctions of an accepted roundabout are a '
-    'junctionGroup. All ids are integers, and userData names the edge and the interconnection. Lines between lanes are '
-    'road marks. Heights are those of profiles where the model computes them, else of axes that have any. '
-    'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes '
-    'that meet at one place are cut back by 0.05 m for the road that connects them. options as '
-    'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
-    'the model: 42501; a model without interconnections, or junctions that are asked for: 55000. What is stale is '
-    'written as it was, with a warning.';
+    'arcs (streetgen.plan_view) along the axis between its section limits. That of a designed road has the elements '
+    'of its alignment, clothoids as spirals, and that of a smoothed edge the arcs of the edge. Its lanes have the '
+    'borders of the model as polynomials, parking lanes too; those against the axis lie left of the centre lane '
+    'where one drives on the right. A lane that lies among those of the other direction is a road of its own. An '
+    'interconnection that connects is a connecting road with one lane, which begins and ends where the lanes do, in '
+    'their direction. A node with such is a junction, and nodes whose limits cross are one, without the edges '
+    'between them. Sidewalks are the outermost lanes, 0.15 m above the others. A signal stands at the end of each '
+    'lane that has one, lanes with the same green have one controller, and the program of the model is userData of '
+    'the junction. Stop and yield lines without signals have signs (206 and 205 of country DE). Objects have their '
+    'type, place and direction, crossings, bays and lines their outline. The junctions of an accepted roundabout are '
+    'a junctionGroup. All ids are integers, and userData names the edge and the interconnection. Lines between lanes '
+    'are road marks. Heights are those of profiles where the model computes them, else of axes that have any. '
+    'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes that meet '
+    'at one place are cut back by 0.05 m for the road that connects them. options as streetgen.export_option() lists '
+    'them: an unknown one, or no edge that they take: 22023. A caller who may not read the model: 42501; a model '
+    'without interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a '
+    'warning.';

@@ -52,7 +52,7 @@ standing AS MATERIALIZED (
             ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
 own_station AS MATERIALIZED (
     SELECT s.*, p.* FROM standing s JOIN drawn d USING (road_id), streetgen._chain_station(d.s, d.x, d.y, d.heading,
-        d.length, d.curvature, s.x, s.y) p),
+        d.length, d.curvature, d.curvature_end, s.x, s.y) p),
 -- Beyond the end of its road it stands at a road across the node, where that is nearer.
 stationed AS MATERIALIZED (
     SELECT o.street_object_id, o.type, o.angle, o.geom, o.x, o.y, coalesce(c.road_id, o.road_id) AS road_id,
@@ -60,7 +60,7 @@ stationed AS MATERIALIZED (
         coalesce(c.direction, o.direction) AS direction, coalesce(c.beyond, o.beyond) AS beyond
     FROM own_station o LEFT JOIN LATERAL (
         SELECT c.road_id, p.* FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
-            c.curvature, o.x, o.y) p
+            c.curvature, c.curvature_end, o.x, o.y) p
         WHERE abs(o.beyond) > 0.01 AND c.node_id IN (o.from_node, o.to_node) AND abs(p.beyond) <= 0.01
             AND abs(p.aside) <= sqrt(o.aside ^ 2 + o.beyond ^ 2)
         ORDER BY abs(p.aside), c.road_id LIMIT 1) c ON true),

@@ -27,7 +27,8 @@ sign AS MATERIALIZED (
         CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
     FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
         JOIN written_edge e USING (edge_id) JOIN drawn d ON d.road_id = p.road_id,
-        streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, ST_X(g.geom), ST_Y(g.geom)) s
+        streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(g.geom),
+            ST_Y(g.geom)) s
     UNION ALL
     SELECT d.road_id, s.station, CASE WHEN m.along_axis = right_hand THEN
                 border[cardinality(border) - CASE WHEN m.along_axis THEN 0 ELSE stations - 1 END] - 0.5
@@ -41,7 +42,8 @@ sign AS MATERIALIZED (
             WHERE (g.lane_id, g.along_axis) = (l.lane_id, m.along_axis))
         GROUP BY p.road_id, m.along_axis, m.kind) m JOIN drawn d USING (road_id) CROSS JOIN side,
         LATERAL (SELECT cardinality(station) AS stations, ST_LineInterpolatePoint(m.geom, 0.5) AS place) c,
-        streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, ST_X(place), ST_Y(place)) s),
+        streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(place),
+            ST_Y(place)) s),
 numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
 signal_text AS MATERIALIZED (
     SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._decimal(station, 4) || '" t="'

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
+#include "alignment/chain_element.hpp"
 #include "alignment/road_piece.hpp"
 #include "geometry/polyline.hpp"
 #include "streetgen/error.hpp"
@@ -22,6 +24,30 @@ RoadPiece road_piece_of(const PlanPiece& piece) {
   return road;
 }
 
+// Metres along a clothoid to its place that is nearest.
+double nearest_on_clothoid(const PlanPiece& piece, const Point& p) {
+  constexpr int looks = 16, halvings = 60;
+  const AlignmentElement element = element_of(piece);
+  const auto ahead = [&](double at) {
+    const AlignmentPlace place = element_place(element, at);
+    const Point way{std::cos(place.heading), std::sin(place.heading), 0};
+    return dot(p - planar(place.point), way);
+  };
+  const auto off = [&](double at) { return distance(planar(element_place(element, at).point), p); };
+  double nearest = 0, least = off(0);
+  for (int i = 1; i <= looks; ++i)
+    if (const double at = piece.length * i / looks; off(at) < least) least = off(at), nearest = at;
+  double from = std::max(0.0, nearest - piece.length / looks);
+  double to = std::min(piece.length, nearest + piece.length / looks);
+  if (ahead(from) <= 0) return from;
+  if (ahead(to) >= 0) return to;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (from + to) / 2;
+    (ahead(middle) > 0 ? from : to) = middle;
+  }
+  return from;
+}
+
 }  // namespace
 
 ChainStation station_of(const std::vector<PlanPiece>& chain, const Point& point) {
@@ -30,12 +56,16 @@ ChainStation station_of(const std::vector<PlanPiece>& chain, const Point& point)
   double least = std::numeric_limits<double>::infinity();
   ChainStation found;
   for (const PlanPiece& piece : chain) {
-    const RoadPiece road = road_piece_of(piece);
-    const double at = road.nearest(place);
-    const Point off = place - road.point(at);
+    // No place of the piece is as near.
+    if (distance(piece.start.point, place) - piece.length >= least) continue;
+    const bool clothoid = piece.curvature != piece.curvature_end;
+    const double at =
+        clothoid ? nearest_on_clothoid(piece, place) : road_piece_of(piece).nearest(place);
+    const AlignmentPlace there = element_place(element_of(piece), at);
+    const Point off = place - planar(there.point);
     if (norm(off) >= least) continue;
     least = norm(off);
-    const double heading = piece.start.heading + at * piece.curvature;
+    const double heading = there.heading;
     const Point on{std::cos(heading), std::sin(heading), 0};
     found = {piece.s + at, dot(off, left_normal(on)), heading, dot(off, on)};
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "alignment/chain_element.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
@@ -55,8 +56,8 @@ Line simplified(const Line& line, double tolerance) {
   return out;
 }
 
-// A point behind the first one, so that the line sets out as the heading says; also where it does by
-// itself, since the point behind may yet be moved.
+// A point behind the first one, so that the line sets out as the heading says; also where it does
+// by itself, since the point behind may yet be moved.
 void set_out(Line& line, double heading, double tolerance) {
   const Point side = line[1] - line[0], way = along(heading);
   const double turn = std::abs(turn_between(way, side));
@@ -115,7 +116,7 @@ class Chain {
   }
 
   void add(const Point& from, double heading, double length, double curvature) {
-    pieces_.push_back({s_, {from, heading}, length, curvature});
+    pieces_.push_back({s_, {from, heading}, length, curvature, curvature});
     s_ += length;
   }
 
@@ -163,6 +164,10 @@ ChainPlace place_at(const std::vector<PlanPiece>& chain, double s) {
   const PlanPiece& piece = *(after - 1);
   const double on = std::clamp(s - piece.s, 0.0, piece.length), turn = on * piece.curvature;
   const double heading = piece.start.heading;
+  if (piece.curvature != piece.curvature_end) {
+    const AlignmentPlace place = element_place(element_of(piece), on);
+    return {place.point, place.heading};
+  }
   // The chord of an arc lies in the middle of both headings.
   const double chord = turn == 0 ? on : 2 * std::sin(turn / 2) / piece.curvature;
   return {piece.start.point + along(heading + turn / 2) * chord, heading + turn};

@@ -14,9 +14,9 @@ namespace streetgen {
 
 namespace {
 
-constexpr double step = 2;            // metres between two looks across the road
-constexpr double inside = 1e-3;       // metres from the ends, where borders of surfaces lie
-constexpr double least_width = 1e-3;  // metres
+constexpr double step = 2;                // metres between two looks across the road
+constexpr double inside = 1e-3;           // metres from the ends, where borders of surfaces lie
+constexpr double least_width = 1e-3;      // metres
 constexpr double straight_border = 0.01;  // metres by which borders may leave what is written
 
 // What a lane grows by from one look to the next, at most: a share and metres.
@@ -60,8 +60,8 @@ std::optional<Span> span_of(const LaneGround& lane, const ChainPlace& place, dou
 std::vector<double> looks(const std::vector<PlanPiece>& chain) {
   std::vector<double> out;
   for (const PlanPiece& piece : chain) {
-    const int parts = std::max(piece.curvature == 0 ? 1 : 2,
-                               static_cast<int>(std::ceil(piece.length / step)));
+    const int parts =
+        std::max(piece.straight() ? 1 : 2, static_cast<int>(std::ceil(piece.length / step)));
     for (int i = 0; i < parts; ++i) out.push_back(piece.s + piece.length * i / parts);
   }
   out.push_back(length(chain));
@@ -96,8 +96,8 @@ void fill(const LaneGround& lane, const ChainPlace& start,
           std::vector<std::optional<Span>>& spans) {
   const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
   const double middle = dot(lane.line.front() - start.point, left);
-  const auto first = std::find_if(spans.begin(), spans.end(),
-                                  [](const auto& span) { return span.has_value(); });
+  const auto first =
+      std::find_if(spans.begin(), spans.end(), [](const auto& span) { return span.has_value(); });
   Span last =
       first == spans.end() ? Span{middle + lane.width / 2, middle - lane.width / 2} : **first;
   for (auto& span : spans) span = last = span.value_or(last);
@@ -168,7 +168,8 @@ LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
   const std::size_t at = at_start ? 0 : last, a = at_start ? 0 : last - 1, b = a + 1;
   const auto middle = [&](std::size_t i) { return (left[i] + right[i]) / 2; };
   const double slope = (middle(b) - middle(a)) / (road.stations[b] - road.stations[a]);
-  const double curvature = (at_start ? road.chain.front() : road.chain.back()).curvature;
+  const double curvature =
+      at_start ? road.chain.front().curvature : road.chain.back().curvature_end;
   const ChainPlace place = place_at(road.chain, road.stations[at]);
   const double off = middle(at), heading = place.heading;
   return {{place.point + Point{-std::sin(heading), std::cos(heading), 0} * off,
@@ -179,12 +180,15 @@ LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
 }  // namespace
 
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance) {
+  return road_lanes(plan_view(axis, tolerance), lanes);
+}
+
+RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes) {
   RoadLanes road;
-  road.chain = plan_view(axis, tolerance);
+  road.chain = std::move(chain);
   if (road.chain.empty() || lanes.empty()) return road;
   const std::vector<double> stations = looks(road.chain);
-  std::vector<std::vector<double>> borders(lanes.size() + 1,
-                                           std::vector<double>(stations.size()));
+  std::vector<std::vector<double>> borders(lanes.size() + 1, std::vector<double>(stations.size()));
   const auto spans = spans_of(lanes, road.chain, stations);
   for (std::size_t p = 0; p < lanes.size(); ++p)
     for (std::size_t i = 0; i < stations.size(); ++i) {

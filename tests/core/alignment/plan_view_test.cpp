@@ -114,6 +114,65 @@ TEST(PlanView, OfNothingIsNothing) {
   EXPECT_THROW(place_at({}, 0), Error);
 }
 
+// A road of two bends with clothoids.
+std::vector<AlignmentElement> two_bends() {
+  return horizontal_alignment({{0, 0}, {400, 0}, {700, 300}, {1100, 300}},
+                              {{}, {130, 70, 70}, {200, 90, 60}, {}});
+}
+
+TEST(CourseBeside, HasTheElementsBetweenTheEndsOfALine) {
+  const std::vector<AlignmentElement> elements = two_bends();
+  std::mt19937 random(24);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 100; ++i) {
+    const double from = share(random) * alignment_length(elements);
+    const double to = share(random) * alignment_length(elements);
+    if (std::abs(from - to) < 1) continue;
+    Line line;
+    for (int k = 0; k <= 50; ++k)
+      line.push_back(alignment_place(elements, from + (to - from) * k / 50).point);
+    const std::vector<PlanPiece> course = course_beside(elements, line, 0.01);
+    ASSERT_FALSE(course.empty());
+    expect_smooth(course);
+    ASSERT_NEAR(length(course), std::abs(from - to), 1e-3);
+    for (int k = 0; k <= 50; ++k) {
+      const AlignmentPlace place = alignment_place(elements, from + (to - from) * k / 50);
+      const ChainPlace found = place_at(course, length(course) * k / 50);
+      ASSERT_LT(distance(planar(place.point), found.point), 1e-3);
+      ASSERT_LT(turn_between(place.heading + (from < to ? 0 : M_PI), found.heading), 1e-4);
+    }
+  }
+}
+
+TEST(CourseBeside, IsNoneOfALineThatGoesElsewhere) {
+  const std::vector<AlignmentElement> elements = two_bends();
+  EXPECT_FALSE(course_beside(elements, {{10, 9}, {200, 9}}, 9.1).empty());
+  EXPECT_TRUE(course_beside(elements, {{10, 9}, {200, 9}}, 8.9).empty());
+  EXPECT_TRUE(course_beside(elements, {{-10, 0}, {200, 0}}, 9).empty());
+  EXPECT_TRUE(course_beside(elements, {{10, 0}, {200, 0}, {100, 0}, {300, 0}}, 9).empty());
+  EXPECT_TRUE(course_beside({}, {{10, 0}, {200, 0}}, 9).empty());
+  // A vertex without a curve is a kink.
+  const auto sharp = horizontal_alignment({{0, 0}, {50, 0}, {50, 50}}, {{}, {}, {}});
+  EXPECT_TRUE(course_beside(sharp, {{0, 0}, {50, 0}, {50, 50}}, 1).empty());
+  EXPECT_EQ(course_beside(sharp, {{0, 0}, {40, 0}}, 1).size(), 1u);
+}
+
+TEST(ChainStation, IsWhereAPointLiesBesideAClothoid) {
+  const std::vector<AlignmentElement> elements = two_bends();
+  const std::vector<PlanPiece> chain = course_beside(
+      elements, {elements.front().start, alignment_place(elements, 1e9).point}, 1e3);
+  ASSERT_FALSE(chain.empty());
+  for (double s = 1; s < length(chain) - 1; s += 3.7) {
+    const ChainPlace place = place_at(chain, s);
+    const double aside = s < 500 ? 7 : -7;
+    const ChainStation found = station_of(
+        chain, place.point + Point{-std::sin(place.heading), std::cos(place.heading), 0} * aside);
+    ASSERT_NEAR(found.s, s, 1e-6);
+    ASSERT_NEAR(found.aside, aside, 1e-6);
+    ASSERT_LT(turn_between(found.heading, place.heading), 1e-9);
+  }
+}
+
 // Out to the left and back again.
 TEST(ChainStation, IsWhereThePointWasPut) {
   std::mt19937 random(23);
