@@ -159,6 +159,9 @@ struct Section {
   MultiPolygon surface;  // empty when the limits crossed
   Method method = Method::hypothesis;
   double contested_area = 0;  // square metres left to other surfaces
+  // From node to node, changes of width between limits included; corners are left out. None where
+  // the roadway is as wide as the axis says.
+  WidthProfile borders{};
 };
 
 struct Intersection {
@@ -196,6 +199,7 @@ struct FormerEdge {
   Line line;
   FormerLimit start, end;
   FormerSurface section;
+  bool has_borders = false;  // the section had borders
 };
 struct FormerNode {
   Point point;

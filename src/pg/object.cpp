@@ -7,11 +7,14 @@
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
+#include "streetgen/width_profile.hpp"
+#include "value/number_array.hpp"
 #include "value/wkb.hpp"
 
 extern "C" {
 #include <catalog/pg_type.h>
 #include <utils/array.h>
+#include <utils/builtins.h>
 }
 
 using namespace streetgen;
@@ -39,6 +42,24 @@ STREETGEN_FUNCTION(streetgen_direction_on) {
   });
   report(outcome);
   PG_RETURN_FLOAT8(degrees);
+}
+
+STREETGEN_FUNCTION(streetgen_border_at) {
+  const NumberArray borders = take_numbers(fcinfo, 0);
+  const double abscissa = PG_GETARG_FLOAT8(1);
+  const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
+  double away = 0;
+  const Outcome outcome = compute([&] {
+    WidthProfile profile;
+    const std::vector<double> values = read_numbers(borders, 3, "borders");
+    for (std::size_t i = 0; i < values.size(); i += 3)
+      profile.places.push_back({values[i], values[i + 1], values[i + 2]});
+    if (profile.empty()) throw Error(ErrorKind::invalid_input, "borders has no place");
+    away = profile.at(finite(abscissa, "abscissa")).on(
+        word_of<int>(side, "side", {{"left", +1}, {"right", -1}}));
+  });
+  report(outcome);
+  PG_RETURN_FLOAT8(away);
 }
 
 STREETGEN_FUNCTION(streetgen_locate_on) {

@@ -16,17 +16,33 @@ CREATE OR REPLACE FUNCTION streetgen._locate_on(bytea, bytea) RETURNS float8[]
 COMMENT ON FUNCTION streetgen._locate_on(bytea, bytea) IS
     'Abscissa of an axis (EWKB) nearest to a place (EWKB), and how many metres to the left of it the place lies';
 
-CREATE OR REPLACE FUNCTION streetgen._border_offset(width float8, axis_offset float8, side text,
-    roadway_offset float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._border_at(borders float8[], abscissa float8, side text) RETURNS float8
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_border_at';
+COMMENT ON FUNCTION streetgen._border_at(float8[], float8, text) IS
+    'Metres from an axis to the border of its roadway on a side, at an abscissa, by column borders of its sections.';
+
+CREATE OR REPLACE FUNCTION streetgen._to_border(width float8, width_end float8, length float8, roadway_offset float8,
+    borders float8[], abscissa float8, side text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- Bound when made, and thus inlined.
     BEGIN ATOMIC
-        SELECT CASE side WHEN 'left' THEN roadway_offset + width / 2 + axis_offset
-            WHEN 'right' THEN roadway_offset - width / 2 - axis_offset ELSE axis_offset END;
+        SELECT CASE WHEN borders IS NOT NULL THEN streetgen._border_at(borders, abscissa, side)
+            ELSE (width + (width_end - width) * abscissa / length) / 2
+                + CASE side WHEN 'left' THEN roadway_offset ELSE -roadway_offset END END;
     END;
-COMMENT ON FUNCTION streetgen._border_offset(float8, float8, text, float8) IS
-    'Metres to the left of an axis: of a distance from its left or right border, away from the roadway; side NULL: '
-    'the offset itself.';
+COMMENT ON FUNCTION streetgen._to_border(float8, float8, float8, float8, float8[], float8, text) IS
+    'Metres from an axis of a length (m) to the border of its roadway on a side: by column borders of its sections, '
+    'else by its width, which changes linearly, and the middle of the roadway, roadway_offset (m) to its left.';
+
+CREATE OR REPLACE FUNCTION streetgen._border_offset(to_border float8, axis_offset float8, side text) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+        SELECT CASE WHEN side IS NULL THEN axis_offset
+            ELSE (to_border + axis_offset) * CASE side WHEN 'left' THEN 1 ELSE -1 END END;
+    END;
+COMMENT ON FUNCTION streetgen._border_offset(float8, float8, text) IS
+    'Metres to the left of an axis: of a distance from its left or right border, away from the roadway, which lies so '
+    'many metres from the axis; side NULL: the offset itself.';
 
 CREATE OR REPLACE FUNCTION streetgen.place_on(axis geometry, width float8, abscissa float8, axis_offset float8,
     side text DEFAULT NULL, roadway_offset float8 DEFAULT 0) RETURNS geometry
@@ -47,7 +63,8 @@ BEGIN
             HINT = 'The axis is no longer.';
     END IF;
     RETURN streetgen._place_on(axis::bytea, abscissa,
-        streetgen._border_offset(width, axis_offset, side, roadway_offset))::geometry;
+        streetgen._border_offset(streetgen._to_border(width, width, 1, roadway_offset, NULL, abscissa, side),
+            axis_offset, side))::geometry;
 END $$;
 COMMENT ON FUNCTION streetgen.place_on(geometry, float8, float8, float8, text, float8) IS
     'The place (POINT) beside an axis (LINESTRING, metres) at an abscissa, metres along it. side NULL: axis_offset '

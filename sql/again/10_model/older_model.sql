@@ -117,3 +117,13 @@ END $$;
 COMMENT ON FUNCTION streetgen._add_roundabout_faces(name) IS
     'Adds the column that says which face of its ring an edge bounds, where a model was made before double '
     'roundabouts.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_section_borders(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('ALTER TABLE %I.section ADD IF NOT EXISTS borders float8[]', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_section_borders(name) IS
+    'Adds the column that says where the borders of the roadway run, where a model was made before it; the next run '
+    'fills it.';

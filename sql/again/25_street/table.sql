@@ -92,7 +92,7 @@ BEGIN
         $t$CREATE TABLE %1$I.section (
             edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE, level integer NOT NULL,
             surface geometry(MultiPolygon, %3$s) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)),
-                method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0))$t$,
+                method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0), borders float8[])$t$,
         $t$CREATE INDEX section_surface ON %1$I.section USING gist (surface)$t$,
         $t$COMMENT ON TABLE %1$I.section
             IS 'Roadway of the constant part of an edge; empty where its limits crossed; contested_area (m2) went to '

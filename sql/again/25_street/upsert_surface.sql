@@ -7,8 +7,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surface(places jsonb) RETURNS text
         columns => 'edge_id, which, wanted_abscissa, abscissa, geom, border_line, method', rows => $part$
         SELECT number, edge_id, which, wanted_abscissa, abscissa, {geom_with_height} AS geom, border_line, method
         FROM streetgen._computed_section_limit((SELECT streets FROM computed), (SELECT ids FROM edge_ids)) c$part$),
-    streetgen._upsert_rows(places, 'section', columns => 'level, surface, method, contested_area', rows => $part$
-        SELECT number, edge_id, level, surface, method, contested_area
+    streetgen._upsert_rows(places, 'section', columns => 'level, surface, method, contested_area, borders',
+        rows => $part$
+        SELECT number, edge_id, level, surface, method, contested_area, borders
         FROM streetgen._computed_section((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$),
     streetgen._upsert_rows(places, 'corner',
         columns => 'node_id, edge_a, end_a, edge_b, end_b, centre, radius_wanted, radius, arc, method', rows => $part$

@@ -81,14 +81,13 @@ CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
     LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
     WITH new AS (
-        SELECT b.street_object_id, streetgen._bay_ground(a.line, streetgen._border_offset(
-            a.width + (a.width_end - a.width) * o.abscissa / ST_Length2D(a.line), o.axis_offset, o.side,
-                a.roadway_offset),
+        SELECT b.street_object_id, streetgen._bay_ground(a.line, streetgen._border_offset(streetgen._to_border(a.width,
+                a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders, o.abscissa, o.side), o.axis_offset,
+                o.side),
             coalesce(o.side, CASE WHEN o.axis_offset > a.roadway_offset THEN 'left' ELSE 'right' END), o.abscissa,
             b.length, b.width, b.angle) AS ground
         FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
-                FROM %1$I.axis_used OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
         WHERE b.street_object_id = ANY (objects))
     UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
     WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;

@@ -28,9 +28,10 @@ SELECT 'notice', 'object nearer to another one than distance_least', 'street_obj
     (80, 'object', 'rule', $part$
 SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
     ST_Distance(o.geom, g.geom), o.geom
-    FROM %1$I.street_object o JOIN %1$I.axis_used a USING (axis_id), LATERAL (SELECT streetgen._object_geometry(
-        ST_Force2D(a.geom), a.width, a.width_end, a.roadway_offset, o.abscissa, o.abscissa_end, o.side,
-            o.axis_offset) AS geom) g
+    FROM %1$I.street_object o JOIN %1$I.axis_used a USING (axis_id)
+        LEFT JOIN streetgen._axis_borders(%1$L, NULL) b USING (axis_id),
+        LATERAL (SELECT streetgen._object_geometry(ST_Force2D(a.geom), a.width, a.width_end, a.roadway_offset,
+            b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom) g
     WHERE o.method = 'relative' AND ST_Distance(o.geom, g.geom) > 1e-3$part$),
     (80, 'object', 'rule', $part$
 SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', b.street_object_id, NULL::float8,

@@ -29,23 +29,23 @@ COMMENT ON FUNCTION streetgen._crossing_reach(float8, float8, float8) IS
     'How far a crossing of a street reaches along the axis on either side of its abscissa, at most, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8,
-    roadway_offset float8, abscissa float8, crossing_width float8, angle float8) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    roadway_offset float8, borders float8[], abscissa float8, crossing_width float8, angle float8) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     -- The borders alone that are near: a long axis has many bends elsewhere. A crossing at an end of its axis lies
     -- partly on the street that goes on there, so that axis and borders are drawn on.
-    SELECT streetgen.crossing_surface(streetgen._drawn_on(near, reach), streetgen._drawn_on(streetgen.offset_line(near,
-        roadway_offset + from_half, roadway_offset + to_half), reach),
-        streetgen._drawn_on(streetgen.offset_line(near, roadway_offset - from_half, roadway_offset - to_half), reach),
+    SELECT streetgen.crossing_surface(streetgen._drawn_on(ST_LineSubstring(axis, low / length, high / length), reach),
+        streetgen._drawn_on(streetgen._border_line(axis, length, width, width_end, roadway_offset, borders, low, high,
+            'left', 0), reach),
+        streetgen._drawn_on(streetgen._border_line(axis, length, width, width_end, roadway_offset, borders, low, high,
+            'right', 0), reach),
         abscissa - low + reach, crossing_width, angle)
-    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end) * 3 + 2 * crossing_width AS about,
-            streetgen._crossing_reach(greatest(width, width_end) + 2 * abs(roadway_offset), crossing_width, angle)
-                AS reach) l,
-        LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r,
-        LATERAL (SELECT ST_LineSubstring(axis, low / length, high / length) AS near,
-            (width + (width_end - width) * low / length) / 2 AS from_half,
-            (width + (width_end - width) * high / length) / 2 AS to_half) n $$;
-COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8, float8, float8) IS
+    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end, (SELECT 2 * max(border)
+            FROM unnest(borders) WITH ORDINALITY b(border, n) WHERE n % 3 <> 1)) AS widest) w,
+        LATERAL (SELECT widest * 3 + 2 * crossing_width AS about,
+            streetgen._crossing_reach(widest + 2 * abs(roadway_offset), crossing_width, angle) AS reach) l,
+        LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r $$;
+COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8[], float8, float8, float8) IS
     'The roadway (POLYGON) under a crossing at an abscissa of an axis between its borders; NULL where it meets none.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width float8, roadway_offset float8,
@@ -108,13 +108,16 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     AS $body$
     WITH drawn AS MATERIALIZED (
         SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
-            THEN streetgen._crossing_stripes(a.line, a.width + (a.width_end - a.width) * o.abscissa
-                / ST_Length2D(a.line), a.roadway_offset, o.abscissa, c.width, c.angle) END AS stripes
+            THEN streetgen._crossing_stripes(a.line, to_left + to_right, (to_left - to_right) / 2, o.abscissa, c.width,
+                c.angle) END AS stripes
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN (SELECT axis_id, level, ST_Force2D(geom) AS line, width, width_end, roadway_offset
-                FROM %1$I.axis_used OFFSET 0) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
             LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, a.roadway_offset,
-                o.abscissa, c.width, c.angle) AS ground) g ON true
+                a.borders, o.abscissa, c.width, c.angle) AS ground) g ON a.line IS NOT NULL
+            LEFT JOIN LATERAL (SELECT streetgen._to_border(a.width, a.width_end, ST_Length2D(a.line), a.roadway_offset,
+                    a.borders, o.abscissa, 'left') AS to_left,
+                streetgen._to_border(a.width, a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders,
+                    o.abscissa, 'right') AS to_right) w ON true
         WHERE c.street_object_id = ANY (objects)),
     -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
     clipped AS (

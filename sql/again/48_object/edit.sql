@@ -49,10 +49,7 @@ BEGIN
             NEW.placement := 'absolute';
         ELSE
             axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
-            SELECT l.* INTO at FROM (SELECT ST_Length2D(axis.line) AS length) s,
-                LATERAL (SELECT streetgen._locate_on(axis.line::bytea, dropped::bytea) AS place) f,
-                LATERAL streetgen.locate_on(axis.line, axis.width + (axis.width_end - axis.width) * place[1] / length,
-                    dropped, axis.roadway_offset) l;
+            at := streetgen._located(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders, dropped);
             NEW.placement := coalesce(NEW.placement, CASE WHEN at.border_offset > 0 THEN 'border' ELSE 'axis' END);
             NEW.abscissa := at.abscissa;
             NEW.side := CASE NEW.placement WHEN 'border' THEN at.side END;

@@ -15,11 +15,12 @@ BEGIN
             '%1$I._has_rules(), %1$I._is_junction(bigint), %1$I._take_from_rules(bigint[]), '
             '%1$I._renew_rules_beside(geometry[]), '
             '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
-            '%1$I.leave_edges(), '
+            '%1$I.leave_edges(), %1$I._street_of_objects(bigint[]), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
-    PERFORM streetgen._make_type_function(model), streetgen._make_rule_functions(model),
+    PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
+        streetgen._make_rule_functions(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
@@ -41,11 +42,12 @@ BEGIN
     END IF;
     UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
     FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
-                a.roadway_offset, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
+                a.roadway_offset, b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
             streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
         FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
                 roadway_offset FROM %1$I.axis_used WHERE axes IS NULL
                     OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
+            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
         -- Those of rules are new.
         WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
     WHERE o.street_object_id = n.street_object_id
@@ -206,6 +208,7 @@ BEGIN
     WITH changed AS MATERIALIZED (SELECT c.axis_id FROM unnest(axes, after) c(axis_id, now) WHERE now IS NOT NULL),
     found AS (
         SELECT DISTINCT ON (o.street_object_id) o.street_object_id, u.axis_id, p.at[1] AS abscissa, p.at[2] AS beside,
+            s.middle,
             CASE WHEN o.abscissa_end IS NOT NULL THEN p.at[1] + (o.abscissa_end - o.abscissa) END AS abscissa_end
         FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
             FROM %1$I.axis_used) u
@@ -215,8 +218,8 @@ BEGIN
                 THEN o.geom ELSE ST_StartPoint(o.geom) END::bytea) AS at) p
             CROSS JOIN LATERAL (SELECT CASE WHEN o.side IS NULL THEN 0 ELSE u.roadway_offset END AS middle) s
         -- On either side, since the axis may run the other way.
-        WHERE abs(abs(p.at[2] - s.middle) - abs(streetgen._border_offset(u.width + (u.width_end - u.width) * p.at[1]
-                / ST_Length2D(u.line), o.axis_offset, o.side, 0))) <= tolerance
+        WHERE abs(abs(p.at[2] - s.middle) - abs(streetgen._border_offset(streetgen._to_border(u.width, u.width_end,
+                ST_Length2D(u.line), 0, NULL, p.at[1], o.side), o.axis_offset, o.side))) <= tolerance
             AND ST_DWithin(u.line, o.geom, abs(p.at[2]) + tolerance)
             AND p.at[1] + coalesce(o.abscissa_end - o.abscissa, 0) <= ST_Length2D(u.line) + 1e-6
             -- Not beyond an end of it.
@@ -225,7 +228,7 @@ BEGIN
         ORDER BY o.street_object_id, abs(p.at[2]), u.axis_id)
     UPDATE %1$I.street_object o SET method = 'relative', axis_id = f.axis_id, abscissa = f.abscissa,
         abscissa_end = f.abscissa_end,
-        side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= 0 THEN 'left' ELSE 'right' END END,
+        side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= middle THEN 'left' ELSE 'right' END END,
         axis_offset = CASE WHEN o.side IS NULL THEN beside ELSE o.axis_offset END,
         orientation = CASE WHEN o.orientation_kind = 'axis' THEN round((o.angle - streetgen._direction_on(
             (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa, 0))::numeric, 9)

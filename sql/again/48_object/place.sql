@@ -1,36 +1,108 @@
 -- Where an object stands that is placed by an axis, or by the border of its roadway.
 
-CREATE OR REPLACE FUNCTION streetgen._object_stretch(axis geometry, length float8, width float8, width_end float8,
-    roadway_offset float8, abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._axis_borders(model name, axes bigint[])
+    RETURNS TABLE(axis_id bigint, borders float8[])
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE format($sql$
+WITH section AS MATERIALIZED (
+    SELECT e.axis_id, e.start_abscissa, e.end_abscissa, e.width, e.width_end, e.roadway_offset, s.borders
+    FROM %1$I.edge e LEFT JOIN %1$I.section s USING (edge_id) WHERE %2$s)
+SELECT axis_id, array_agg(value ORDER BY start_abscissa, place)
+FROM section, LATERAL unnest(coalesce(borders, ARRAY[start_abscissa, width / 2 + roadway_offset, width / 2
+    - roadway_offset, end_abscissa, width_end / 2 + roadway_offset, width_end / 2 - roadway_offset]))
+    WITH ORDINALITY b(value, place)
+WHERE axis_id IN (SELECT s.axis_id FROM section s WHERE s.borders IS NOT NULL) GROUP BY axis_id$sql$, model,
+        CASE WHEN axes IS NULL THEN 'true' ELSE 'e.axis_id = ANY ($1)' END) USING axes;
+END $$;
+COMMENT ON FUNCTION streetgen._axis_borders(name, bigint[]) IS
+    'Column borders of the sections of axes (NULL: of all), put together for each axis along which a roadway is '
+    'anywhere not as wide as the axis says; the others are left out.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_street_function(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._street_of_objects(objects bigint[])
+    RETURNS TABLE(axis_id bigint, level integer, line geometry, width float8, width_end float8, roadway_offset float8,
+        borders float8[])
+    LANGUAGE plpgsql STABLE ROWS 10 SET search_path FROM CURRENT
+    AS $body$
+#variable_conflict use_column
+DECLARE
+    touched constant bigint[] := ARRAY(SELECT DISTINCT axis_id FROM %1$I.street_object
+        WHERE street_object_id = ANY (objects) AND method = 'relative' ORDER BY axis_id);
+BEGIN
+    RETURN QUERY SELECT u.axis_id, u.level, ST_Force2D(u.geom), u.width, u.width_end, u.roadway_offset, b.borders
+        FROM %1$I.axis_used u LEFT JOIN streetgen._axis_borders(%2$L, touched) b USING (axis_id)
+        WHERE u.axis_id = ANY (touched);
+END $body$;
+$sql$, model, model);
+    PERFORM streetgen._own_function(model, '_street_of_objects(bigint[])',
+        'The axes by which objects stand, with their lines, widths and borders');
+END $$;
+COMMENT ON FUNCTION streetgen._make_street_function(name) IS
+    'Makes the function of a model that tells the streets of objects.';
+
+CREATE OR REPLACE FUNCTION streetgen._border_line(axis geometry, length float8, width float8, width_end float8,
+    roadway_offset float8, borders float8[], abscissa float8, abscissa_end float8, side text, axis_offset float8)
+    RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
-        ELSE streetgen.offset_line(stretch, at_start, at_end) END
-    FROM (SELECT streetgen._border_offset(width + (width_end - width) * abscissa / length, axis_offset, side,
-                roadway_offset)
-                AS at_start,
-            streetgen._border_offset(width + (width_end - width) * abscissa_end / length, axis_offset, side,
-                roadway_offset)
-                AS at_end,
-            ST_LineSubstring(axis, least(abscissa / length, 1), least(abscissa_end / length, 1)) AS stretch) o $$;
-COMMENT ON FUNCTION streetgen._object_stretch(geometry, float8, float8, float8, float8, float8, float8, text, float8)
-    IS 'Where a stretch lies, as _object_geometry, of an axis of a length (m).';
+    SELECT CASE WHEN count(*) = 1 THEN (array_agg(piece))[1] ELSE ST_RemoveRepeatedPoints(ST_MakeLine(array_agg(piece
+        ORDER BY low)), 1e-9) END
+    FROM (SELECT at AS low, lead(at) OVER (ORDER BY at) AS high FROM (
+            SELECT unnest(ARRAY[abscissa, abscissa_end]) AS at UNION SELECT borders[3 * n + 1]
+            FROM generate_series(0, cardinality(borders) / 3 - 1) n
+            WHERE borders[3 * n + 1] > abscissa AND borders[3 * n + 1] < abscissa_end) p) r,
+        LATERAL (SELECT ST_LineSubstring(axis, least(low / length, 1), least(high / length, 1)) AS stretch,
+            streetgen._border_offset(streetgen._to_border(width, width_end, length, roadway_offset, borders, low, side),
+                axis_offset, side) AS at_start,
+            streetgen._border_offset(streetgen._to_border(width, width_end, length, roadway_offset, borders, high,
+                side), axis_offset, side) AS at_end) s,
+        LATERAL (SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
+            ELSE streetgen.offset_line(stretch, at_start, at_end) END AS piece) o
+    WHERE high IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._border_line(geometry, float8, float8, float8, float8, float8[], float8, float8, text,
+    float8) IS
+    'The line (LINESTRING) from one abscissa of an axis of a length (m) to another one, so many metres from a border '
+    'of the roadway, or with side NULL from the axis. Widths as _to_border has them.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8,
-    roadway_offset float8, abscissa float8, abscissa_end float8, side text, axis_offset float8) RETURNS geometry
+    roadway_offset float8, borders float8[], abscissa float8, abscissa_end float8, side text, axis_offset float8)
+    RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- Bound when made, and thus inlined.
     BEGIN ATOMIC
         SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa,
-                streetgen._border_offset(width + (width_end - width) * abscissa / ST_Length2D(axis), axis_offset, side,
-                    roadway_offset))::geometry
-            ELSE streetgen._object_stretch(axis, ST_Length2D(axis), width, width_end, roadway_offset, abscissa,
+                streetgen._border_offset(streetgen._to_border(width, width_end, ST_Length2D(axis), roadway_offset,
+                    borders, abscissa, side), axis_offset, side))::geometry
+            ELSE streetgen._border_line(axis, ST_Length2D(axis), width, width_end, roadway_offset, borders, abscissa,
                 abscissa_end, side, axis_offset) END;
     END;
-COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8, float8, text, float8) IS
+COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8[], float8, float8, text,
+    float8) IS
     'Where an object stands: a point at an abscissa, or a line from there to another one; side NULL: so many metres to '
-    'the left of the axis, else from that border. The width (m) changes linearly along the axis; the '
-    'middle of the roadway lies roadway_offset (m) to the left of the axis.';
+    'the left of the axis, else from that border. Widths as _to_border has them.';
+
+CREATE OR REPLACE FUNCTION streetgen._located(axis geometry, width float8, width_end float8, roadway_offset float8,
+    borders float8[], place geometry)
+    RETURNS TABLE(abscissa float8, side text, axis_offset float8, border_offset float8)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1
+    BEGIN ATOMIC
+        SELECT f.at[1], s.side, f.at[2], CASE s.side WHEN 'left' THEN f.at[2] - b.to_left ELSE -f.at[2] - b.to_right END
+        FROM (SELECT streetgen._locate_on(axis::bytea, place::bytea) AS at OFFSET 0) f,
+            LATERAL (SELECT streetgen._to_border(width, width_end, ST_Length2D(axis), roadway_offset, borders, at[1],
+                    'left') AS to_left,
+                streetgen._to_border(width, width_end, ST_Length2D(axis), roadway_offset, borders, at[1], 'right')
+                    AS to_right OFFSET 0) b,
+            LATERAL (SELECT CASE WHEN f.at[2] >= (b.to_left - b.to_right) / 2 THEN 'left' ELSE 'right' END AS side) s;
+    END;
+COMMENT ON FUNCTION streetgen._located(geometry, float8, float8, float8, float8[], geometry) IS
+    'Where a place lies beside an axis, as locate_on, with widths as _to_border has them: the inverse of '
+    '_object_geometry.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_angle(axis geometry, abscissa float8, abscissa_end float8,
     orientation float8, orientation_kind text) RETURNS float8
@@ -45,7 +117,7 @@ COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, te
     'middle.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holder text, OUT line geometry,
-    OUT width float8, OUT width_end float8, OUT roadway_offset float8)
+    OUT width float8, OUT width_end float8, OUT roadway_offset float8, OUT borders float8[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -54,6 +126,7 @@ BEGIN
         || CASE WHEN holder IS NULL THEN '' ELSE ' NOWAIT' END USING axis;
     EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
         model) INTO line, width, width_end, roadway_offset USING axis;
+    borders := (SELECT b.borders FROM streetgen._axis_borders(model, ARRAY[axis]) b);
 EXCEPTION WHEN lock_not_available THEN
     RAISE EXCEPTION 'another session edits axis %, by which % stands', axis, coalesce(holder, 'the object')
         USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = CASE WHEN holder IS NULL
@@ -61,7 +134,7 @@ EXCEPTION WHEN lock_not_available THEN
             ELSE 'Repeat the edit when it has ended, or edit street_object_editing, which waits.' END;
 END $$;
 COMMENT ON FUNCTION streetgen._object_axis(name, bigint, text) IS
-    'The line, widths and roadway_offset (m) of an axis as the streets use them, '
+    'The line, widths and roadway_offset (m) of an axis as the streets use them, and the borders of its roadway, '
     'held until the transaction ends; NULL for none. holder: who holds its object already and must not wait for who '
     'holds the axis, for whom that one may wait; NULL: nobody. An axis that another session edits: 55P03.';
 
@@ -81,7 +154,7 @@ CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
 DECLARE
     subject constant text := CASE TG_OP WHEN 'INSERT' THEN 'the new object' ELSE 'object ' || OLD.street_object_id END;
     axis record;
-    place float8[];
+    place record;
     known boolean;
     renamed boolean;
 BEGIN
@@ -145,14 +218,11 @@ BEGIN
             HINT = 'Leave axis_id empty to put it where its geometry lies.';
     END IF;
     IF NEW.abscissa IS NULL AND NEW.geom IS NOT NULL THEN
-        place := streetgen._locate_on(axis.line::bytea, CASE ST_Dimension(NEW.geom) WHEN 0 THEN NEW.geom
-            ELSE ST_StartPoint(NEW.geom) END::bytea);
-        NEW.abscissa := place[1];
-        NEW.side := CASE WHEN NEW.placement = 'border' THEN CASE WHEN place[2] >= axis.roadway_offset
-            THEN 'left' ELSE 'right' END END;
-        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN abs(place[2] - axis.roadway_offset) - (axis.width +
-            (axis.width_end
-            - axis.width) * place[1] / ST_Length2D(axis.line)) / 2 ELSE place[2] END;
+        place := streetgen._located(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders,
+            CASE ST_Dimension(NEW.geom) WHEN 0 THEN NEW.geom ELSE ST_StartPoint(NEW.geom) END);
+        NEW.abscissa := place.abscissa;
+        NEW.side := CASE NEW.placement WHEN 'border' THEN place.side END;
+        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN place.border_offset ELSE place.axis_offset END;
     END IF;
     IF NEW.abscissa IS NULL OR greatest(NEW.abscissa, NEW.abscissa_end) > ST_Length2D(axis.line) + 1e-6 THEN
         RAISE EXCEPTION 'the abscissa of % cannot be %', subject, coalesce(greatest(NEW.abscissa,
@@ -165,8 +235,8 @@ BEGIN
     NEW.side := CASE NEW.placement WHEN 'border' THEN NEW.side END;
     NEW.axis_offset := coalesce(NEW.axis_offset, 0);
     NEW.method := 'relative';
-    NEW.geom := streetgen._object_geometry(axis.line, axis.width, axis.width_end, axis.roadway_offset, NEW.abscissa,
-        NEW.abscissa_end, NEW.side, NEW.axis_offset);
+    NEW.geom := streetgen._object_geometry(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders,
+        NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset);
     NEW.angle := streetgen._object_angle(axis.line, NEW.abscissa, NEW.abscissa_end, NEW.orientation,
         NEW.orientation_kind);
     RETURN NEW;

@@ -85,9 +85,10 @@ BEGIN
     street AS MATERIALIZED (
         SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
             x.kind, x.turn_forward, x.turn_backward,
-            ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, e.start_abscissa + l.abscissa AS low,
-            e.start_abscissa + h.abscissa AS high
+            ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
+            e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
+            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
         WHERE axes IS NULL OR e.axis_id = ANY (axes)),
@@ -158,13 +159,14 @@ BEGIN
             LATERAL (SELECT jsonb_populate_record(NULL::%1$I.placement_rule, jsonb_build_object('rule_id', 0,
                 'type', p.type, 'density', 1)) AS rule) own),
     taken AS MATERIALIZED (
-        SELECT *, streetgen._object_geometry(line, width, width_end, roadway_offset, abscissa, NULL, at_side,
+        SELECT *, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL, at_side,
             aside) AS geom,
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     bay AS MATERIALIZED (
-        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(t.width
-                + (width_end - t.width) * abscissa / ST_Length2D(line), aside, at_side, roadway_offset), at_side,
+        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(
+                streetgen._to_border(t.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa, at_side),
+                aside, at_side), at_side,
             abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
             streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
         FROM taken t, streetgen._usual_bay() usual WHERE type = ANY (bays)),

@@ -75,10 +75,11 @@ COMMENT ON FUNCTION streetgen._computed_section_limit(bigint, bigint[]) IS
     'A list with a NULL: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint, edges bigint[])
-    RETURNS TABLE(number integer, edge_id bigint, level integer, surface geometry, method text, contested_area float8)
+    RETURNS TABLE(number integer, edge_id bigint, level integer, surface geometry, method text, contested_area float8,
+        borders float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
 COMMENT ON FUNCTION streetgen._computed_section(bigint, bigint[]) IS
-    'The sections of streets computed in this statement: those of affected edges.';
+    'The sections of streets computed in this statement: those of affected edges; borders in abscissas along the axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, node_id bigint, edge_a bigint, end_a text, edge_b bigint, end_b text,

@@ -74,22 +74,23 @@ WITH gone AS (
     DELETE FROM %1$I.street_object p WHERE p.source = $1 AND p.source_ref IS NOT NULL AND NOT EXISTS (
         SELECT FROM pg_temp._import_object o WHERE o.source_ref = p.source_ref)),
 placed AS (
-    SELECT o.*, a.line, a.width, a.width_end, a.roadway_offset, p.place[1] AS abscissa, p.place[2] AS beside,
-        p.place[2] - a.roadway_offset AS off_middle,
-        (a.width + (a.width_end - a.width) * p.place[1] / ST_Length2D(a.line)) / 2 AS half
+    SELECT o.*, a.line, a.width, a.width_end, a.roadway_offset, b.borders, p.abscissa, p.side AS at_side,
+        p.axis_offset, p.border_offset
     FROM pg_temp._import_object o LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
             roadway_offset FROM %1$I.axis_used OFFSET 0) a USING (axis_id)
-        LEFT JOIN LATERAL (SELECT streetgen._locate_on(a.line::bytea, o.geom::bytea) AS place OFFSET 0) p ON true),
+        LEFT JOIN streetgen._axis_borders(%1$L, NULL) b USING (axis_id)
+        LEFT JOIN LATERAL streetgen._located(a.line, a.width, a.width_end, a.roadway_offset, b.borders, o.geom) p
+            ON axis_id IS NOT NULL),
 stood AS (
-    SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN abs(off_middle) > half THEN 'border' ELSE 'axis' END
+    SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN border_offset > 0 THEN 'border' ELSE 'axis' END
             AS placement,
-        CASE WHEN abs(off_middle) > half THEN CASE WHEN off_middle > 0 THEN 'left' ELSE 'right' END END AS side,
-        CASE WHEN abs(off_middle) > half THEN abs(off_middle) - half ELSE beside END AS aside
+        CASE WHEN border_offset > 0 THEN at_side END AS side,
+        CASE WHEN border_offset > 0 THEN border_offset ELSE axis_offset END AS aside
     FROM placed p)
 INSERT INTO %1$I.street_object AS p (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
     orientation_kind, placed_by, source, source_ref, source_hash, method)
 SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry(line, width, width_end, roadway_offset,
-        abscissa, NULL, side, aside) END,
+        borders, abscissa, NULL, side, aside) END,
     streetgen._object_angle(line, abscissa, NULL, coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL
         AND axis_id IS NOT NULL THEN 'axis' ELSE 'absolute' END), placement, axis_id, abscissa, side, aside,
     coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL AND axis_id IS NOT NULL THEN 'axis'

@@ -14,6 +14,7 @@
 #include "ownership/hole.hpp"
 #include "ownership/ownership.hpp"
 #include "ownership/slit.hpp"
+#include "roadway/section_borders.hpp"
 #include "roadway/street_surface.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -363,6 +364,7 @@ class Owners {
       Section section;
       section.edge = e;
       settle_row(section, e);
+      section.borders = section_borders(layout_, e);
       streets.sections.push_back(std::move(section));
     }
     for (int i = edges_; i < static_cast<int>(claims_.size()); ++i) {

@@ -10,6 +10,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/surface_distance.hpp"
 #include "geometry/tolerance.hpp"
+#include "roadway/section_borders.hpp"
 
 namespace streetgen {
 
@@ -85,16 +86,30 @@ class Change {
       if (kept[e] != nullptr) compare(e, *kept[e]);
     for (const Ramp& ramp : layout_.streets.ramps)
       if (met_[ramp.node] && ramp.missing > 0) compare_merging(ramp.merging_edge(), kept);
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+      if (kept[e] != nullptr && borders_change(e, *kept[e])) move_section(e, *kept[e]);
+  }
+
+  // Beyond a limit that stays, borders change with the street that goes on there.
+  bool borders_change(int e, const FormerEdge& before) const {
+    const auto changes = [&](int node, bool at_start) {
+      return (met_[node] || moved_.nodes[node]) &&
+             (before.has_borders || changes_before_limit(layout_, {e, at_start}));
+    };
+    return changes(edges_[e].from_node, true) || changes(edges_[e].to_node, false);
+  }
+
+  void move_section(int e, const FormerEdge& before) {
+    if (moved_.edges[e]) return;
+    moved_.edges[e] = true;
+    moved_.sections[e] = nullptr;
+    given_up_.push_back({&before.section, false});
   }
 
   // Limits do not tell how far merging lanes go beyond them.
   void compare_merging(int e, const std::vector<const FormerEdge*>& kept) {
     if (kept[e] == nullptr) return;
-    if (!moved_.edges[e]) {
-      moved_.edges[e] = true;
-      moved_.sections[e] = nullptr;
-      given_up_.push_back({&kept[e]->section, false});
-    }
+    move_section(e, *kept[e]);
     move_end(e, edges_[e].from_node);
     move_end(e, edges_[e].to_node);
   }

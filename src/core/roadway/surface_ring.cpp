@@ -369,7 +369,17 @@ KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v
   return kerb;
 }
 
-// Of an arm from its node to its limit; empty where neither kerb tapers.
+// What a simple outline holds; of any other nothing.
+MultiPolygon held_by(Geos& geos, Outline outline) {
+  MultiPolygon held;
+  if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;
+  held.emplace_back().push_back(std::move(outline.ring));
+  if (!geos.valid(held)) held.clear();
+  return held;
+}
+
+}  // namespace
+
 WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i) {
   const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
   const Arm& arm = arms[i];
@@ -391,16 +401,6 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
   profile.places = {node, limit};
   return profile;
 }
-
-// What a simple outline holds; of any other nothing.
-MultiPolygon held_by(Geos& geos, Outline outline) {
-  MultiPolygon held;
-  if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;
-  held.emplace_back().push_back(std::move(outline.ring));
-  if (!geos.valid(held)) held.clear();
-  return held;
-}
-}  // namespace
 
 Ring closed(Ring ring) {
   const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= 1e-9; };

@@ -30,6 +30,9 @@ Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, dou
 // gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
 
+// The half widths of arm i from its node to its limit; none where neither kerb tapers.
+WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i);
+
 // The union of quads, bends and discs: holds for any line.
 MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
                           const std::vector<double>& right, bool round_ends);

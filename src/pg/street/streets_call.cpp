@@ -132,7 +132,8 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "border_end", BYTEAOID),
                         column(edges, "surface", BYTEAOID),
                         column(edges, "contested", BOOLOID),
-                        column(edges, "level", INT4OID)};
+                        column(edges, "level", INT4OID),
+                        column(edges, "has_borders", BOOLOID)};
 
   const Rows nodes = rows(fcinfo, 9, "former nodes");
   call->former_nodes = {nodes.count,

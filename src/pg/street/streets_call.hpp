@@ -42,7 +42,8 @@ struct StreetsCall {
   struct {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
-    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested, level;
+    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested, level,
+        has_borders;
   } former_edges;
   struct {
     int count;

@@ -406,7 +406,8 @@ Former former_of(const StreetsCall& call) {
                             read_line(bytes_of(edges.geom.values[i]), "a former edge").line,
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),
-                            former_surface(edges.surface, edges.contested, edges.level, i)});
+                            former_surface(edges.surface, edges.contested, edges.level, i),
+                            DatumGetBool(edges.has_borders.values[i])});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)
