@@ -266,8 +266,8 @@ DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);
 BEGIN
     RETURN QUERY EXECUTE streetgen._export_lines(model, known,
-        streetgen._opendrive_junctions() || streetgen._opendrive_courses(model) || streetgen._opendrive_roads() || streetgen._opendrive_beside(model)
-            || streetgen._opendrive_lines(),
+        streetgen._opendrive_junctions() || streetgen._opendrive_courses(model) || streetgen._opendrive_roads()
+            || streetgen._opendrive_beside(model) || streetgen._opendrive_lines(),
         '<OpenDRIVE>', '</OpenDRIVE>') USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS

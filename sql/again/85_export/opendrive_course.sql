@@ -28,10 +28,13 @@ designed AS MATERIALIZED (
     ELSE $part$,
 designed AS (SELECT NULL::bigint AS edge_id, NULL::float8[] AS alignment, NULL::float8 AS reach WHERE false)$part$ END
     || $part$,
-course AS MATERIALIZED (
-    SELECT * FROM designed
-    UNION ALL SELECT edge_id, streetgen._arc_road_elements(curve), 0.1 FROM written_edge
-    WHERE curve IS NOT NULL AND edge_id NOT IN (SELECT edge_id FROM designed))$part$ $$;
+-- An edge has one at most, which the planner shall know.
+course AS NOT MATERIALIZED (
+    SELECT DISTINCT ON (edge_id) * FROM (
+        SELECT * FROM designed
+        UNION ALL SELECT edge_id, streetgen._arc_road_elements(curve), 0.1 FROM written_edge
+        WHERE curve IS NOT NULL AND edge_id NOT IN (SELECT edge_id FROM designed)) c
+    ORDER BY edge_id)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_courses(name) IS
     'Query course of a file of OpenDRIVE over a model: the alignment that an edge follows, and within how many metres: '
     'that of its link where it is designed, else its arcs where it is smoothed.';

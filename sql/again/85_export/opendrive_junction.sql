@@ -4,14 +4,13 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_junctions() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
 -- A road that comes into a junction lies in none. So what crossed limits join is one junction, and nothing between.
-touching AS (
-    SELECT DISTINCT p.place_id, o.place_id AS other
-    FROM %1$I.intersection_group g JOIN place p USING (node_id) JOIN %1$I.intersection_group h USING (group_id)
-        JOIN place o ON o.node_id = h.node_id
-    WHERE p.place_id <> o.place_id),
+touching AS MATERIALIZED (
+    SELECT DISTINCT v.* FROM (SELECT place_id, min(place_id) OVER (PARTITION BY group_id) AS first
+        FROM %1$I.intersection_group JOIN place USING (node_id)) g,
+        LATERAL (VALUES (g.place_id, first), (first, g.place_id)) v(place_id, other) WHERE g.place_id <> first),
 joined_place AS MATERIALIZED (
     WITH RECURSIVE reached AS (
-        SELECT place_id, place_id AS other FROM touching
+        SELECT place_id, other FROM touching
         UNION SELECT r.place_id, t.other FROM reached r JOIN touching t ON t.place_id = r.other)
     SELECT place_id, min(other) AS first FROM reached GROUP BY place_id),
 joined_node AS MATERIALIZED (
@@ -21,7 +20,7 @@ inner_lane AS MATERIALIZED (
     FROM written_edge e JOIN %1$I.section s USING (edge_id) JOIN joined_node f ON f.node_id = e.from_node
         JOIN joined_node t ON t.node_id = e.to_node JOIN %1$I.lane l USING (edge_id)
     WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
--- Ways over inner lanes, each lane once; the shortest one from lane to lane.
+-- Ways over inner lanes, each lane once; the shortest one from lane to lane. Nobody turns back within two metres.
 joined_way AS MATERIALIZED (
     WITH RECURSIVE longer AS (
         SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, geom::geometry AS geom,
@@ -35,7 +34,8 @@ joined_way AS MATERIALIZED (
         WHERE i.lane_id <> ALL (over))
     SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_id, array_to_string(ways, ' ') AS ways, lane_in,
         lane_out, along_in, along_out, geom
-    FROM longer WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane)
+    FROM longer
+    WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR ST_Length(geom) >= 2)
     ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), ways),
 junction_way AS NOT MATERIALIZED (
     SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, geom FROM way

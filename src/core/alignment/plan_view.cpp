@@ -162,15 +162,9 @@ ChainPlace place_at(const std::vector<PlanPiece>& chain, double s) {
       std::upper_bound(chain.begin() + 1, chain.end(), s,
                        [](double at, const PlanPiece& piece) { return at < piece.s; });
   const PlanPiece& piece = *(after - 1);
-  const double on = std::clamp(s - piece.s, 0.0, piece.length), turn = on * piece.curvature;
-  const double heading = piece.start.heading;
-  if (piece.curvature != piece.curvature_end) {
-    const AlignmentPlace place = element_place(element_of(piece), on);
-    return {place.point, place.heading};
-  }
-  // The chord of an arc lies in the middle of both headings.
-  const double chord = turn == 0 ? on : 2 * std::sin(turn / 2) / piece.curvature;
-  return {piece.start.point + along(heading + turn / 2) * chord, heading + turn};
+  const AlignmentPlace place =
+      element_place(element_of(piece), std::clamp(s - piece.s, 0.0, piece.length));
+  return {place.point, place.heading};
 }
 
 }  // namespace streetgen
