@@ -64,6 +64,7 @@ SELECT side || ': pieces lead from who enters to who leaves next', (SELECT bool_
     FROM unnest(xpath('//TRONCON_INTERNE', file)) i) FROM made, LATERAL (SELECT (pg_temp.texts('//GIRATOIRE/@troncons', file))[1] AS t) g ORDER BY side;
 SELECT side || ': who enters from an arm can leave by each', (SELECT count(DISTINCT (a, b)) >= 12 FROM unnest(xpath('//GIRATOIRE//MOUVEMENT_AUTORISE', file)) m,
     LATERAL (SELECT (xpath('string(/*/@id_troncon_amont)', m))[1]::text AS a) n, unnest(pg_temp.texts('//MOUVEMENT_SORTIE/@id_troncon_aval', m)) b WHERE '-' || b <> a) FROM made ORDER BY side;
+SELECT side || ': where lights are nobody stops by a line', pg_temp.found('//CARREFOURAFEUX[@controleur_de_feux]//ENTREE_CAF', file) > 0 AND pg_temp.found('//CARREFOURAFEUX[@controleur_de_feux]//ENTREE_CAF[@priorite!="defaut"]', file) = 0 FROM made ORDER BY side;
 SELECT side || ': the carrefour names its controller', pg_temp.texts('//CARREFOURAFEUX/@controleur_de_feux', file) = pg_temp.texts('//CONTROLEUR_DE_FEUX/@id', file) AND pg_temp.found('//CONTROLEUR_DE_FEUX', file) = 1 FROM made ORDER BY side;
 SELECT 'sequences last as long as the cycle, in whole seconds', (SELECT sum(d::integer) FROM unnest(pg_temp.texts('//SEQUENCE/@duree_totale', pg_temp.file('right'))) d) = (SELECT round(cycle::numeric) FROM "right".controller);
 SELECT 'there is one for each green', pg_temp.found('//SEQUENCE', pg_temp.file('right')) = (SELECT count(*) FROM "right".signal_state WHERE kind = 'green');

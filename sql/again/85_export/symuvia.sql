@@ -56,7 +56,9 @@ step AS MATERIALIZED (
     FROM origin, way k JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in)
         JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out)
         LEFT JOIN %1$I.marking m ON (m.edge_id, m.lane_position, m.along_axis)
-            = (a.edge_id, a.lane_position, a.along_axis) AND m.kind IN ('stop', 'yield'))$part$
+            = (a.edge_id, a.lane_position, a.along_axis) AND m.kind IN ('stop', 'yield')
+            -- Lights say who goes first.
+            AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals'))$part$
     || streetgen._symuvia_rings(rings) || $part$,
 movement AS MATERIALIZED (
     SELECT * FROM step WHERE place_id NOT IN (SELECT node_id FROM ring_node) UNION ALL SELECT * FROM ring_movement),
@@ -189,8 +191,9 @@ COMMENT ON FUNCTION streetgen.export_symuvia(name, jsonb) IS
     'A file of SymuVia (reseau.xsd 2.05), line by line. A TRONCON is a lane group, named edge_id along the axis and '
     '-edge_id against it, with lane 1 at the right; lanes of buses and bicycles are reserved, parking lanes closed. '
     'Interconnections that connect are its movements: at a REPARTITEUR between two edges, at a CARREFOURAFEUX among '
-    'more, with priority by stop and yield lines and the points of the path. With subject roundabout, an accepted ring '
-    'is a GIRATOIRE with its edges inside, and what goes in and out are its movements; with subject signal, places of '
+    'more, with priority by stop and yield lines where no signals are, and the points of the path. With subject '
+    'roundabout, an accepted ring is a GIRATOIRE with its edges inside, and what goes in and out are its movements; '
+    'with subject signal, places of '
     'a controller name it, and its program is one of whole seconds. A troncon without movements at an end has '
     'an EXTREMITE there: E_name where traffic comes in, S_name where it leaves. Coordinates are counted from the whole '
     'metres at the lower left of what is written. Simulation, traffic and scenario are the smallest that are valid. '
