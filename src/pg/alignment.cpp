@@ -54,7 +54,7 @@ using namespace streetgen;
 using namespace streetgen::pg;
 
 STREETGEN_FUNCTION(streetgen_horizontal_alignment) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const std::string_view line = take_bytes(fcinfo, 0);
   const NumberArray radii = take_numbers(fcinfo, 1), in = take_numbers(fcinfo, 2),
                     out = take_numbers(fcinfo, 3);
@@ -81,7 +81,7 @@ STREETGEN_FUNCTION(streetgen_horizontal_alignment) {
 }
 
 STREETGEN_FUNCTION(streetgen_vertical_alignment) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const NumberArray grades = take_numbers(fcinfo, 0);
   using Pieces = std::vector<GradePiece>;
   Slot<Pieces>* slot = make_slot<Pieces>(CurrentMemoryContext);
@@ -106,7 +106,7 @@ STREETGEN_FUNCTION(streetgen_vertical_alignment) {
 }
 
 STREETGEN_FUNCTION(streetgen_alignment_point) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const NumberArray elements = take_numbers(fcinfo, 0), grades = take_numbers(fcinfo, 1);
   const double metres = PG_GETARG_FLOAT8(2);
   AlignmentPlace place;

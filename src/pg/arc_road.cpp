@@ -234,7 +234,7 @@ STREETGEN_FUNCTION(streetgen_arc_road) {
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_arcs) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   if (PG_ARGISNULL(0) || PG_ARGISNULL(1)) PG_RETURN_NULL();
   const std::string_view line = take_bytes(fcinfo, 0);
   const Wish wish = take_wish(fcinfo);
@@ -257,7 +257,7 @@ STREETGEN_FUNCTION(streetgen_arc_road_length) {
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_point) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const std::string_view road = take_road(fcinfo);
   const double metres = PG_GETARG_FLOAT8(1), wheelbase = PG_GETARG_FLOAT8(2);
   RoadPlace place;
@@ -281,7 +281,7 @@ STREETGEN_FUNCTION(streetgen_arc_road_point) {
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_locate) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const std::string_view road = take_road(fcinfo), point = take_bytes(fcinfo, 1);
   RoadFoot foot;
   const Outcome outcome = compute([&] {
@@ -317,7 +317,7 @@ STREETGEN_FUNCTION(streetgen_arc_road_offset) {
 
 STREETGEN_FUNCTION(streetgen_arc_road_bends) {
   const std::string_view road = take_road(fcinfo);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<BendRows>* slot = make_slot<BendRows>(CurrentMemoryContext);
   const Outcome outcome = compute([&] { slot->value = new BendRows(bend_rows(road_of(road))); });
   report(outcome);
@@ -328,7 +328,7 @@ STREETGEN_FUNCTION(streetgen_arc_road_bends) {
 STREETGEN_FUNCTION(streetgen_arc_road_kinks) {
   using Kinks = std::vector<std::pair<double, std::string>>;
   const std::string_view road = take_road(fcinfo);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<Kinks>* slot = make_slot<Kinks>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new Kinks;
@@ -370,7 +370,7 @@ STREETGEN_FUNCTION(streetgen_arc_road_mesh) {
 }
 
 STREETGEN_FUNCTION(streetgen_arc_road_stretches) {
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const std::string_view road = take_road(fcinfo);
   using Stretches = std::vector<ArcRoad::Stretch>;
   Slot<Stretches>* slot = make_slot<Stretches>(CurrentMemoryContext);

@@ -23,6 +23,9 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
+// These functions are called for each row.  So they take the description of their result that the
+// caller expects: one that is looked up leaves a kilobyte in the memory of the query at each call.
+
 constexpr int chain_columns = 7;
 // A plan view has no clothoids.
 constexpr int plan_columns = 6;
@@ -88,7 +91,7 @@ STREETGEN_FUNCTION(streetgen_plan_view) {
   using namespace streetgen::pg;
   const std::string_view line = take_bytes(fcinfo, 0);
   const double tolerance = PG_GETARG_FLOAT8(1);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   auto* slot = make_slot<std::vector<PlanPiece>>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new std::vector<PlanPiece>;
@@ -112,7 +115,7 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   const std::string_view path = take_bytes(fcinfo, 0);
   const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
   const double tolerance = PG_GETARG_FLOAT8(3);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new Numbers;
@@ -133,7 +136,7 @@ STREETGEN_FUNCTION(streetgen_chain_station) {
   NumberArray columns[chain_columns];
   for (int i = 0; i < chain_columns; ++i) columns[i] = take_numbers(fcinfo, i);
   const double x = PG_GETARG_FLOAT8(chain_columns), y = PG_GETARG_FLOAT8(chain_columns + 1);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   ChainStation station;
   const Outcome outcome = compute([&] {
     const Point place{in_range(x, -1e12, 1e12, "x"), in_range(y, -1e12, 1e12, "y"), 0};
@@ -158,7 +161,7 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(4), "surfaces");
   const ValueArray widths = take_values(fcinfo, 5, FLOAT8OID, lines.count, "widths");
   const double tolerance = PG_GETARG_FLOAT8(6);
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new Numbers;

@@ -101,7 +101,7 @@ Datum floats_datum(const std::vector<float>& values) {
 STREETGEN_FUNCTION(streetgen_road_mesh) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const MeshArguments taken = take_arguments(fcinfo);
   const int srid = PG_GETARG_INT32(8);
   Slot<std::vector<MeshRow>>* slot = make_slot<std::vector<MeshRow>>(CurrentMemoryContext);
@@ -131,7 +131,7 @@ STREETGEN_FUNCTION(streetgen_road_mesh) {
 STREETGEN_FUNCTION(streetgen_gltf_mesh) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  InitMaterializedSRF(fcinfo, 0);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const MeshArguments taken = take_arguments(fcinfo);
   const Datum* materials =
       take_values(fcinfo, 8, INT4OID, taken.surfaces.count, "materials").values;
