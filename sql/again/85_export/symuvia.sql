@@ -32,7 +32,7 @@ troncon AS MATERIALIZED (
     SELECT lane_group_id, streetgen._lane_group_text(edge_id, along_axis, number) AS name, edge_id, along_axis,
         g.from_node, g.to_node, f.place_id AS from_place, t.place_id AS to_place, g.lane_count,
         g.width / g.lane_count AS lane_width,
-        ST_Simplify(streetgen._at_least_long(g.geom, 0.02), tolerance, true) AS line,
+        ST_Simplify(streetgen._at_least_long(g.geom, 2 * 0.1 ^ digits), tolerance, true) AS line,
         CASE s.value WHEN 'left' THEN ARRAY(SELECT l FROM unnest(lanes) WITH ORDINALITY u(l, i) ORDER BY i DESC)
             ELSE lanes END AS lanes
     FROM origin, %1$I.setting s, %1$I.lane_group g JOIN written_edge USING (edge_id)

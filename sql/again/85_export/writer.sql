@@ -12,7 +12,8 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         -50, 50, NULL),
     ('junctions', '{sumo,symuvia,opendrive}', 'word', '"node"', '', 'what a junction is: each node, or the nodes of a '
         'junction as one, without the edges inside', NULL, NULL, '{node,group}'),
-    ('precision', '{sumo,symuvia}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
+    ('precision', '{sumo}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
+    ('precision', '{symuvia}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
         'points', 0, 10, NULL),
     ('tolerance', '{symuvia}', 'number', '0.1', 'm', 'how far a simplified line may leave that of the model; 0: all '
