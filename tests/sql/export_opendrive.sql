@@ -90,6 +90,10 @@ SELECT 'the arcs of a smoothed edge are those of its curve', count(*) = 2 AND (S
   FROM pg_temp.file('bent') f, unnest(xpath('//arc/@curvature', f)) c;
 UPDATE bent.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650000 6860000.5,650300 6860060)';
 SELECT 'an edge whose curve keeps a kink is a chain without one', pg_temp.found('//road[@junction="-1"]', f) = 1 FROM pg_temp.file('bent') f;
+SELECT FROM streetgen.create_model('beside', 2154, subjects => '{ramp,junction,alignment,sidewalk}', driving_side => 'right') \g /dev/null
+INSERT INTO beside.axis (axis_id, geom, width, lane_count, direction, kind, speed, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650600 6860000)', 10.5, 3, 'direct', 'motorway', 110, 0, 2),
+    (2, 'SRID=2154;LINESTRING(650600 6860000,651400 6860000)', 10.5, 3, 'direct', 'motorway', 110, 0, 2), (3, 'SRID=2154;LINESTRING(650300 6859900,650500 6859970,650600 6860000)', 3.5, 1, 'direct', 'motorway_link', 60, 0, 2);
+SELECT 'a sidewalk lies outside of a merging lane', pg_temp.texts('//road[userData[@code="edge" and @value="2"]]//lane[@id="-4"]/@type', f) = '{entry}' AND pg_temp.texts('//road[userData[@code="edge" and @value="2"]]//lane[@id="-5"]/@type', f) = '{sidewalk}' FROM pg_temp.file('beside') f;
 -- Heights of axes, and of profiles.
 SELECT FROM streetgen.create_model('hill', 2154, dimension => 3, driving_side => 'right') \g /dev/null
 INSERT INTO hill.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING Z (650000 6860000 10,650100 6860000 20)', 7), (2, 'SRID=2154;LINESTRING Z (650100 6860000 20,650200 6860000 20)', 5), (3, 'SRID=2154;LINESTRING Z (650100 6860000 20,650100 6860100 40)', 5);

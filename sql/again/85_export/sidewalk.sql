@@ -8,14 +8,41 @@ sidewalk_beside AS (SELECT NULL::bigint AS edge_id, NULL::text AS side, NULL::fl
     ELSE $part$,
 -- One that lies along less than half of its edge is none of its lanes.
 sidewalk_beside AS MATERIALIZED (
-    SELECT edge_id, side, s.width, o.lane_id, (side = 'right') = h.right_hand AS along_axis, streetgen.offset_line(
-            o.geom, CASE side WHEN 'left' THEN 1 ELSE -1 END * (o.width + s.width) / 2) AS line
-    FROM (SELECT edge_id, side, max(width) AS width, sum(ST_Area(surface)) AS area FROM %1$I.sidewalk
+    SELECT edge_id, side, s.width, o.lane_id, (side = 'right') = h.right_hand AS along_axis,
+        coalesce(round.line, streetgen.offset_line(o.geom, outwards * (o.width + s.width) / 2)) AS line
+    FROM (SELECT edge_id, side, max(width) AS width, sum(ST_Area(surface)) AS area,
+                CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards FROM %1$I.sidewalk
             WHERE node_id IS NULL AND side IN ('left', 'right') AND edge_id IN (SELECT edge_id FROM written_edge)
             GROUP BY edge_id, side) s
-        CROSS JOIN LATERAL (SELECT lane_id, width, geom FROM %1$I.lane l WHERE l.edge_id = s.edge_id
-            ORDER BY CASE s.side WHEN 'left' THEN lane_position ELSE -lane_position END LIMIT 1) o
+        CROSS JOIN LATERAL (SELECT lane_id, lane_position, width, geom FROM %1$I.lane l WHERE l.edge_id = s.edge_id
+            AND start_abscissa IS NULL AND end_abscissa IS NULL ORDER BY outwards * lane_position LIMIT 1) o
         CROSS JOIN (SELECT value <> 'left' AS right_hand FROM %1$I.setting WHERE name = 'driving_side') h
+        -- It goes round merging lanes beyond that lane, and along the lane from one to the next. A merging lane has its
+        -- middle as far from its own border as from the lane inside.
+        CROSS JOIN LATERAL (
+            WITH merging AS (
+                SELECT m.lane_position, i.width AS inner_width, i.geom AS inner_line, m.geom,
+                    ST_LineLocatePoint(o.geom, ST_StartPoint(m.geom)) AS since,
+                    ST_LineLocatePoint(o.geom, ST_EndPoint(m.geom)) AS until
+                FROM %1$I.lane m JOIN %1$I.lane i ON i.edge_id = m.edge_id
+                    AND i.lane_position = m.lane_position + outwards
+                WHERE m.edge_id = s.edge_id AND outwards * (o.lane_position - m.lane_position) > 0
+                    AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)),
+            piece AS (
+                SELECT share, lead(share) OVER (ORDER BY share) AS next
+                FROM (SELECT 0::float8 AS share UNION SELECT 1 UNION SELECT since FROM merging
+                    UNION SELECT until FROM merging) c)
+            SELECT ST_MakeLine(coalesce(beyond, streetgen.offset_line(ST_LineSubstring(o.geom, share, next),
+                outwards * (o.width + s.width) / 2)) ORDER BY share) AS line
+            FROM piece LEFT JOIN LATERAL (SELECT * FROM merging WHERE since <= share AND until >= next
+                    ORDER BY outwards * lane_position LIMIT 1) m ON true,
+                LATERAL (SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(ST_X(foot) + (ST_X(p.geom) - ST_X(foot)) * further,
+                        ST_Y(foot) + (ST_Y(p.geom) - ST_Y(foot)) * further) ORDER BY p.path), %2$s) AS beyond
+                    FROM ST_DumpPoints(ST_LineSubstring(m.geom, greatest((share - since) / (until - since), 0),
+                            least((next - since) / (until - since), 1))) p,
+                        ST_ClosestPoint(inner_line, p.geom) foot,
+                        LATERAL (SELECT 2 - (inner_width - s.width) / 2 / ST_Distance(foot, p.geom) AS further) f) l
+            WHERE next > share AND EXISTS (SELECT FROM merging)) round
     WHERE s.width > 0 AND area >= s.width * ST_Length(o.geom) / 2)$part$ END $$;
 COMMENT ON FUNCTION streetgen._export_sidewalks(boolean) IS
     'Query sidewalk_beside of writers over a model, after streetgen._export_edges: the sidewalks along edges that are '
@@ -32,7 +59,7 @@ sidewalk_lane AS MATERIALIZED (
         || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
         || raised || '" outer="' || raised || '"/></lane>' AS text
     FROM sidewalk_beside s
-        JOIN drawn d ON d.lanes[CASE s.side WHEN 'left' THEN 1 ELSE cardinality(d.lanes) END] = s.lane_id,
+        JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes),
         (SELECT k.raised FROM streetgen._mesh_kind() k WHERE k.kind = 'sidewalk') k)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_sidewalks(boolean) IS
     'Query sidewalk_lane of a file of OpenDRIVE, after streetgen._opendrive_roads(): the sidewalk on a side of a road '

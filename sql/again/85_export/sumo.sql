@@ -59,7 +59,7 @@ grouped AS MATERIALIZED (
         streetgen._lane_group_text(g.edge_id, g.along_axis, number) AS text, (w.lane_id IS NOT NULL)::integer AS walk
     FROM %1$I.lane_group g LEFT JOIN sidewalk_beside w
         ON (w.edge_id, w.along_axis, w.lane_id) = (g.edge_id, g.along_axis, g.lanes[1])
-    WHERE $part$ || CASE WHEN loops THEN $part$g.edge_id = ANY (ARRAY(
+    WHERE $part$ || CASE WHEN loops AND 'ramp' <> ALL (subjects) THEN $part$g.edge_id = ANY (ARRAY(
             SELECT edge_id FROM written_edge e JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node
             WHERE f.place_id = t.place_id))$part$
         ELSE 'g.edge_id IN (SELECT edge_id FROM written_edge)' END || $part$),
