@@ -140,3 +140,20 @@ INSERT INTO bent.pedestrian_crossing_editing (axis_id, abscissa, width, angle) S
 SELECT 'each has sound ground and stripes, or none', count(*) = 108 AND count(surface) > 50 AND bool_and(coalesce(ST_IsValid(surface), true)) AND bool_and(coalesce(ST_IsValid(stripes), true)) FROM bent.pedestrian_crossing;
 UPDATE bent.axis SET width_end = width / 2;
 SELECT 'also where it tapers', count(surface) > 50 AND bool_and(coalesce(ST_IsValid(surface), true)) FROM bent.pedestrian_crossing;
+-- Points of an axis that are there twice.
+INSERT INTO bent.axis (axis_id, geom, width) VALUES (30, pg_temp.line('LINESTRING(0 500, 40 500, 80 500, 80 500)'), 7), (31, pg_temp.line('LINESTRING(80 500, 80 500, 160 500)'), 9);
+INSERT INTO bent.pedestrian_crossing_editing (axis_id, abscissa) VALUES (30, 79), (31, 1);
+SELECT 'a crossing where the axis ends with a point twice', bool_and(ST_IsValid(surface) AND ST_Area(surface) > 20) FROM bent.pedestrian_crossing JOIN bent.street_object USING (street_object_id) WHERE axis_id IN (30, 31);
+
+-- Where crossings are built, if the rule does not say.
+SELECT streetgen.create_model('kinds', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO kinds.axis (axis_id, geom, width, kind, roundabout_tag, direction) SELECT row_number() OVER (), pg_temp.line(format('LINESTRING(%s 0, %s 0, %s 0)', 100 * (n - 1), 100 * n - 50, 100 * n)), 6, kind, tag, CASE WHEN tag IS NULL THEN 'both' ELSE 'direct' END
+  FROM unnest('{residential,motorway,motorway_link,service,primary}'::text[], ARRAY[NULL, NULL, NULL, NULL, 'roundabout']) WITH ORDINALITY v(kind, tag, n);
+INSERT INTO kinds.axis (axis_id, geom, width) SELECT 10 + n, pg_temp.line(format('LINESTRING(%s 0, %s 60)', 100 * n, 100 * n)), 6 FROM generate_series(0, 5) n;
+INSERT INTO kinds.axis (axis_id, geom, width) VALUES (20, pg_temp.line('LINESTRING(0 0, 0 -60)'), 6);
+INSERT INTO kinds.placement_rule (rule_id, type, along, side, distance_from_limit) VALUES (1, 'crossing', 'arm', 'alternating', 2.5);
+SELECT 'no crossing of a rule without classes on motorways, their links, service ways and roundabouts', array_agg(DISTINCT axis_id ORDER BY axis_id) = '{1,10,11,12,13,14,20}' FROM kinds.street_object;
+UPDATE kinds.placement_rule SET kind = '{motorway,service}';
+SELECT 'there too where the rule says so', array_agg(DISTINCT axis_id ORDER BY axis_id) = '{2,4}' FROM kinds.street_object;
+SELECT 'a type with a table is not renamed: ' || said, test.state(format('UPDATE kinds.object_type SET type = %L WHERE type = %L', said || '_2', said)) = '22023' FROM unnest('{crossing,parking_bay}'::text[]) said;
+SELECT 'and no row is lost', count(*) > 2 FROM kinds.pedestrian_crossing;

@@ -9,8 +9,10 @@ COMMENT ON FUNCTION streetgen._usual_crossing() IS
 CREATE OR REPLACE FUNCTION streetgen._drawn_on(line geometry, run float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT ST_AddPoint(ST_AddPoint(line, streetgen._place_beyond(ST_PointN(line, 2), ST_StartPoint(line), run), 0),
-        streetgen._place_beyond(ST_PointN(line, -2), ST_EndPoint(line), run)) $$;
+    SELECT ST_AddPoint(ST_AddPoint(own, streetgen._place_beyond(ST_PointN(own, 2), ST_StartPoint(own), run), 0),
+        streetgen._place_beyond(ST_PointN(own, -2), ST_EndPoint(own), run))
+    -- Points that are there twice have no direction.
+    FROM (SELECT ST_RemoveRepeatedPoints(line, 1e-6) AS own) l $$;
 COMMENT ON FUNCTION streetgen._drawn_on(geometry, float8) IS
     'A line that goes straight on for so many metres at both ends.';
 
@@ -170,6 +172,9 @@ CREATE OR REPLACE FUNCTION streetgen._edit_pedestrian_crossing() RETURNS trigger
 DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new crossing' ELSE 'crossing ' || OLD.street_object_id END;
 BEGIN
+    IF TG_OP <> 'INSERT' THEN
+        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id], ARRAY[OLD.geom]);
+    END IF;
     IF TG_OP = 'DELETE' THEN
         EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
             USING OLD.street_object_id;

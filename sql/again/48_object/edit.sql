@@ -13,6 +13,24 @@ END $$;
 COMMENT ON FUNCTION streetgen._snapped_axis(name, geometry) IS
     'The nearest axis within setting object_snap of a place; NULL where there is none.';
 
+CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, axes bigint[], places geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    ruled boolean := false;
+BEGIN
+    IF to_regprocedure(format('%I._begin_ruled_edit()', model)) IS NOT NULL THEN
+        EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
+    END IF;
+    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = ANY ($1) ORDER BY axis_id FOR SHARE', model) USING axes;
+    IF ruled THEN
+        EXECUTE format('SELECT %I._lock_beside($1)', model) USING array_remove(places, NULL);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint[], geometry[]) IS
+    'Before an edit view writes an object: locks what who edits axes locks before objects, in the same order. That is '
+    'the model, the axes by which the object stands, and where rules place objects the axes beside its places.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_street_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -25,6 +43,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._hold_specialised_types(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
+        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id], ARRAY[OLD.geom]);
         EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
             USING OLD.street_object_id;
         RETURN OLD;
@@ -70,11 +89,8 @@ BEGIN
             coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
-    IF NEW.axis_id IS NOT NULL AND NEW.placement <> 'absolute' THEN
-        -- The axis before the object, as who moves the axis holds them.
-        EXECUTE format('SELECT axis_id FROM %I.axis WHERE axis_id = $1 FOR SHARE', TG_TABLE_SCHEMA) INTO held
-            USING NEW.axis_id;
-    END IF;
+    PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id, CASE WHEN NEW.placement <> 'absolute'
+        THEN NEW.axis_id END], ARRAY[OLD.geom, NEW.geom]);
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
         'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
         'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 '

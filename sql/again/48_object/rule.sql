@@ -48,6 +48,14 @@ CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place
 COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
     'Whether a rule takes a place along an axis: the same share of all places, and the same places each time.';
 
+CREATE OR REPLACE FUNCTION streetgen._is_crossed_on_foot(kind text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(kind !~ '^(motorway|motorway_link|trunk_link|runway|taxiway|service|track|path|footway|cycleway|'
+        'steps|Autoroute|Quasi-autoroute|Type autoroutier|Bretelle|Chemin|Sentier|Escalier|Piste cyclable)$', true);
+COMMENT ON FUNCTION streetgen._is_crossed_on_foot(text) IS
+    'Whether pedestrian crossings are built on streets of a class where a rule names none: not on motorways and their '
+    'links, nor on service ways and paths. NULL counts as a street.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_rule_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -84,10 +92,10 @@ BEGIN
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
         SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
-            x.kind, x.turn_forward, x.turn_backward,
+            a.kind, a.turn_forward, a.turn_backward, %3$s AS on_ring,
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
             e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
-        FROM %1$I.edge e JOIN %1$I.axis x USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
+        FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
             LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
@@ -95,7 +103,8 @@ BEGIN
     ruled AS (
         SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
             AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
-            AND (r.kind IS NULL OR s.kind = ANY (r.kind))),
+            AND CASE WHEN r.kind IS NOT NULL THEN s.kind = ANY (r.kind) WHEN r.type = ANY (crossings)
+                THEN streetgen._is_crossed_on_foot(s.kind) AND NOT s.on_ring ELSE true END),
     place AS (
         SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
             (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
@@ -253,6 +262,27 @@ CREATE OR REPLACE FUNCTION %1$I._take_from_rules(objects bigint[]) RETURNS void
         WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
     UPDATE %1$I.street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
         WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
+CREATE OR REPLACE FUNCTION %1$I._begin_ruled_edit() RETURNS boolean
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+DECLARE
+    ruled constant boolean := %1$I._has_rules();
+BEGIN
+    IF ruled THEN
+        PERFORM streetgen._begin_edit(%2$L);
+    END IF;
+    RETURN ruled;
+END $body$;
+CREATE OR REPLACE FUNCTION %1$I._lock_beside(places geometry[]) RETURNS bigint[]
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+DECLARE
+    beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
+        JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
+BEGIN
+    PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+    RETURN beside;
+END $body$;
 CREATE OR REPLACE FUNCTION %1$I._renew_rules_beside(places geometry[]) RETURNS void
     LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
     AS $body$
@@ -261,9 +291,7 @@ DECLARE
 BEGIN
     IF %1$I._has_rules() THEN
         IF places IS NOT NULL THEN
-            beside := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
-                JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
-            PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+            beside := %1$I._lock_beside(places);
         END IF;
         PERFORM FROM %1$I._place_objects(beside);
     END IF;
@@ -274,12 +302,10 @@ CREATE OR REPLACE FUNCTION %1$I.enter_rules() RETURNS trigger
 BEGIN
     IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
         PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
+    ELSIF TG_OP <> 'TRUNCATE' THEN
+        PERFORM %1$I._begin_ruled_edit();
     ELSIF %1$I._has_rules() THEN
-        IF TG_OP = 'TRUNCATE' THEN
-            PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
-        ELSE
-            PERFORM streetgen._begin_edit(%2$L);
-        END IF;
+        PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
     END IF;
     RETURN NULL;
 END $body$;
@@ -359,7 +385,7 @@ BEGIN
     PERFORM %1$I._renew_rules_beside(changed);
     RETURN NULL;
 END $body$;
-$sql$, model, model);
+$sql$, model, model, streetgen._on_ring(model));
     FOR followed IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS new_place'),
         ('delete', 'REFERENCING OLD TABLE AS old_place'),
         ('update', 'REFERENCING OLD TABLE AS old_place NEW TABLE AS new_place'), ('truncate', '')) f(event, tables)
@@ -377,6 +403,10 @@ $sql$, model, followed.event, followed.tables);
         'Brings the objects that rules place along axes (NULL: along all) up to date'),
         streetgen._own_function(model, '_take_from_rules(bigint[])',
         'Makes objects of rules those of the user, and leaves their places free'),
+        streetgen._own_function(model, '_begin_ruled_edit()',
+        'Locks the model beside other editors where rules place objects, and tells whether they do'),
+        streetgen._own_function(model, '_lock_beside(geometry[])',
+        'Locks the axes within 100 m of places against other edits, and tells them'),
         streetgen._own_function(model, '_renew_rules_beside(geometry[])',
         'Brings the objects that rules place within 100 m of places (NULL: everywhere) up to date, under locks'),
         streetgen._own_function(model, 'enter_rules()', 'Before an edit of rules or objects: locks the model'),

@@ -192,6 +192,11 @@ CREATE OR REPLACE FUNCTION streetgen._check_object_type() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    IF TG_OP = 'UPDATE' AND NEW.type <> OLD.type AND OLD.type IN ('crossing', 'parking_bay') THEN
+        RAISE EXCEPTION 'object type "%" cannot be renamed', OLD.type USING ERRCODE = '22023',
+            DETAIL = 'Its objects have rows of a table of their own.',
+            HINT = 'Add a type with this one as its parent: its objects have such rows too.';
+    END IF;
     IF NEW.parent = NEW.type OR streetgen._is_below(TG_TABLE_SCHEMA, NEW.parent, coalesce(OLD.type, NEW.type)) THEN
         RAISE EXCEPTION 'object type "%" cannot stand below "%"', NEW.type, NEW.parent USING ERRCODE = '22023',
             DETAIL = format('%I stands below %I itself.', NEW.parent, NEW.type),
@@ -200,7 +205,8 @@ BEGIN
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._check_object_type() IS
-    'Trigger of object_type: a type that would stand below itself is refused, 22023.';
+    'Trigger of object_type: a type that would stand below itself, or another name for crossing or parking_bay, is '
+    'refused, 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_column()
     RETURNS TABLE(relation name, attribute name, description text)
@@ -228,7 +234,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
         'from the limit it stands, in short streets no farther than the middle'),
     ('placement_rule', 'importance_from', 'streets of this importance and less important ones; NULL: all'),
     ('placement_rule', 'importance_to', 'streets of this importance and more important ones; NULL: all'),
-    ('placement_rule', 'kind', 'classes of streets; NULL: all'),
+    ('placement_rule', 'kind', 'classes of streets; NULL: all, but for crossings none of motorways, their links, '
+        'service ways, paths and roundabouts'),
     ('placement_rule', 'turn', 'of arms those alone with a lane that is marked for this turn, such as left; NULL: all'),
     ('placement_rule', 'density', 'share of the places that are taken, 0 to 1'),
     ('placement_rule', 'active', 'false: it places nothing'),
