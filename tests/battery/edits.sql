@@ -48,13 +48,14 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'lane_count' THEN edits.one_of('NULL', '1', '2', '3', '4')
     WHEN 'lanes_both' THEN edits.one_of('NULL', '1', '2')
     WHEN 'radius' THEN edits.one_of('NULL', '0', '4', '15')
-    WHEN 'kind' THEN quote_nullable(edits.one_of('residential', 'primary', 'service', NULL))
+    WHEN 'kind' THEN quote_nullable(edits.one_of('residential', 'primary', 'service', 'motorway', 'motorway_link', NULL))
+    WHEN 'change_forward' THEN quote_nullable(edits.one_of('no|yes', 'yes|not_left', 'only_right', NULL))
     WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
     WHEN 'turn_forward' THEN quote_nullable(edits.one_of('left|through', 'through;right', NULL))
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'change_forward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
@@ -97,11 +98,63 @@ BEGIN
   RETURN '{}';
 END $$;
 
+-- One edit about junctions: what stands before them, what somebody decides of them, carriageways and ramps that make them.
+CREATE FUNCTION edits.junction_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  edit text := edits.one_of('control', 'control', 'move control', 'no control', 'kind', 'kind', 'inside', 'inside', 'no decision', 'carriageway', 'ramp', 'ramp', 'decide ramp', 'decide ramp', 'change', 'change', 'no change');
+  fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
+  other record;
+  beside geometry;
+BEGIN
+  CASE edit
+    WHEN 'control' THEN
+      RETURN ARRAY[format('INSERT INTO edited.control_point (geom, kind, direction) VALUES (%L, %L, %s)', ST_AsEWKT(CASE floor(random() * 3)::integer WHEN 0 THEN ST_StartPoint(a.geom) WHEN 1 THEN ST_EndPoint(a.geom) ELSE edits.place_beside(a.geom) END),
+                          edits.one_of('signals', 'signals', 'stop', 'yield', 'mini_roundabout', 'pedestrian_crossing'), edits.one_of('NULL', 'NULL', $q$'direct'$q$, $q$'reverse'$q$, $q$'both'$q$))];
+    WHEN 'move control', 'no control' THEN
+      SELECT control_point_id, geom INTO other FROM edited.control_point ORDER BY ST_X(geom), ST_Y(geom), kind, direction OFFSET floor(random() * (SELECT count(*) FROM edited.control_point)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format(CASE edit WHEN 'no control' THEN 'DELETE FROM edited.control_point' ELSE 'UPDATE edited.control_point SET geom = %2$L' END || ' WHERE ST_DWithin(geom, %1$L, 0.001)', ST_AsEWKT(other.geom), ST_AsEWKT(edits.place_beside(a.geom)))];
+      END IF;
+    WHEN 'kind' THEN
+      SELECT geom INTO other FROM edited.junction ORDER BY ST_X(geom), ST_Y(geom) OFFSET floor(random() * (SELECT count(*) FROM edited.junction)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('UPDATE edited.junction_editing SET kind = %L WHERE ST_DWithin(geom, %L, 0.001)', edits.one_of('signals', 'stop', 'priority', 'right_before_left', 'end'), ST_AsEWKT(other.geom))];
+      END IF;
+    WHEN 'inside' THEN
+      RETURN ARRAY[format('UPDATE edited.junction_edge_editing SET inside = %s WHERE edge_id IN (SELECT edge_id FROM edited.edge WHERE axis_id = %s ORDER BY start_abscissa LIMIT 1)', edits.one_of('true', 'false'), a.axis_id)];
+    WHEN 'no decision' THEN
+      RETURN ARRAY[edits.one_of('DELETE FROM edited.junction_editing WHERE by_hand', 'UPDATE edited.junction_edge_editing SET by_hand = false WHERE by_hand', format('DELETE FROM edited.junction_override WHERE axis_id = %s', a.axis_id))];
+    WHEN 'carriageway' THEN
+      beside := ST_OffsetCurve(a.geom, edits.between(9, 25));
+      IF ST_GeometryType(beside) = 'ST_LineString' AND NOT ST_IsEmpty(beside) THEN
+        RETURN ARRAY[format($q$UPDATE edited.axis SET direction = 'direct', name = 'avenue' WHERE axis_id = %s$q$, a.axis_id),
+                     format($q$INSERT INTO edited.axis (axis_id, geom, width, direction, name, importance) VALUES (%s, %L, 7, 'direct', 'avenue', %s)$q$, fresh, ST_AsEWKT(ST_Reverse(beside)), coalesce(a.importance::text, 'NULL'))];
+      END IF;
+    WHEN 'ramp' THEN
+      -- A link that comes upon the street, or leaves it, at an acute angle.
+      beside := ST_LineInterpolatePoint(a.geom, edits.between(0.3, 0.7));
+      beside := ST_MakeLine(ST_Translate(ST_LineInterpolatePoint(a.geom, 0), edits.between(-20, 20), edits.between(-20, 20)), beside);
+      RETURN ARRAY[format($q$UPDATE edited.axis SET direction = 'direct', kind = 'motorway', lane_count = %s, speed = 100 WHERE axis_id = %s$q$, edits.one_of('2', '3'), a.axis_id),
+                   format($q$INSERT INTO edited.axis (axis_id, geom, width, direction, kind, lane_count, speed) VALUES (%s, %L, 4, %L, 'motorway_link', 1, 50)$q$, fresh,
+                          ST_AsEWKT(CASE WHEN edits.chance(0.5) THEN beside ELSE ST_Reverse(beside) END), 'direct')];
+    WHEN 'decide ramp' THEN
+      RETURN ARRAY[edits.one_of(format('UPDATE edited.ramp_editing SET length = %s', edits.one_of('0', '20', '90', 'NULL')), format('UPDATE edited.ramp_editing SET tangent = %s', edits.one_of('5', '25', 'NULL')),
+                                'DELETE FROM edited.ramp_editing WHERE by_hand', format('INSERT INTO edited.ramp_override (axis_id, abscissa, tangent) VALUES (%s, %s, 9)', a.axis_id, edits.between(0, ST_Length(a.geom))))];
+    WHEN 'change' THEN
+      RETURN ARRAY[format('INSERT INTO edited.lane_adjacency_override (axis_id, abscissa, lane_from, lane_to, change) VALUES (%s, %s, %s, %s, %L)',
+                          a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('1', '2', '3'), edits.one_of('1', '2', '3', '4'), edits.one_of('allowed', 'forbidden'))];
+    WHEN 'no change' THEN
+      RETURN ARRAY[edits.one_of('DELETE FROM edited.lane_adjacency_editing WHERE by_hand', format('DELETE FROM edited.lane_adjacency_override WHERE axis_id = %s', a.axis_id), $q$UPDATE edited.lane_adjacency_editing SET change = 'forbidden' WHERE change = 'allowed'$q$)];
+  END CASE;
+  RETURN '{}';
+END $$;
+
 -- One edit of the town as it is: a statement, or the two of a split or merge.
 CREATE FUNCTION edits.edit() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   edit text := edits.one_of('move vertex', 'move vertex', 'move vertex', 'move node', 'attribute', 'attribute', 'attribute', 'several', 'insert', 'insert', 'delete', 'split', 'merge', 'reverse',
                             'number anew', 'transition', 'lane', 'limit', 'kerb point', 'corner', 'interconnection', 'restriction', 'bend', 'no override', 'paused',
+                            'junction', 'junction', 'junction', 'junction', 'junction', 'junction', 'junction', 'junction',
                             'object', 'object', 'object', 'object', 'object', 'object', 'object', 'object');
   a edited.axis := edits.axis();
   fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
@@ -179,9 +232,11 @@ BEGIN
     WHEN 'no override' THEN
       RETURN ARRAY[format('DELETE FROM edited.%I WHERE %s = %s', t, k, a.axis_id)]
         FROM (VALUES ('transition_override', 'axis_id'), ('lane_override', 'axis_id'), ('interconnection_override', 'axis_in'), ('turn_restriction', 'from_axis'),
-                      ('section_limit_override', 'axis_id'), ('kerb_point_override', 'axis_id'), ('corner_override', 'axis_a'), ('road_override', 'axis_id')) v(t, k) OFFSET floor(random() * 8) LIMIT 1;
+                      ('section_limit_override', 'axis_id'), ('kerb_point_override', 'axis_id'), ('corner_override', 'axis_a'), ('road_override', 'axis_id'), ('ramp_override', 'axis_id')) v(t, k) OFFSET floor(random() * 9) LIMIT 1;
     WHEN 'object' THEN
       RETURN edits.object_edit(a);
+    WHEN 'junction' THEN
+      RETURN edits.junction_edit(a);
     WHEN 'paused' THEN
       -- As an importer: what it changed is generated by itself.
       RETURN ARRAY[$q$SET LOCAL streetgen.live = 'off'$q$, format('UPDATE edited.axis SET width = %s WHERE axis_id = %s', edits.between(3, 20), a.axis_id), 'SET LOCAL streetgen.live TO DEFAULT',
@@ -225,7 +280,7 @@ CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql V
 DECLARE
   input regclass;
 BEGIN
-  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction') OR relname LIKE '%\_override') LOOP
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;
@@ -268,13 +323,14 @@ DECLARE
   rows text[];
   edit text[];
   statement text;
-  -- So many edits of objects come first.
+  -- So many edits of objects come first, and then of junctions.
   objects integer;
+  junctions integer;
 BEGIN
   PERFORM setseed((seed::bigint * 7919 % 1000003) / 1000003.0);
   script.settings := ARRAY['crossing=' || edits.one_of('over', 'split'), 'short_axis=' || edits.one_of('reduce', 'follow'), 'dead_end=' || edits.one_of('flat', 'round'),
                            'u_turn=' || edits.one_of('true', 'false'), 'trajectory=' || edits.one_of('bezier', 'arcs'), 'reach=' || edits.one_of('60', '60', '25', '120'), 'edge_line=' || edits.one_of('none', 'solid'),
-                           'smoothing=' || edits.one_of('none', 'none', 'arcs')];
+                           'smoothing=' || edits.one_of('none', 'none', 'arcs'), 'junction_gap=' || edits.one_of('35', '35', '12'), 'control_distance=' || edits.one_of('50', '20')];
   PERFORM edits.begin(script);
   source := edits.one_of(VARIADIC ARRAY(SELECT NULL UNION ALL SELECT NULL UNION ALL (SELECT name FROM edits.town ORDER BY name)));
   IF source IS NULL THEN
@@ -293,8 +349,9 @@ BEGIN
     INSERT INTO edited.axis SELECT (row::edited.axis).* FROM unnest(script.axes) row;
   END IF;
   objects := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
-  FOR i IN 1 .. objects + 2 + floor(random() * 9) LOOP
-    edit := CASE WHEN i <= objects THEN edits.object_edit(edits.axis()) ELSE edits.edit() END;
+  junctions := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
+  FOR i IN 1 .. objects + junctions + 2 + floor(random() * 9) LOOP
+    edit := CASE WHEN i <= objects THEN edits.object_edit(edits.axis()) WHEN i <= objects + junctions THEN edits.junction_edit(edits.axis()) ELSE edits.edit() END;
     FOREACH statement IN ARRAY edit LOOP
       EXIT WHEN NOT edits.execute(statement);
       script.statements := script.statements || statement;

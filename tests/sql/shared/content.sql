@@ -15,6 +15,8 @@ BEGIN
       FROM @.lane l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand, a.start_abscissa, a.end_abscissa)
+      FROM @.lane_adjacency a JOIN @.lane l ON l.lane_id = a.lane_a JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.along_axis, m.kind, n.geom::text, m.geom::text, m.surface::text)
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
     UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, c.along_in, b.axis_id, b.start_abscissa, o.ordinality, c.along_out, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
