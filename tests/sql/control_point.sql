@@ -42,6 +42,13 @@ DELETE FROM held.axis WHERE axis_id = 1;
 SELECT 'one whose axis is gone stays and is told', (SELECT count(*) = 2 FROM streetgen.check_model('held') WHERE rule = 'control point off all axes');
 INSERT INTO held.axis (axis_id, geom, width, importance, lane_count) OVERRIDING SYSTEM VALUE VALUES (1, 'SRID=2154;LINESTRING(649900 6860000,650000 6860000)', 7, 3, 2);
 SELECT 'an axis that comes by takes them', (SELECT count(*) = 0 FROM streetgen.check_model('held') WHERE rule = 'control point off all axes');
+INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6860060)', 'stop');
+SET statement_timeout = '20s';
+UPDATE held.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650200 6860001)' WHERE axis_id = 2;
+RESET statement_timeout;
+SELECT 'an axis moves beside one that stands off all axes', (SELECT count(*) = 1 FROM held.control_point WHERE axis_id IS NULL);
+UPDATE held.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)' WHERE axis_id = 2;
+DELETE FROM held.control_point WHERE axis_id IS NULL;
 SELECT 'a kind that is none is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(0 0)', 'gate')$q$) = '23514';
 SELECT 'an empty place is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT EMPTY', 'stop')$q$) = '23514';
 
