@@ -159,6 +159,10 @@ UPDATE town.junction_edge_editing SET by_hand = false WHERE by_hand;
 SELECT 'not by hand they are apart', (SELECT count(*) = 2 FROM town.junction_node WHERE junction_id = (SELECT junction_id FROM pg_temp.side));
 SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
   ('a junction drawn', $$INSERT INTO town.junction_editing (kind) VALUES ('stop')$$, '0A000'), ('an edge drawn', 'INSERT INTO town.junction_edge_editing (inside) VALUES (true)', '0A000'),
+  ('a crossing as an end', $$UPDATE town.junction_editing SET kind = 'end' WHERE junction_id = (SELECT junction_id FROM pg_temp.side)$$, '22023'),
+  ('a crossing as a roundabout', $$UPDATE town.junction_editing SET kind = 'roundabout' WHERE junction_id = (SELECT junction_id FROM pg_temp.side)$$, '22023'),
+  ('a crossing as a continuation', $$UPDATE town.junction_editing SET kind = 'continuation' WHERE junction_id = (SELECT junction_id FROM pg_temp.side)$$, '22023'),
+  ('an end as a priority junction', $$UPDATE town.junction_editing SET kind = 'priority' WHERE kind = 'end'$$, '22023'),
   ('a kind that is none', $$UPDATE town.junction_editing SET kind = 'circus'$$, '23514'),
   ('a junction moved', 'UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another key', 'UPDATE town.junction_editing SET junction_id = junction_id + 1', '0A000'),
   ('an edge moved', 'UPDATE town.junction_edge_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another edge', 'UPDATE town.junction_edge_editing SET edge_id = edge_id + 1000', '0A000')) v(name, statement, state);

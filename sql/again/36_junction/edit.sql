@@ -49,6 +49,34 @@ COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], geometry, bigint,
     'Writes one decision on a junction: known are the rows that decided before, of which one stays; without them there '
     'is a new row at the place on the axis. Neither inside nor kind: it is taken back.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_junction_kind(model name, junction bigint, kind text) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    found record;
+    hint text;
+BEGIN
+    EXECUTE format($sql$
+SELECT count(*) AS arms, coalesce(bool_or(%2$s), false) AS on_ring FROM %1$I.junction_node m
+    JOIN (SELECT *, from_node AS node_id FROM %1$I.edge UNION ALL SELECT *, to_node FROM %1$I.edge) e USING (node_id)
+    LEFT JOIN %1$I.axis a USING (axis_id)
+WHERE m.junction_id = $1 AND NOT EXISTS (SELECT FROM %1$I.junction_edge i WHERE i.edge_id = e.edge_id)
+$sql$, model, streetgen._on_ring(model)) INTO found USING junction;
+    hint := CASE WHEN kind = 'end' AND found.arms <> 1 THEN 'An end has one arm.'
+        WHEN kind = 'continuation' AND found.arms <> 2 THEN 'A continuation has two arms.'
+        WHEN kind = 'roundabout' AND NOT found.on_ring THEN
+            'A roundabout comes of axes that go round; put a control point of kind mini_roundabout for a small one.'
+        WHEN kind IN ('ramp', 'priority', 'right_before_left') AND found.arms = 1 THEN 'Where one arm ends is an end.'
+        END;
+    IF hint IS NOT NULL THEN
+        RAISE EXCEPTION 'junction % cannot be of kind %', junction, kind USING ERRCODE = '22023', HINT = hint,
+            DETAIL = format('It has %s arms.', found.arms);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_junction_kind(name, bigint, text) IS
+    'Refuses (22023) a kind by hand that does not fit the arms of a junction: end, continuation, roundabout where no '
+    'axis goes round, and what needs several arms at an end.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -82,13 +110,16 @@ BEGIN
         RAISE EXCEPTION 'junction % is gone', OLD.junction_id USING ERRCODE = '22023',
             DETAIL = 'Somebody else changed its axes.', HINT = 'Refresh the layer, and edit what is there now.';
     END IF;
+    IF decided <> OLD.kind THEN
+        PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, OLD.junction_id, decided);
+    END IF;
     PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, node.geom, node.axis_id, NULL, decided);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_junction() IS
     'Trigger of junction_editing: writes the kind to junction_override, at a node of the junction; kind NULL, or '
-    'DELETE, takes it back. An unknown kind: 23514; a junction that is gone: 22023; INSERT, another '
-    'key or place: 0A000.';
+    'DELETE, takes it back. An unknown kind: 23514; one that does not fit its arms, or a junction that '
+    'is gone: 22023; INSERT, another key or place: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_junction_edge() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
