@@ -159,8 +159,8 @@ struct Section {
   MultiPolygon surface;  // empty when the limits crossed
   Method method = Method::hypothesis;
   double contested_area = 0;  // square metres left to other surfaces
-  // From node to node, changes of width between limits included; corners are left out. None where
-  // the roadway is as wide as the axis says.
+  // From node to node, abscissas along the axis, changes of width between limits included; corners
+  // are left out. None where the roadway is as wide as the axis says.
   WidthProfile borders{};
 };
 
@@ -199,7 +199,7 @@ struct FormerEdge {
   Line line;
   FormerLimit start, end;
   FormerSurface section;
-  bool has_borders = false;  // the section had borders
+  WidthProfile borders{};  // of the section
 };
 struct FormerNode {
   Point point;

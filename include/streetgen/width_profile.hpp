@@ -16,6 +16,9 @@ struct WidthProfile {
     double right = 0;
 
     double on(int side) const { return side > 0 ? left : right; }  // +1: left, -1: right
+    friend bool operator==(const Place& a, const Place& b) {
+      return a.abscissa == b.abscissa && a.left == b.left && a.right == b.right;
+    }
   };
   std::vector<Place> places;
 

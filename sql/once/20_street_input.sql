@@ -109,7 +109,7 @@ COMMENT ON COLUMN streetgen.street_circulation.turned IS
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
         border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea,
-        contested boolean, level integer, has_borders boolean
+        contested boolean, level integer, borders bytea
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
@@ -125,8 +125,8 @@ COMMENT ON COLUMN streetgen.former_edge.border_end IS 'border line there, LINEST
 COMMENT ON COLUMN streetgen.former_edge.surface IS 'its section, MULTIPOLYGON, EWKB';
 COMMENT ON COLUMN streetgen.former_edge.contested IS 'did part of the section''s ground belong to another surface?';
 COMMENT ON COLUMN streetgen.former_edge.level IS 'level of the section';
-COMMENT ON COLUMN streetgen.former_edge.has_borders IS
-    'did column borders of the section say where its borders run?';
+COMMENT ON COLUMN streetgen.former_edge.borders IS
+    'numbers of column borders of the section, each as float8send writes it; empty: there were none';
 
 CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean, level integer);
 COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';

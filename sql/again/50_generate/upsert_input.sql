@@ -8,7 +8,9 @@ former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
            s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
-               c.contested_area > 0 AS contested, c.level, c.borders IS NOT NULL AS has_borders
+               c.contested_area > 0 AS contested, c.level, coalesce((
+               SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(c.borders) WITH ORDINALITY
+                   b(number, place)), '') AS borders
     FROM {model}.edge e,
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
@@ -81,7 +83,7 @@ computed AS MATERIALIZED (
         circulations => {circulations},
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
-                wanted_end, "end", border_end, surface, contested, level, has_borders)::streetgen.former_edge)
+                wanted_end, "end", border_end, surface, contested, level, borders)::streetgen.former_edge)
             FROM former_edge),
         former_nodes => (
             SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,

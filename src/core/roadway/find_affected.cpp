@@ -92,11 +92,9 @@ class Change {
 
   // Beyond a limit that stays, borders change with the street that goes on there.
   bool borders_change(int e, const FormerEdge& before) const {
-    const auto changes = [&](int node, bool at_start) {
-      return (met_[node] || moved_.nodes[node]) &&
-             (before.has_borders || changes_before_limit(layout_, {e, at_start}));
-    };
-    return changes(edges_[e].from_node, true) || changes(edges_[e].to_node, false);
+    const auto changes = [&](int node) { return met_[node] || moved_.nodes[node]; };
+    return (changes(edges_[e].from_node) || changes(edges_[e].to_node)) &&
+           section_borders(layout_, e).places != before.borders.places;
   }
 
   void move_section(int e, const FormerEdge& before) {

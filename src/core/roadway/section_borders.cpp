@@ -58,10 +58,6 @@ std::vector<WidthProfile::Place> places_before_limit(const Layout& layout, const
 
 }  // namespace
 
-bool changes_before_limit(const Layout& layout, const EdgeEnd& end) {
-  return !places_before_limit(layout, end).empty();
-}
-
 WidthProfile section_borders(const Layout& layout, int e) {
   if (limits_crossed(layout.streets, e)) return {};
   const Arm& arm = layout.arms[2 * e];
@@ -87,9 +83,12 @@ WidthProfile section_borders(const Layout& layout, int e) {
   for (auto place = end.rbegin(); place != end.rend(); ++place)
     places.push_back({total - place->abscissa, place->right, place->left});
   WidthProfile borders;
-  for (const WidthProfile::Place& place : places)
+  const double along_axis = layout.streets.network.edges[e].start_abscissa;
+  for (WidthProfile::Place place : places) {
+    place.abscissa += along_axis;
     if (borders.empty() || place.abscissa > borders.places.back().abscissa + coordinate_margin)
       borders.places.push_back(place);
+  }
   return borders;
 }
 

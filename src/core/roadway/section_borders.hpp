@@ -7,10 +7,8 @@ namespace streetgen {
 
 // Half widths of an edge with all that widens its roadway: merging lanes, changes of width that go
 // on within the section, and those between the limits of two edges. A border that turns round a
-// corner goes on as it was before the corner. None where the roadway is as wide as the axis says.
+// corner goes on as it was before the corner. Abscissas are metres along the axis. None where the
+// roadway is as wide as the axis says.
 WidthProfile section_borders(const Layout& layout, int e);
-
-// Whether a border of the edge changes between its limit and its node.
-bool changes_before_limit(const Layout& layout, const EdgeEnd& end);
 
 }  // namespace streetgen

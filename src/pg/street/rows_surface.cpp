@@ -20,13 +20,11 @@ bool fill_section_limit(const ComputedStreets& computed, const Named& named, std
                          name(method_name(limit.method)));
 }
 
-// Abscissas along the axis.
-Value borders_of(const ComputedStreets& computed, const Section& section) {
+Value borders_of(const Section& section) {
   if (section.borders.empty()) return {};
-  const double start = computed.streets.network.edges[section.edge].start_abscissa;
   std::vector<double> values;
   for (const WidthProfile::Place& place : section.borders.places)
-    values.insert(values.end(), {start + place.abscissa, place.left, place.right});
+    values.insert(values.end(), {place.abscissa, place.left, place.right});
   return values;
 }
 
@@ -36,7 +34,7 @@ bool fill_section(const ComputedStreets& computed, const Named& named, std::size
   return edge > 0 && put(row, edge, computed.streets.network.edges[section.edge].level,
                          Geometry{stored_surface(section.surface, flat(computed))},
                          name(method_name(section.method)), section.contested_area,
-                         borders_of(computed, section));
+                         borders_of(section));
 }
 
 bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {

@@ -133,7 +133,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "surface", BYTEAOID),
                         column(edges, "contested", BOOLOID),
                         column(edges, "level", INT4OID),
-                        column(edges, "has_borders", BOOLOID)};
+                        column(edges, "borders", BYTEAOID)};
 
   const Rows nodes = rows(fcinfo, 9, "former nodes");
   call->former_nodes = {nodes.count,

@@ -43,7 +43,7 @@ struct StreetsCall {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
     Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested, level,
-        has_borders;
+        borders;
   } former_edges;
   struct {
     int count;

@@ -1,7 +1,9 @@
 #include "street/streets_input.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -392,6 +394,22 @@ FormerSurface former_surface(const Column& surface, const Column& contested, con
           DatumGetBool(contested.values[row]), DatumGetInt32(level.values[row])};
 }
 
+// Numbers as float8send writes them, each eight bytes from the highest on.
+WidthProfile borders_of(std::string_view bytes) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < 8; ++i) bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
+    double number = 0;
+    std::memcpy(&number, &bits, sizeof number);
+    numbers.push_back(number);
+  }
+  WidthProfile borders;
+  for (std::size_t i = 0; i + 3 <= numbers.size(); i += 3)
+    borders.places.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  return borders;
+}
+
 Former former_of(const StreetsCall& call) {
   Former former;
   const auto& edges = call.former_edges;
@@ -407,7 +425,7 @@ Former former_of(const StreetsCall& call) {
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),
                             former_surface(edges.surface, edges.contested, edges.level, i),
-                            DatumGetBool(edges.has_borders.values[i])});
+                            borders_of(bytes_of(edges.borders.values[i]))});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)

@@ -23,7 +23,8 @@ Former former_of(const Streets& before) {
                             before.network.edges[section.edge].line,
                             former_of(before.limits[2 * section.edge]),
                             former_of(before.limits[2 * section.edge + 1]),
-                            {section.surface, section.contested_area > 0}});
+                            {section.surface, section.contested_area > 0},
+                            section.borders});
   for (const Intersection& intersection : before.intersections)
     former.nodes.push_back({before.network.nodes[intersection.node].point,
                             {intersection.surface, intersection.contested_area > 0}});
