@@ -151,6 +151,42 @@ STREETGEN_FUNCTION(streetgen_chain_station) {
   PG_RETURN_NULL();
 }
 
+// The columns of a chain, stations, values by border and station, and the tolerance.
+STREETGEN_FUNCTION(streetgen_chain_borders) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  NumberArray columns[chain_columns];
+  for (int i = 0; i < chain_columns; ++i) columns[i] = take_numbers(fcinfo, i);
+  const NumberArray station = take_numbers(fcinfo, chain_columns);
+  const NumberArray border = take_numbers(fcinfo, chain_columns + 1);
+  const double tolerance = PG_GETARG_FLOAT8(chain_columns + 2);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
+  auto* slot = make_slot<std::vector<Line>>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new std::vector<Line>;
+    const std::vector<double> stations = read_numbers(station, 1, "station");
+    if (stations.size() < 2) throw Error(ErrorKind::invalid_input, "there are not two stations");
+    const std::vector<double> values = read_numbers(border, stations.size(), "border");
+    std::vector<std::vector<double>> borders;
+    for (auto at = values.begin(); at != values.end(); at += stations.size())
+      borders.emplace_back(at, at + stations.size());
+    *slot->value = border_lines(read_chain(columns), stations, borders, tolerance_of(tolerance));
+  });
+  report(outcome);
+  for (std::size_t b = 0; b < slot->value->size(); ++b) {
+    const Line& line = (*slot->value)[b];
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      Datum values[] = {Int32GetDatum(static_cast<int>(b) + 1),
+                        Int32GetDatum(static_cast<int>(i) + 1), BoolGetDatum(i + 1 == line.size()),
+                        Float8GetDatum(line[i].x), Float8GetDatum(line[i].y)};
+      const bool nulls[] = {false, false, false, false, false};
+      tuplestore_putvalues(result_of(fcinfo)->setResult, result_of(fcinfo)->setDesc, values,
+                           const_cast<bool*>(nulls));
+    }
+  }
+  PG_RETURN_NULL();
+}
+
 STREETGEN_FUNCTION(streetgen_road_lanes) {
   using namespace streetgen;
   using namespace streetgen::pg;

@@ -51,3 +51,13 @@ COMMENT ON FUNCTION streetgen._chain_station(float8[], float8[], float8[], float
     'Where a place lies beside a plan view of arrays: station (metres along it, of the nearest place), aside (metres '
     'to its left), direction (its heading there, radians) and beyond (metres straight on behind its end, negative '
     'before it begins, else 0). Arrays of different length, or empty: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._chain_borders(s float8[], x float8[], y float8[], heading float8[],
+    length float8[], curvature float8[], curvature_end float8[], station float8[], border float8[], tolerance float8)
+    RETURNS TABLE(number integer, nth integer, last boolean, x1 float8, y1 float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 20 AS 'MODULE_PATHNAME', 'streetgen_chain_borders';
+COMMENT ON FUNCTION streetgen._chain_borders(float8[], float8[], float8[], float8[], float8[], float8[], float8[],
+    float8[], float8[], float8) IS
+    'The points of borders along a plan view of arrays. station and border are those of streetgen._road_lanes. A row '
+    'has the number of the border from the left, that of the point along the chain, both from 1, and whether it is the '
+    'last one. Chords leave arcs by tolerance, metres. Arrays that do not fit: 22023.';

@@ -5,12 +5,13 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia,opendrive,cityjson,gltf}'::text[], 'box', 'null'::jsonb, 'm',
+    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf}'::text[], 'box', 'null'::jsonb, 'm',
         'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all', -1e12::float8,
         1e12::float8, NULL::text[]),
-    ('level', '{sumo,symuvia,opendrive,cityjson,gltf}', 'integer', 'null', '', 'edges of this level alone; null: all',
-        -50, 50, NULL),
-    ('junctions', '{sumo,symuvia,opendrive}', 'word', '"node"', '', 'what a junction is: each node, or the nodes of a '
+    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf}', 'integer', 'null', '',
+        'edges of this level alone; null: all', -50, 50, NULL),
+    ('junctions', '{sumo,symuvia,opendrive,lanelet2}', 'word', '"node"', '',
+        'what a junction is: each node, or the nodes of a '
         'junction as one, without the edges inside', NULL, NULL, '{node,group}'),
     ('precision', '{sumo}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('precision', '{symuvia}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
@@ -19,8 +20,8 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
     ('tolerance', '{symuvia}', 'number', '0.1', 'm', 'how far a simplified line may leave that of the model; 0: all '
         'its points', 0, 10, NULL),
     ('precision', '{opendrive}', 'integer', '4', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
-    ('tolerance', '{opendrive}', 'number', '0.05', 'm', 'how far lines and arcs may leave the lines of the model',
-        0.001, 1, NULL),
+    ('tolerance', '{opendrive,lanelet2}', 'number', '0.05', 'm',
+        'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
     ('precision', '{cityjson}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{cityjson,gltf}', 'number', '0.05', 'm', 'how far triangles may leave the heights of the streets',
