@@ -15,7 +15,7 @@ BEGIN
       FROM @.lane l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
-    UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand, a.start_abscissa, a.end_abscissa)
+    UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand)
       FROM @.lane_adjacency a JOIN @.lane l ON l.lane_id = a.lane_a JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.along_axis, m.kind, n.geom::text, m.geom::text, m.surface::text)
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
