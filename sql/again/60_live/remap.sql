@@ -152,24 +152,8 @@ new AS (
 UPDATE %1$I.road_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
 WHERE o.road_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
     n.geom)$sql$
-        WHEN 'ramp_override' THEN $sql$,
-new AS (
-    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
-    FROM found f JOIN %1$I.ramp_override o ON o.ramp_override_id = f.override_id
-        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
-    WHERE f.relation = 'ramp_override')
-UPDATE %1$I.ramp_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
-WHERE o.ramp_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
-    n.geom)$sql$
-        WHEN 'height_override' THEN $sql$,
-new AS (
-    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
-    FROM found f JOIN %1$I.height_override o ON o.height_override_id = f.override_id
-        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
-    WHERE f.relation = 'height_override')
-UPDATE %1$I.height_override o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
-WHERE o.height_override_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa,
-    n.geom)$sql$
+        WHEN 'ramp_override' THEN streetgen._remap_by_abscissa()
+        WHEN 'height_override' THEN streetgen._remap_by_abscissa()
         WHEN 'control_point' THEN $sql$,
 new AS (
     SELECT f.override_id AS id, f.axis_id, at.abscissa, CASE WHEN f.turned THEN CASE o.direction WHEN 'direct'
@@ -278,23 +262,6 @@ CREATE OR REPLACE FUNCTION streetgen._remap_window(relation name) RETURNS text
         'OR via_axes IS NOT NULL AND via_geom && ST_Expand(extent, 110))' ELSE 'geom && ST_Expand(extent, 110)' END $$;
 COMMENT ON FUNCTION streetgen._remap_window(name) IS
     'Whether a row of overrides has a place near the extent of changed axes, as SQL.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_by_place() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $sql$,
-new AS (
-    -- With its vertex, where that moved.
-    SELECT f.override_id AS id, f.axis_id, at.geom
-    FROM found f JOIN %1$I.%2$I o ON o.%2$I_id = f.override_id LEFT JOIN changed c ON c.axis_id = f.axis_id
-        CROSS JOIN LATERAL (SELECT streetgen._moved_vertex(c.before, c.after, f.geom,
-            3 * (SELECT value FROM tolerance)) AS vertex) v
-        CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn OR v.vertex IS NOT NULL,
-            0) at
-    WHERE f.relation = %2$L)
-UPDATE %1$I.%2$I o SET axis_id = n.axis_id, geom = n.geom FROM new n
-WHERE o.%2$I_id = n.id AND (o.axis_id, o.geom) IS DISTINCT FROM (n.axis_id, n.geom)$sql$ $$;
-COMMENT ON FUNCTION streetgen._remap_by_place() IS
-    'The end of the statements of _remap_statement for overrides that name an edge or a node by an axis and a place.';
 
 CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8,
     OUT abscissa float8, OUT geom geometry)
