@@ -15,14 +15,15 @@ BEGIN
       FROM @.lane l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
-    UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand)
-      FROM @.lane_adjacency a JOIN @.lane l ON l.lane_id = a.lane_a JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.along_axis, m.kind, n.geom::text, m.geom::text, m.surface::text)
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
     UNION ALL SELECT concat_ws(' ', 'interconnection', n.geom::text, a.axis_id, a.start_abscissa, i.ordinality, c.along_in, b.axis_id, b.start_abscissa, o.ordinality, c.along_out, c.turn, c.angle, c.plausible, c.reason, c.connecting, c.method, c.control::text, c.geom::text)
       FROM @.interconnection c LEFT JOIN @.node n USING (node_id) JOIN @.lane i ON i.lane_id = c.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = c.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'report', issue, axis_a, axis_b, measure, geom::text) FROM @.report
     UNION ALL SELECT concat_ws(' ', 'intersection', n.geom::text, i.method, i.contested_area, i.surface::text) FROM @.intersection i JOIN @.node n USING (node_id)$q$
+    || CASE WHEN to_regclass(format('%I.lane_adjacency', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand)
+      FROM @.lane_adjacency a JOIN @.lane l ON l.lane_id = a.lane_a JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.kerb', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
       FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
