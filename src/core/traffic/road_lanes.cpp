@@ -14,7 +14,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double step = 2;                // metres between two looks across the road
+constexpr double step = 2;  // metres between two looks across the road
 // Metres from the ends.  A surface ends across its axis, whose heading the chain leaves a little.
 constexpr double inside = 0.3;
 constexpr double least_width = 1e-3;      // metres
@@ -69,6 +69,16 @@ std::vector<double> looks(const std::vector<PlanPiece>& chain) {
   return out;
 }
 
+// At an end a lane was seen a little inside, at `from`: it goes on from there as from the next
+// station.
+void lead_to_end(const Span& next, double away, double from, Span& end) {
+  constexpr double steepest = 0.5;  // metres aside by metre
+  for (double Span::*side : {&Span::left, &Span::right}) {
+    const double slope = (end.*side - next.*side) / away;
+    if (std::abs(slope) <= steepest) end.*side += slope * from;
+  }
+}
+
 // At each station, where the lane is seen.
 std::vector<std::optional<Span>> seen_spans(const LaneGround& lane,
                                             const std::vector<PlanPiece>& chain,
@@ -89,6 +99,13 @@ std::vector<std::optional<Span>> seen_spans(const LaneGround& lane,
     expected = seen.back()->middle();
     widest = std::max(lane.width, seen.back()->left - seen.back()->right);
   }
+  const std::size_t last = stations.size() - 1;
+  const double first_away = stations[1] - from, last_away = end - from - stations[last - 1];
+  const std::optional<Span> first = seen.front();
+  if (seen[0] && seen[1] && first_away > from) lead_to_end(*seen[1], first_away, from, *seen[0]);
+  if (seen[last] && seen[last - 1] && last_away > from)
+    lead_to_end(last == 1 ? *first : *seen[last - 1], last == 1 ? end - 2 * from : last_away, from,
+                *seen[last]);
   return seen;
 }
 
