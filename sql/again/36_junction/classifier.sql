@@ -1,12 +1,14 @@
 -- What kind of junction a place is: by rules, as the paper has it, or by a function of the user.
 
-CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text, speed float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN kind IS NULL THEN 'unclassed' WHEN kind IN ('motorway', 'trunk') THEN 'highway'
+    RETURN CASE WHEN kind IS NULL THEN 'unclassed'
+        WHEN kind = 'motorway' OR kind = 'trunk' AND coalesce(speed, 60) >= 60 THEN 'highway'
         WHEN kind LIKE '%\_link' THEN 'link' END;
-COMMENT ON FUNCTION streetgen._ramp_part(text) IS
-    'What an axis of a class is at a ramp: highway (motorway and trunk), link (classes that end so), unclassed (NULL); '
-    'NULL: it takes no part.';
+COMMENT ON FUNCTION streetgen._ramp_part(text, float8) IS
+    'What an axis of a class and a speed, km/h, is at a ramp: highway (motorway, and trunk of 60 km/h and more or of '
+    'unknown speed), link (classes that end so), unclassed (NULL); NULL: it takes no part. On a slower trunk road a '
+    'link is a turning lane of a junction.';
 
 CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -24,11 +26,11 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         WHEN bool_or(a.control = 'stop') THEN 'stop'
         WHEN bool_or(a.control = 'yield') OR min(a.importance) <> max(a.importance) THEN 'priority'
         ELSE 'right_before_left' END
-    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind) AS part) p $$;
+    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.speed) AS part) p $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
     'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
     'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (a link at a motorway '
-    'or trunk road, or motorways and links alone; where '
+    'or at a trunk road of 60 km/h and more, or motorways and links alone; where '
     'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
     'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
     'unknown, and gives end; an arm may leave out all that is unknown.';
