@@ -82,6 +82,14 @@ SELECT 'between the other lanes the words hold', count(*) FILTER (WHERE change =
     JOIN road.edge e ON e.edge_id = l.edge_id WHERE axis_id = 2 AND 'merging' NOT IN (l.kind, r.kind);
 UPDATE road.axis SET change_forward = NULL WHERE axis_id = 2;
 SELECT 'no line on the ramp whose traffic has its lane', count(*) = 0 FROM road.marking WHERE kind IN ('stop', 'yield');
+UPDATE road.axis SET lane_count = 4, width = 14 WHERE axis_id = 2;
+SELECT 'nor where the highway has a lane more behind it', (lanes_before, lanes_after, lanes_merging) = (3, 4, 0) AND NOT EXISTS (SELECT FROM road.marking WHERE kind IN ('stop', 'yield')) FROM road.ramp WHERE kind = 'on';
+UPDATE road.axis SET lane_count = 3, width = 10.5 WHERE axis_id = 2;
+UPDATE road.axis SET kind = 'trunk', speed = 50 WHERE axis_id <= 3;
+SELECT 'links of a slow trunk road are turning lanes, no ramps', NOT EXISTS (SELECT FROM road.ramp) AND NOT EXISTS (SELECT FROM merging) AND NOT EXISTS (SELECT FROM road.junction WHERE kind = 'ramp');
+UPDATE road.axis SET speed = 60 WHERE axis_id <= 3;
+SELECT 'from 60 km/h they are ramps', count(*) = 2 AND (SELECT count(*) = 2 FROM merging) FROM road.ramp;
+UPDATE road.axis SET kind = 'motorway', speed = 100 WHERE axis_id <= 3;
 
 -- Mirrored, and against its traffic.
 DO $$ BEGIN

@@ -181,7 +181,7 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
       ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
     }
   for (const Ramp& ramp : streets.ramps)
-    if (ramp.on && ramp.merging > 0 &&
+    if (ramp.on &&
         ramp.merging + std::max(0, ramp.lanes_after - ramp.lanes_before) >= ramp.lanes_ramp)
       ranks[ramp.node].merging_link = ramp.link;
   return ranks;
