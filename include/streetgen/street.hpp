@@ -159,7 +159,7 @@ struct Section {
   MultiPolygon surface;  // empty when the limits crossed
   Method method = Method::hypothesis;
   double contested_area = 0;  // square metres left to other surfaces
-  // From node to node, abscissas along the axis, changes of width between limits included; corners
+  // From node to node, abscissas along the edge, changes of width between limits included; corners
   // are left out. None where the roadway is as wide as the axis says.
   WidthProfile borders{};
 };

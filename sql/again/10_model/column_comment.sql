@@ -212,7 +212,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'ring would not be simple; crossed_limits: empty, its limits crossed'),
     ('section', 'contested_area', 'area left to other surfaces, square metres'),
     ('section', 'borders', 'where the borders of the roadway run, from node to node: of each place metres along the '
-        'axis, and metres from the axis to the left and to the right border; corners left out. NULL: the roadway is '
+        'edge, and metres from the axis to the left and to the right border; corners left out. NULL: the roadway is '
         'as wide as the axis says'),
     ('corner', 'corner_id', 'key'),
     ('corner', 'node_id', 'the node'),

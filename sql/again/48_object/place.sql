@@ -10,15 +10,17 @@ WITH section AS MATERIALIZED (
     SELECT e.axis_id, e.start_abscissa, e.end_abscissa, e.width, e.width_end, e.roadway_offset, s.borders
     FROM %1$I.edge e LEFT JOIN %1$I.section s USING (edge_id) WHERE %2$s)
 SELECT axis_id, array_agg(value ORDER BY start_abscissa, place)
-FROM section, LATERAL unnest(coalesce(borders, ARRAY[start_abscissa, width / 2 + roadway_offset, width / 2
-    - roadway_offset, end_abscissa, width_end / 2 + roadway_offset, width_end / 2 - roadway_offset]))
-    WITH ORDINALITY b(value, place)
+FROM section, LATERAL (
+    SELECT CASE mod(place, 3) WHEN 1 THEN start_abscissa + number ELSE number END AS value, place
+    FROM unnest(coalesce(borders, ARRAY[0, width / 2 + roadway_offset, width / 2 - roadway_offset,
+        end_abscissa - start_abscissa, width_end / 2 + roadway_offset, width_end / 2 - roadway_offset]))
+        WITH ORDINALITY b(number, place)) b
 WHERE axis_id IN (SELECT s.axis_id FROM section s WHERE s.borders IS NOT NULL) GROUP BY axis_id$sql$, model,
         CASE WHEN axes IS NULL THEN 'true' ELSE 'e.axis_id = ANY ($1)' END) USING axes;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_borders(name, bigint[]) IS
     'Column borders of the sections of axes (NULL: of all), put together for each axis along which a roadway is '
-    'anywhere not as wide as the axis says; the others are left out.';
+    'anywhere not as wide as the axis says, in metres along the axis; the others are left out.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_street_function(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -79,7 +79,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_section(streets bigint, edges big
         borders float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_section';
 COMMENT ON FUNCTION streetgen._computed_section(bigint, bigint[]) IS
-    'The sections of streets computed in this statement: those of affected edges; borders in abscissas along the axis.';
+    'The sections of streets computed in this statement: those of affected edges; borders in abscissas along the edge.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_corner(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, node_id bigint, edge_a bigint, end_a text, edge_b bigint, end_b text,

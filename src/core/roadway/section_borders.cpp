@@ -83,12 +83,9 @@ WidthProfile section_borders(const Layout& layout, int e) {
   for (auto place = end.rbegin(); place != end.rend(); ++place)
     places.push_back({total - place->abscissa, place->right, place->left});
   WidthProfile borders;
-  const double along_axis = layout.streets.network.edges[e].start_abscissa;
-  for (WidthProfile::Place place : places) {
-    place.abscissa += along_axis;
+  for (const WidthProfile::Place& place : places)
     if (borders.empty() || place.abscissa > borders.places.back().abscissa + coordinate_margin)
       borders.places.push_back(place);
-  }
   return borders;
 }
 
