@@ -6,4 +6,10 @@ trap 'rm -rf "$work"' EXIT
 work=$(mktemp -d)
 chmod 755 "$work"
 
-count() { printf '%s\t%s\n' "$1" "$2"; }
+# count STATUS NAME: what answers neither t, f nor s has failed.
+count() {
+  case $1 in
+    t | f | s) printf '%s\t%s\n' "$1" "$2" ;;
+    *) printf 'f\t%s: no answer\n' "$2" ;;
+  esac
+}

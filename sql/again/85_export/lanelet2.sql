@@ -29,7 +29,7 @@ way_point AS MATERIALIZED (
         streetgen._chain_borders(c.s, c.x, c.y, c.heading, c.length, c.curvature, c.curvature_end, ARRAY[0, total],
             ARRAY[width_in / 2, width_out / 2, -width_in / 2, -width_out / 2], o.tolerance) b
     WHERE nth > 1 AND NOT last),
--- Where drivers wait, and lights, a metre wide.
+-- Stop and yield lines, and signals as lines one metre wide.
 painted AS MATERIALIZED (
     SELECT m.marking_id AS key, 3 AS source, m.edge_id, m.lane_position, m.along_axis, m.kind, m.geom
     FROM %1$I.marking m WHERE m.kind IN ('stop', 'yield') AND m.edge_id IN (SELECT edge_id FROM drawn)

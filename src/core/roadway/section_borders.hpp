@@ -1,4 +1,4 @@
-// Where the borders of a roadway run beside its axis, from node to node.
+// The borders of a roadway beside its axis, from node to node.
 #pragma once
 
 #include "roadway/layout.hpp"

@@ -369,7 +369,7 @@ KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v
   return kerb;
 }
 
-// What a simple outline holds; of any other nothing.
+// The ground within a simple outline; empty for any other outline.
 MultiPolygon held_by(Geos& geos, Outline outline) {
   MultiPolygon held;
   if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;

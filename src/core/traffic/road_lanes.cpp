@@ -212,7 +212,7 @@ std::vector<Line> border_lines(const std::vector<PlanPiece>& chain,
   std::size_t behind = 1;
   double before = -1;
   for (const double s : at) {
-    // What is nearer than a millimetre is one point, but for the end.
+    // Points nearer than a millimetre to each other become one; the end always stays.
     if (s - before < 1e-3 || (s < stations.back() && stations.back() - s < 1e-3)) continue;
     before = s;
     while (behind + 1 < stations.size() && stations[behind] < s) ++behind;
