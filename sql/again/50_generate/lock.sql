@@ -305,6 +305,8 @@ DECLARE
     reach record;
     seen pg_snapshot := pg_current_snapshot();
 BEGIN
+    -- A NULL among the axes has no place.
+    axes := array_remove(axes, NULL);
     reach := streetgen._reach_of(model, axes);
     cells := reach.cells;
     chains := reach.chains;

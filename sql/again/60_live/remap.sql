@@ -416,8 +416,7 @@ BEGIN
             %2$s
             IF streetgen._live(%3$L) THEN
                 -- Control points are many, and only those on a changed axis move. One off all axes names none.
-                concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.axis_id IS NOT NULL
-                                       AND o.geom && ST_Expand(extent, 110)
+                concerned := ARRAY(SELECT o.axis_id FROM %1$I.override_place o WHERE o.geom && ST_Expand(extent, 110)
                                        AND (relation <> 'control_point' OR o.geom && ST_Expand(extent, o.reach))
                                    UNION SELECT a.axis_id FROM %1$I.override_place o
                                        JOIN %1$I.axis a ON ST_DWithin(a.geom, o.geom, o.reach)
