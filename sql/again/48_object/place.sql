@@ -66,7 +66,8 @@ CREATE OR REPLACE FUNCTION streetgen._border_line(axis geometry, length float8, 
                 side), axis_offset, side) AS at_end) s,
         LATERAL (SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
             ELSE streetgen.offset_line(stretch, at_start, at_end) END AS piece) o
-    WHERE high IS NOT NULL $$;
+    -- Where two edges of an axis meet, rounding parts their borders.
+    WHERE high - low > 1e-9 $$;
 COMMENT ON FUNCTION streetgen._border_line(geometry, float8, float8, float8, float8, float8[], float8, float8, text,
     float8) IS
     'The line (LINESTRING) from one abscissa of an axis of a length (m) to another one, so many metres from a border '
