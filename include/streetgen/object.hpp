@@ -1,7 +1,10 @@
 // Places beside an axis: what stands at a street is found by metres along the axis and beside it.
 #pragma once
 
+#include <optional>
+
 #include "streetgen/geometry.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen {
 
@@ -24,5 +27,23 @@ StandingPlace place_beside(const Line& axis, const PlaceBeside& beside);
 // lies. place_beside gives the point back, but for points that are nearest to a vertex or an end:
 // these come to lie on the normal there, as far from the axis.
 PlaceBeside beside_axis(const Line& axis, const Point& point);
+
+// A pedestrian crossing of a street.
+struct StreetCrossing {
+  double abscissa = 0;  // metres along the axis, of its middle
+  double width = 4;     // metres between its borders
+  double angle = 0;     // radians from the direction of the axis to the way across, in (0, pi)
+};
+
+// The roadway under a crossing, between borders that run as far from the axis as the profile says;
+// none where the crossing meets no border. Beyond the ends of the axis all goes straight on.
+std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& borders,
+                                       const StreetCrossing& crossing);
+
+// Its stripes, along the axis: half a metre of paint, half a metre of roadway, from the middle of
+// the roadway outwards, and a quarter of a metre free at its borders. Those are left out that the
+// axis bends too sharply for, and those are one that lie on each other in a bend.
+MultiPolygon crossing_stripes(const Line& axis, const WidthProfile& borders,
+                              const StreetCrossing& crossing);
 
 }  // namespace streetgen

@@ -50,5 +50,8 @@ MultiPolygon offset_strip(const Line& kerb, double width_start, double width_end
 std::optional<Polygon> crossing_surface(const Line& axis, const CurvedLine& kerb_left,
                                         const CurvedLine& kerb_right, double abscissa, double width,
                                         double angle);
+std::optional<Polygon> crossing_surface(const Line& axis, const Line& kerb_left,
+                                        const Line& kerb_right, double abscissa, double width,
+                                        double angle);
 
 }  // namespace streetgen

@@ -20,6 +20,34 @@ extern "C" {
 using namespace streetgen;
 using namespace streetgen::pg;
 
+namespace {
+
+WidthProfile read_borders(const NumberArray& borders) {
+  WidthProfile profile;
+  const std::vector<double> values = read_numbers(borders, 3, "borders");
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    profile.places.push_back({values[i], values[i + 1], values[i + 2]});
+  if (profile.empty()) throw Error(ErrorKind::invalid_input, "borders has no place");
+  return profile;
+}
+
+// Of an axis, its borders, and abscissa, width and angle (degrees) of a crossing.
+template <class Draw>
+Datum crossing_result(FunctionCallInfo fcinfo, Draw draw) {
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const NumberArray borders = take_numbers(fcinfo, 1);
+  const double abscissa = PG_GETARG_FLOAT8(2), width = PG_GETARG_FLOAT8(3);
+  const double angle = PG_GETARG_FLOAT8(4);
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
+    const ReadLine read = read_line(axis, "axis");
+    draw(result, read, read_borders(borders),
+         StreetCrossing{finite(abscissa, "abscissa"), in_range(width, 0.1, 100, "width"),
+                        in_range(angle, 10, 170, "angle") * M_PI / 180});
+  });
+}
+
+}  // namespace
+
 STREETGEN_FUNCTION(streetgen_place_on) {
   const std::string_view axis = take_bytes(fcinfo, 0);
   const double abscissa = PG_GETARG_FLOAT8(1), offset = PG_GETARG_FLOAT8(2);
@@ -50,16 +78,27 @@ STREETGEN_FUNCTION(streetgen_border_at) {
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   double away = 0;
   const Outcome outcome = compute([&] {
-    WidthProfile profile;
-    const std::vector<double> values = read_numbers(borders, 3, "borders");
-    for (std::size_t i = 0; i < values.size(); i += 3)
-      profile.places.push_back({values[i], values[i + 1], values[i + 2]});
-    if (profile.empty()) throw Error(ErrorKind::invalid_input, "borders has no place");
-    away = profile.at(finite(abscissa, "abscissa")).on(
+    away = read_borders(borders).at(finite(abscissa, "abscissa")).on(
         word_of<int>(side, "side", {{"left", +1}, {"right", -1}}));
   });
   report(outcome);
   PG_RETURN_FLOAT8(away);
+}
+
+STREETGEN_FUNCTION(streetgen_crossing_ground) {
+  return crossing_result(fcinfo, [](GivenGeometry& result, const ReadLine& axis,
+                                    const WidthProfile& borders, const StreetCrossing& crossing) {
+    const auto ground = crossing_ground(axis.line, borders, crossing);
+    if (ground) result = {true, write_polygon({*ground}, {axis.srid, false})};
+  });
+}
+
+STREETGEN_FUNCTION(streetgen_crossing_stripes) {
+  return crossing_result(fcinfo, [](GivenGeometry& result, const ReadLine& axis,
+                                    const WidthProfile& borders, const StreetCrossing& crossing) {
+    const MultiPolygon stripes = crossing_stripes(axis.line, borders, crossing);
+    result = {true, write_surface(stripes, {axis.srid, false})};
+  });
 }
 
 STREETGEN_FUNCTION(streetgen_locate_on) {

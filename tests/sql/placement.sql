@@ -130,6 +130,9 @@ SELECT streetgen.create_model('near', 2154, subjects => '{object}') \g /dev/null
 INSERT INTO near.axis (axis_id, geom, width, radius) VALUES (1, pg_temp.line('LINESTRING(0 0, 60 0)'), 6, 2), (2, pg_temp.line('LINESTRING(60 0, 74 0)'), 6, 2), (3, pg_temp.line('LINESTRING(74 0, 130 0)'), 6, 2), (4, pg_temp.line('LINESTRING(60 0, 60 80)'), 6, 2), (5, pg_temp.line('LINESTRING(74 0, 74 80)'), 6, 2);
 INSERT INTO near.placement_rule (type, along, side, distance_from_limit) VALUES ('crossing', 'arm', 'alternating', 2.5);
 SELECT 'a crossing on each arm, and one in the middle of a street that has no room for two', count(*) = 5 AND count(*) FILTER (WHERE axis_id = 2 AND abs(abscissa - 7) < 1e-6) = 1 FROM near.street_object;
+CREATE TABLE placed AS SELECT street_object_id, axis_id, geom FROM near.street_object;
+UPDATE near.placement_rule SET side = 'both';
+SELECT 'whatever side the rule names', count(*) = 5 AND bool_and(ST_DWithin(o.geom, p.geom, 0)) FROM near.street_object o FULL JOIN placed p USING (street_object_id);
 INSERT INTO near.placement_rule (type, along, side, axis_offset, distance_from_limit) VALUES ('sign', 'arm', 'right', 1, 2.5);
 SELECT 'signs there stand on either side', array_agg(side ORDER BY side) = '{left,right}' FROM near.street_object WHERE axis_id = 2 AND type = 'sign';
 

@@ -21,6 +21,30 @@ CREATE OR REPLACE FUNCTION streetgen._border_at(borders float8[], abscissa float
 COMMENT ON FUNCTION streetgen._border_at(float8[], float8, text) IS
     'Metres from an axis to the border of its roadway on a side, at an abscissa, by column borders of its sections.';
 
+CREATE OR REPLACE FUNCTION streetgen._even_borders(width float8, width_end float8, length float8,
+    roadway_offset float8) RETURNS float8[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    BEGIN ATOMIC
+        SELECT ARRAY[0, width / 2 + roadway_offset, width / 2 - roadway_offset,
+            length, width_end / 2 + roadway_offset, width_end / 2 - roadway_offset];
+    END;
+COMMENT ON FUNCTION streetgen._even_borders(float8, float8, float8, float8) IS
+    'Borders as column borders of a section has them, of a street of a length (m) that is as wide as its axis says.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis bytea, borders float8[], abscissa float8, width float8,
+    angle float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_ground';
+COMMENT ON FUNCTION streetgen._crossing_ground(bytea, float8[], float8, float8, float8) IS
+    'The roadway (POLYGON) under a crossing at an abscissa of an axis, between its borders, which go straight on beyond '
+    'its ends; NULL where it meets none.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis bytea, borders float8[], abscissa float8, width float8,
+    angle float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_stripes';
+COMMENT ON FUNCTION streetgen._crossing_stripes(bytea, float8[], float8, float8, float8) IS
+    'The stripes (MULTIPOLYGON) of such a crossing, along the axis, without those that it bends too sharply for.';
+
 CREATE OR REPLACE FUNCTION streetgen._to_border(width float8, width_end float8, length float8, roadway_offset float8,
     borders float8[], abscissa float8, side text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

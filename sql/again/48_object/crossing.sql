@@ -6,75 +6,6 @@ CREATE OR REPLACE FUNCTION streetgen._usual_crossing(OUT width float8, OUT angle
 COMMENT ON FUNCTION streetgen._usual_crossing() IS
     'Width (m) and angle (degrees) of a crossing of which nothing is said, such as one that a rule places.';
 
-CREATE OR REPLACE FUNCTION streetgen._drawn_on(line geometry, run float8) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_AddPoint(ST_AddPoint(own, streetgen._place_beyond(ST_PointN(own, 2), ST_StartPoint(own), run), 0),
-        streetgen._place_beyond(ST_PointN(own, -2), ST_EndPoint(own), run))
-    -- Points that are there twice have no direction.
-    FROM (SELECT ST_RemoveRepeatedPoints(line, 1e-6) AS own) l $$;
-COMMENT ON FUNCTION streetgen._drawn_on(geometry, float8) IS
-    'A line that goes straight on for so many metres at both ends.';
-
-CREATE OR REPLACE FUNCTION streetgen._place_beyond(before geometry, place geometry, run float8) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    SELECT ST_Translate(place, (ST_X(place) - ST_X(before)) * share, (ST_Y(place) - ST_Y(before)) * share)
-    FROM (SELECT run / ST_Distance(before, place) AS share) s $$;
-COMMENT ON FUNCTION streetgen._place_beyond(geometry, geometry, float8) IS
-    'The place so many metres beyond another one, seen from a place before.';
-
-CREATE OR REPLACE FUNCTION streetgen._crossing_reach(width float8, crossing_width float8, angle float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT (width * abs(cosd(angle)) + crossing_width) / sind(angle) / 2 + 0.5 $$;
-COMMENT ON FUNCTION streetgen._crossing_reach(float8, float8, float8) IS
-    'How far a crossing of a street reaches along the axis on either side of its abscissa, at most, metres.';
-
-CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis geometry, width float8, width_end float8,
-    roadway_offset float8, borders float8[], abscissa float8, crossing_width float8, angle float8) RETURNS geometry
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    -- The borders alone that are near: a long axis has many bends elsewhere. A crossing at an end of its axis lies
-    -- partly on the street that goes on there, so that axis and borders are drawn on.
-    SELECT streetgen.crossing_surface(streetgen._drawn_on(ST_LineSubstring(axis, low / length, high / length), reach),
-        streetgen._drawn_on(streetgen._border_line(axis, length, width, width_end, roadway_offset, borders, low, high,
-            'left', 0), reach),
-        streetgen._drawn_on(streetgen._border_line(axis, length, width, width_end, roadway_offset, borders, low, high,
-            'right', 0), reach),
-        abscissa - low + reach, crossing_width, angle)
-    FROM (SELECT ST_Length2D(axis) AS length, greatest(width, width_end, (SELECT 2 * max(border)
-            FROM unnest(borders) WITH ORDINALITY b(border, n) WHERE n % 3 <> 1)) AS widest) w,
-        LATERAL (SELECT widest * 3 + 2 * crossing_width AS about,
-            streetgen._crossing_reach(widest + 2 * abs(roadway_offset), crossing_width, angle) AS reach) l,
-        LATERAL (SELECT greatest(0, abscissa - about) AS low, least(length, abscissa + about) AS high) r $$;
-COMMENT ON FUNCTION streetgen._crossing_ground(geometry, float8, float8, float8, float8[], float8, float8, float8) IS
-    'The roadway (POLYGON) under a crossing at an abscissa of an axis between its borders; NULL where it meets none.';
-
-CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis geometry, width float8, roadway_offset float8,
-    abscissa float8, crossing_width float8, angle float8) RETURNS geometry
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    -- Half a metre of paint, half a metre of roadway, from the middle outwards, and a quarter of a metre free at kerbs.
-    -- In a sharp bend stripes lie on each other.
-    SELECT CASE WHEN (ST_IsValidDetail(paint)).valid THEN paint ELSE ST_Multi(ST_UnaryUnion(paint)) END
-    FROM (SELECT ST_Multi(ST_Collect(ST_MakePolygon(ring) ORDER BY o)) AS paint
-    FROM (SELECT floor((width / 2 - 0.25 - 0.25) / 1)::integer AS last,
-            streetgen._crossing_reach(width + 2 * abs(roadway_offset), crossing_width, angle) AS reach) n,
-        LATERAL (SELECT streetgen._drawn_on(axis, reach)::bytea AS line OFFSET 0) drawn,
-        generate_series(-last, last) o,
-        LATERAL (SELECT roadway_offset + o - 0.25 AS a, roadway_offset + o + 0.25 AS b,
-            1 / tan(radians(angle)) AS slope) s,
-        LATERAL (SELECT abscissa + reach - crossing_width / 2 AS low, abscissa + reach + crossing_width / 2 AS high) r,
-        LATERAL (SELECT streetgen._place_on(line, low + a * slope, a)::geometry AS p1,
-            streetgen._place_on(line, high + a * slope, a)::geometry AS p2,
-            streetgen._place_on(line, high + b * slope, b)::geometry AS p3,
-            streetgen._place_on(line, low + b * slope, b)::geometry AS p4) q,
-        LATERAL (SELECT ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]) AS ring) closed
-    WHERE ST_IsSimple(ring)) p $$;
-COMMENT ON FUNCTION streetgen._crossing_stripes(geometry, float8, float8, float8, float8, float8) IS
-    'The stripes (MULTIPOLYGON) of a crossing, along the axis, which is drawn on at its ends; without those that the '
-    'axis bends too sharply for.';
-
 CREATE OR REPLACE FUNCTION streetgen._on_roadway(ground geometry, surfaces geometry[]) RETURNS geometry
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -110,16 +41,14 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
     AS $body$
     WITH drawn AS MATERIALIZED (
         SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
-            THEN streetgen._crossing_stripes(a.line, to_left + to_right, (to_left - to_right) / 2, o.abscissa, c.width,
-                c.angle) END AS stripes
+            THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle)::geometry
+            END AS stripes
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
             LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
-            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line, a.width, a.width_end, a.roadway_offset,
-                a.borders, o.abscissa, c.width, c.angle) AS ground) g ON a.line IS NOT NULL
-            LEFT JOIN LATERAL (SELECT streetgen._to_border(a.width, a.width_end, ST_Length2D(a.line), a.roadway_offset,
-                    a.borders, o.abscissa, 'left') AS to_left,
-                streetgen._to_border(a.width, a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders,
-                    o.abscissa, 'right') AS to_right) w ON true
+            LEFT JOIN LATERAL (SELECT coalesce(a.borders, streetgen._even_borders(a.width, a.width_end,
+                ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
+            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
+                c.angle)::geometry AS ground OFFSET 0) g ON true
         WHERE c.street_object_id = ANY (objects)),
     -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
     clipped AS (

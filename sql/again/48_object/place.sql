@@ -12,9 +12,8 @@ WITH section AS MATERIALIZED (
 SELECT axis_id, array_agg(value ORDER BY start_abscissa, place)
 FROM section, LATERAL (
     SELECT CASE mod(place, 3) WHEN 1 THEN start_abscissa + number ELSE number END AS value, place
-    FROM unnest(coalesce(borders, ARRAY[0, width / 2 + roadway_offset, width / 2 - roadway_offset,
-        end_abscissa - start_abscissa, width_end / 2 + roadway_offset, width_end / 2 - roadway_offset]))
-        WITH ORDINALITY b(number, place)) b
+    FROM unnest(coalesce(borders, streetgen._even_borders(width, width_end, end_abscissa - start_abscissa,
+        roadway_offset))) WITH ORDINALITY b(number, place)) b
 WHERE axis_id IN (SELECT s.axis_id FROM section s WHERE s.borders IS NOT NULL) GROUP BY axis_id$sql$, model,
         CASE WHEN axes IS NULL THEN 'true' ELSE 'e.axis_id = ANY ($1)' END) USING axes;
 END $$;

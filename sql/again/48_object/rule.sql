@@ -135,8 +135,9 @@ BEGIN
             AND (l.roomy OR r.turn IS NULL AND high > low AND j.at_start AND j.at_end)
             AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
                 ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
-            AND CASE r.side WHEN 'both' THEN v.side <> 'middle' WHEN 'alternating' THEN v.side = 'middle'
-                ELSE v.side = r.side END
+            -- A crossing goes from kerb to kerb.
+            AND CASE WHEN r.side = 'alternating' OR r.type = ANY (crossings) THEN v.side = 'middle'
+                WHEN r.side = 'both' THEN v.side <> 'middle' ELSE v.side = r.side END
         UNION ALL
         -- Along the arc of a corner, behind its kerb: each half of it belongs to the street beside it, and is numbered
         -- by the place of the node there.

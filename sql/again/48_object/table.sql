@@ -225,7 +225,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('placement_rule', 'type', 'what it places'),
     ('placement_rule', 'along', 'border, axis, arm: once where each street of a node of three and more begins, or '
         'corner: along the arc of each corner'),
-    ('placement_rule', 'side', 'left, right, both or alternating; of an arm as one comes to the node'),
+    ('placement_rule', 'side', 'left, right, both or alternating; of an arm as one comes to the node; crossings go '
+        'from kerb to kerb'),
     ('placement_rule', 'every', 'metres between two places, counted along the axis'),
     ('placement_rule', 'phase', 'metres along the axis at which the first place is'),
     ('placement_rule', 'axis_offset', 'metres away from the border, or to the left of the axis'),

@@ -70,6 +70,12 @@ struct Crossing {
 std::optional<Polygon> crossing_surface(const Line& axis, const CurvedLine& kerb_left,
                                         const CurvedLine& kerb_right, double abscissa, double width,
                                         double angle) {
+  return crossing_surface(axis, curve_chords(kerb_left), curve_chords(kerb_right), abscissa, width,
+                          angle);
+}
+
+std::optional<Polygon> crossing_surface(const Line& axis, const Line& left, const Line& right,
+                                        double abscissa, double width, double angle) {
   const Line line = distinct(planar(axis));
   const double at = std::clamp(abscissa, 0.0, length(line));
   const Point along = local_direction(line, at);
@@ -78,7 +84,6 @@ std::optional<Polygon> crossing_surface(const Line& axis, const CurvedLine& kerb
   const Point step = along * (width / 2 / std::sin(angle));
   const Point before = crossing.centre - step, after = crossing.centre + step;
   const Point reach = across * (search_widths * width);
-  const Line left = curve_chords(kerb_left), right = curve_chords(kerb_right);
   const auto right_before = landing(before, before - reach, right);
   const auto right_after = landing(after, after - reach, right);
   const auto left_after = landing(after, after + reach, left);

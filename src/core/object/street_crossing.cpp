@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/ring_simplicity.hpp"
+#include "geometry/surface_union.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/lane.hpp"
+#include "streetgen/object.hpp"
+#include "streetgen/surface.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double stripe = 0.5, gap = 0.5, free_at_border = 0.25;  // metres
+constexpr double same_place = 1e-6;                               // metres
+
+// Points that nearly repeat another one have no direction.
+Line spaced(const Line& line) {
+  Line out{line.front()};
+  for (const Point& point : line)
+    if (distance(out.back(), point) > same_place) out.push_back(point);
+  return out;
+}
+
+// The line goes straight on for so many metres at both ends.
+Line drawn_on(const Line& line, double run) {
+  Line out = spaced(line);
+  if (out.size() < 2) return {};
+  const Point start = unit(out[0] - out[1]) * run;
+  const Point end = unit(out.back() - out[out.size() - 2]) * run;
+  out.insert(out.begin(), out.front() + start);
+  out.push_back(out.back() + end);
+  return out;
+}
+
+// From one abscissa of the axis to another one; side +1: the left border, -1: the right one.
+Line border_along(const Line& axis, const WidthProfile& borders, double from, double to, int side) {
+  using Place = WidthProfile::Place;
+  Line line;
+  borders.each_stretch(from, to, [&](const Place& start, const Place& end) {
+    if (end.abscissa - start.abscissa <= same_place) return;
+    const Line part = substring(axis, start.abscissa, end.abscissa);
+    const Line piece = offset_line(part, side * start.on(side), side * end.on(side));
+    line.insert(line.end(), piece.begin(), piece.end());
+  });
+  return line;
+}
+
+// The part of the axis about a crossing: a long axis has many bends elsewhere.
+struct Surroundings {
+  double low, high;  // metres along the whole axis
+  double reach = 0;  // metres along the axis that the crossing takes on either side, at most
+  Line axis;         // from low to high, and so far on at both ends
+  double abscissa;   // of the crossing, along this part
+
+  Surroundings(const Line& whole, const WidthProfile& borders, const StreetCrossing& crossing) {
+    double widest = 0;
+    for (const WidthProfile::Place& place : borders.places)
+      widest = std::max({widest, 2 * std::abs(place.left), 2 * std::abs(place.right)});
+    const double about = widest * 3 + crossing.width * 2;
+    const double along = widest * std::abs(std::cos(crossing.angle)) + crossing.width;
+    reach = along / std::sin(crossing.angle) / 2 + 0.5;
+    low = std::max(0.0, crossing.abscissa - about);
+    high = std::min(length(whole), crossing.abscissa + about);
+    abscissa = crossing.abscissa - low + reach;
+    if (high > low) axis = drawn_on(substring(whole, low, high), reach);
+  }
+};
+
+}  // namespace
+
+std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& borders,
+                                       const StreetCrossing& crossing) {
+  const Line line = distinct(planar(axis));
+  const Surroundings near(line, borders, crossing);
+  if (near.axis.empty()) return std::nullopt;
+  const auto border = [&](int side) {
+    return drawn_on(border_along(line, borders, near.low, near.high, side), near.reach);
+  };
+  const Line left = border(+1), right = border(-1);
+  if (left.empty() || right.empty()) return std::nullopt;
+  return crossing_surface(near.axis, left, right, near.abscissa, crossing.width, crossing.angle);
+}
+
+MultiPolygon crossing_stripes(const Line& axis, const WidthProfile& borders,
+                              const StreetCrossing& crossing) {
+  const Surroundings near(distinct(planar(axis)), borders, crossing);
+  if (near.axis.empty()) return {};
+  const WidthProfile::Place sides = borders.at(crossing.abscissa);
+  const double middle = (sides.left - sides.right) / 2;
+  const double room = (sides.left + sides.right) / 2 - free_at_border - stripe / 2;
+  const int last = static_cast<int>(std::floor(room / (stripe + gap)));
+  const double slope = 1 / std::tan(crossing.angle);
+  const double low = near.abscissa - crossing.width / 2, high = low + crossing.width;
+  MultiPolygon stripes;
+  for (int i = -last; i <= last; ++i) {
+    poll_cancel();
+    const double right = middle + i * (stripe + gap) - stripe / 2, left = right + stripe;
+    const auto place = [&](double abscissa, double offset) {
+      return place_beside(near.axis, {abscissa + offset * slope, offset}).point;
+    };
+    const Ring ring{place(low, right), place(high, right), place(high, left), place(low, left),
+                    place(low, right)};
+    if (signed_area(ring) > 0 && simple({{ring}}).value_or(false)) stripes.push_back({ring});
+  }
+  Geos geos;
+  if (geos.valid(stripes)) return stripes;
+  std::vector<MultiPolygon> parts;
+  for (const Polygon& one : stripes) parts.push_back({one});
+  return united(geos, parts);
+}
+
+}  // namespace streetgen
