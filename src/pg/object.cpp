@@ -78,8 +78,9 @@ STREETGEN_FUNCTION(streetgen_border_at) {
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   double away = 0;
   const Outcome outcome = compute([&] {
-    away = read_borders(borders).at(finite(abscissa, "abscissa")).on(
-        word_of<int>(side, "side", {{"left", +1}, {"right", -1}}));
+    away = read_borders(borders)
+               .at(finite(abscissa, "abscissa"))
+               .on(word_of<int>(side, "side", {{"left", +1}, {"right", -1}}));
   });
   report(outcome);
   PG_RETURN_FLOAT8(away);
