@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "streetgen/geometry.hpp"
+
 namespace streetgen {
 
 // The strictest first. A mini-roundabout is a node whose island is painted: all that comes yields.
@@ -18,6 +20,25 @@ struct ControlPoint {
   double abscissa = 0;  // metres along the axis
   ControlKind kind = ControlKind::signals;
   enum class Direction { unknown, along, against, both } direction = Direction::unknown;
+};
+
+// What a place where traffic meets is.
+enum class JunctionKind {
+  ramp,
+  signals,
+  stop,
+  priority,
+  right_before_left,
+  roundabout,
+  continuation,
+  end
+};
+
+// By hand: the kind of the node that is nearest to the place among those of the axis.
+struct JunctionDecision {
+  std::int64_t axis_id = 0;
+  Point place;
+  JunctionKind kind = JunctionKind::signals;
 };
 
 }  // namespace streetgen

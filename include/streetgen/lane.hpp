@@ -68,6 +68,35 @@ struct LaneOverride {
   Line line{};
 };
 
+// By hand: whether traffic may leave a lane for the one beside it, on the edge of the axis that holds
+// `abscissa`.
+struct LaneChange {
+  std::int64_t axis_id = 0;
+  double abscissa = 0;     // metres along the axis
+  int from = 0, to = 0;    // ordinalities
+  bool allowed = true;
+};
+
+// What a source says of leaving a lane to its left and right in its driving direction; none: nothing.
+struct LeavingLane {
+  bool left = true, right = true;
+};
+using LeavingLanes = std::vector<std::optional<LeavingLane>>;
+
+// Of the lanes of one axis that drive, each list from left to right in its driving direction.
+struct LeavingOfAxis {
+  std::int64_t axis_id = 0;
+  LeavingLanes forward, backward;
+};
+
+// What is known of paint alone.  Decisions by hand go before what sources say; of two of one thing
+// the later holds.
+struct PaintRules {
+  std::vector<JunctionDecision> junctions;
+  std::vector<LaneChange> changes;
+  std::vector<LeavingOfAxis> leaving{};  // by axis_id, each at most once
+};
+
 struct LaneSettings {
   LaneOrder order = LaneOrder::left_first;
   DrivingSide driving_side = DrivingSide::right;
@@ -108,7 +137,10 @@ struct LaneSeparator {
   int edge = 0;
   int position = 0;
   SeparatorKind kind = SeparatorKind::same_direction;
-  bool dashed = false;
+  bool dashed = false;  // some traffic may cross it
+  // +1: only traffic on its right may, so that a solid line stands on the left of the dashed one;
+  // -1: only traffic on its left; 0: all or none.
+  int solid_side = 0;
   double axis_offset = 0;  // metres to the left of the axis, at the start limit
   Line line;               // in the point order of the axis
   bool painted = false;    // not where the limits crossed
@@ -152,11 +184,12 @@ struct Circulation {
 
 // Deterministic and independent of the order of axes.  Of two overrides of one lane the later holds
 // in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
-// meet at affected nodes.  Control points decide the lines painted across the ends of lanes.
+// meet at affected nodes.  Control points decide the lines painted across the ends of lanes, kinds of
+// junctions by hand before them.  The line between two lanes is painted as it may be crossed.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls = {},
-            const std::vector<Circulation>& circulations = {});
+            const std::vector<Circulation>& circulations = {}, const PaintRules& paint = {});
 
 // The lanes of one axis alone, from its start to its end; lines and surfaces only.
 std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,

@@ -31,6 +31,7 @@ struct StreetModelInput {
   LaneSettings lane_settings;
   std::vector<ControlPoint> controls;
   std::vector<Circulation> circulations{};
+  PaintRules paint{};
   std::vector<TurnRestriction> restrictions;
   InterconnectionSettings interconnection_settings;
   std::vector<OverpassOverride> overpass_overrides;

@@ -89,6 +89,25 @@ COMMENT ON COLUMN streetgen.street_control.abscissa IS 'its place, m along the a
 COMMENT ON COLUMN streetgen.street_control.kind IS 'signals, stop, yield, mini_roundabout or pedestrian_crossing';
 COMMENT ON COLUMN streetgen.street_control.direction IS
     'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: unknown';
+CREATE TYPE streetgen.street_junction AS (axis_id bigint, x float8, y float8, kind text);
+COMMENT ON TYPE streetgen.street_junction IS 'The kind of a node by hand.';
+COMMENT ON COLUMN streetgen.street_junction.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_junction.x IS 'abscissa of a place near a node of the axis, in the plane';
+COMMENT ON COLUMN streetgen.street_junction.y IS 'its ordinate';
+COMMENT ON COLUMN streetgen.street_junction.kind IS 'a kind of junction';
+CREATE TYPE streetgen.street_lane_change AS (axis_id bigint, abscissa float8, lane_from integer, lane_to integer,
+    change text);
+COMMENT ON TYPE streetgen.street_lane_change IS 'Whether one may leave a lane for the one beside it, by hand.';
+COMMENT ON COLUMN streetgen.street_lane_change.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_lane_change.abscissa IS 'a place on the edge of the lanes, m along the axis';
+COMMENT ON COLUMN streetgen.street_lane_change.lane_from IS 'ordinality of the lane that one leaves';
+COMMENT ON COLUMN streetgen.street_lane_change.lane_to IS 'ordinality of the lane beside it';
+COMMENT ON COLUMN streetgen.street_lane_change.change IS 'allowed or forbidden';
+CREATE TYPE streetgen.street_leaving AS (axis_id bigint, forward text, backward text);
+COMMENT ON TYPE streetgen.street_leaving IS 'What a source says of leaving the lanes of an axis.';
+COMMENT ON COLUMN streetgen.street_leaving.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_leaving.forward IS 'axis.change_forward';
+COMMENT ON COLUMN streetgen.street_leaving.backward IS 'axis.change_backward';
 CREATE TYPE streetgen.street_overpass AS (axis_above bigint, axis_below bigint, x float8, y float8,
     clearance float8);
 COMMENT ON TYPE streetgen.street_overpass IS 'Which of two axes passes over the other where they cross, by hand.';

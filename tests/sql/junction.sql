@@ -126,12 +126,37 @@ CREATE VIEW pg_temp.side AS SELECT * FROM town.junction_editing WHERE ST_DWithin
 CREATE VIEW pg_temp.link AS SELECT v.* FROM town.junction_edge_editing v JOIN town.edge USING (edge_id) WHERE axis_id = 4;
 CREATE TABLE before AS SELECT * FROM pg_temp.side;
 UPDATE town.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT junction_id FROM pg_temp.side);
-SELECT 'a kind typed is that of the junction', (SELECT kind = 'stop' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override) AND test.followed('town', 'anew');
+SELECT 'a kind typed is that of the junction, a row for each of its nodes', (SELECT kind = 'stop' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 2 FROM town.junction_override) AND test.followed('town', 'anew');
+CREATE VIEW pg_temp.painted AS SELECT m.kind, axis_id, count(*) AS lines FROM town.rim_marking m JOIN town.edge USING (edge_id) JOIN town.junction_node USING (node_id) WHERE m.kind <> 'arrow' AND junction_id = (SELECT junction_id FROM pg_temp.side) GROUP BY m.kind, axis_id;
+CREATE FUNCTION pg_temp.lines() RETURNS text LANGUAGE sql AS $$ SELECT coalesce(string_agg(format('%s %s %s', axis_id, kind, lines), ', ' ORDER BY axis_id, kind), 'none') FROM pg_temp.painted $$;
+SELECT 'a junction of stop by hand has stop lines where the classes say who waits', pg_temp.lines() = '3 stop 1, 5 stop 1';
 UPDATE town.junction_editing SET kind = 'signals' WHERE by_hand;
-SELECT 'typed anew it is one decision', (SELECT kind = 'signals' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 1 FROM town.junction_override);
+SELECT 'typed anew it is one decision', (SELECT kind = 'signals' AND by_hand FROM pg_temp.side) AND (SELECT count(*) = 2 FROM town.junction_override);
+SELECT 'signals by hand have stop lines on all arms', pg_temp.lines() = '1 stop 2, 2 stop 2, 3 stop 1, 5 stop 1' AND test.followed('town', 'anew');
+SELECT 'and so it is from scratch, and a second run changes nothing', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town'));
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (3, 4, 5);
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,649990 6859900,650000 6859800)' WHERE axis_id = 3;
+SELECT 'streets turned round or redrawn keep them', pg_temp.lines() = '1 stop 2, 2 stop 2, 3 stop 1, 5 stop 1' AND test.followed('town', 'anew');
+UPDATE town.axis a SET geom = d.geom FROM drawn d WHERE d.axis_id = a.axis_id AND a.axis_id IN (3, 4, 5);
+UPDATE town.junction_editing SET kind = 'priority' WHERE by_hand;
+SELECT 'priority by hand has yield lines', pg_temp.lines() = '3 yield 1, 5 yield 1' AND test.followed('town', 'anew');
+UPDATE town.junction_editing SET kind = 'right_before_left' WHERE by_hand;
+SELECT 'right before left by hand has no line', pg_temp.lines() = 'none' AND test.followed('town', 'anew') AND (SELECT bool_and(rule = 'right_before_left') FROM town.right_of_way WHERE junction_id = (SELECT junction_id FROM pg_temp.side));
+INSERT INTO town.control_point (geom, kind) VALUES ('SRID=2154;POINT(649985 6860000)', 'signals');
+UPDATE town.junction_editing SET kind = 'stop' WHERE by_hand;
+SELECT 'a kind by hand goes before signals of a source', pg_temp.lines() = '3 stop 1, 5 stop 1' AND test.followed('town', 'anew');
+DELETE FROM town.control_point;
+SELECT streetgen.live('town', false) \g /dev/null
+UPDATE town.junction_override SET kind = 'signals';
+SELECT 'a kind by hand that nobody follows is stale', streetgen._stale_axes('town') > 0 AND pg_temp.lines() = '3 stop 1, 5 stop 1';
+SELECT streetgen.live('town', true) \g /dev/null
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT 'until a run', pg_temp.lines() = '1 stop 2, 2 stop 2, 3 stop 1, 5 stop 1' AND test.followed('town', 'anew');
 UPDATE town.junction_editing SET kind = kind;
-SELECT 'what changes nothing writes nothing', (SELECT count(*) = 1 FROM town.junction_override) AND (SELECT kind = 'signals' FROM pg_temp.side);
+SELECT 'what changes nothing writes nothing', (SELECT count(*) = 2 FROM town.junction_override) AND (SELECT kind = 'signals' FROM pg_temp.side);
 DELETE FROM town.junction_editing WHERE by_hand;
+SELECT 'and without it as the classes say', pg_temp.lines() = '3 yield 1, 5 yield 1';
+DROP VIEW pg_temp.painted;
 SELECT 'deleted it is as the classifier says', (SELECT s = b FROM pg_temp.side s, before b) AND NOT EXISTS (SELECT FROM town.junction_override);
 UPDATE town.junction_editing SET by_hand = true WHERE junction_id = (SELECT junction_id FROM pg_temp.side);
 UPDATE town.axis SET importance = 3 WHERE axis_id IN (1, 2);

@@ -39,12 +39,20 @@ SELECT 'forward lanes 3, 4, 5: none leaves the first, the second to the right al
   FROM said WHERE along_axis AND change <> 'opposite';
 SELECT 'backward lanes, from left to right 2 and 1', array_agg(concat(from_lane, to_lane, ' ', change) ORDER BY from_lane, to_lane) = '{"12 allowed","21 allowed"}' FROM said WHERE NOT along_axis AND change <> 'opposite';
 UPDATE town.axis SET change_backward = 'no|no' WHERE axis_id = 9;
+SELECT 'its paint says so, live as from scratch', (SELECT array_agg(format('%s %s', lane_position, dashed) ORDER BY lane_position) = '{"1 f","3 f","4 t"}' FROM town.lane_separator JOIN town.edge USING (edge_id) WHERE axis_id = 9 AND kind = 'same_direction') AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town'));
 SELECT 'typed anew', bool_and(change = 'forbidden') FROM said WHERE NOT along_axis AND change <> 'opposite';
 SELECT 'other words are refused', test.state($$UPDATE town.axis SET change_forward = 'maybe' WHERE axis_id = 9$$) = '23514';
 SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |no', 'change') = 'yes|not_right|no' AND streetgen._osm_list('yes|perhaps', 'change') IS NULL;
 -- By hand.
 CREATE VIEW typed AS SELECT v.*, a.lane_position AS from_lane, b.lane_position AS to_lane FROM town.lane_adjacency_editing v JOIN town.lane a ON a.lane_id = lane_a JOIN town.lane b ON b.lane_id = lane_b JOIN town.edge e ON e.edge_id = a.edge_id WHERE axis_id = 1;
 UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (3, 4));
+CREATE FUNCTION mark(lane integer) RETURNS text LANGUAGE sql AS $$ SELECT (xpath('//lane[@id = "' || lane || '"]/roadMark/@type', road))[1] || ' ' || (xpath('//lane[@id = "' || lane || '"]/roadMark/@laneChange', road))[1]
+  FROM (SELECT string_agg(line, '' ORDER BY ordinality)::xml AS file FROM streetgen.export_opendrive('town')) f, LATERAL (SELECT (xpath('//road[userData[@code="edge" and @value="' || edge_id || '"]]', file))[1] AS road FROM town.edge WHERE axis_id = 1 LIMIT 1) r $$;
+CREATE FUNCTION dashes(border integer) RETURNS text LANGUAGE sql AS $$ SELECT format('%s %s', dashed, count(*) FILTER (WHERE ST_Perimeter(d.geom) > 50)) FROM town.lane_separator s JOIN town.edge USING (edge_id), ST_Dump(s.surface) d WHERE axis_id = 1 AND lane_position = border GROUP BY s.lane_separator_id LIMIT 1 $$;
+SELECT 'a solid line lies beside the dashed one, and OpenDRIVE says so', dashes(3) = 't 1' AND dashes(1) = 't 0' AND mark(-1) = 'solid broken increase' AND mark(1) = 'broken both';
+UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (4, 3));
+SELECT 'forbidden both ways it is one solid line', dashes(3) = 'f 1' AND mark(-1) = 'solid none';
+DELETE FROM town.lane_adjacency_editing WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (4, 3));
 SELECT 'and a run changes nothing for it', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town'));
 SELECT 'a change typed holds one way', array_agg(concat(from_lane, to_lane, ' ', change, ' ', by_hand) ORDER BY from_lane, to_lane) = '{"12 allowed f","21 allowed f","34 forbidden t","43 allowed f"}' FROM typed WHERE change <> 'opposite';
 SELECT 'the interval of the paper goes with it', NOT EXISTS (SELECT FROM town.lane_interval i JOIN typed t ON (t.lane_a, t.lane_b) = (i.lane_id, i.l) WHERE t.by_hand);
@@ -58,6 +66,7 @@ SELECT 'one whose lanes are gone stays and is told', (SELECT count(*) = 1 FROM s
 UPDATE town.axis SET lane_count = 4 WHERE axis_id IN (1, 8);
 SELECT 'and holds again with them', (SELECT count(*) = 1 FROM town.lane_adjacency WHERE by_hand);
 DELETE FROM town.lane_adjacency_editing WHERE by_hand;
+SELECT 'deleted its line is dashed again', dashes(3) = 't 0' AND mark(-1) = 'broken both';
 SELECT 'deleted it is as painted', (SELECT bool_and(change = 'allowed') FROM typed WHERE change <> 'opposite') AND NOT EXISTS (SELECT FROM town.lane_adjacency_override);
 SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) = state FROM (VALUES
   ('a change drawn', $$INSERT INTO town.lane_adjacency_editing (change) VALUES ('allowed')$$, '0A000'), ('another lane', 'UPDATE town.lane_adjacency_editing SET lane_b = lane_a', '0A000'), ('a line moved', 'UPDATE town.lane_adjacency_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'),

@@ -57,6 +57,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            class_width, class_speed, class_importance, kerb_width,
            CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
                OR any_sidewalk OR any_junction OR any_bend OR any_height OR any_ramp
+               OR any_change
                THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
                SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
                    0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
@@ -81,6 +82,9 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
                UNION ALL SELECT 10, ramp_override_id, hash_record_extended(ROW(abscissa, tangent, length), 0)
                    FROM %1$I.ramp_override WHERE any_ramp AND axis_id = a.axis_id
+               UNION ALL SELECT 11, lane_adjacency_override_id,
+                   hash_record_extended(ROW(abscissa, lane_from, lane_to, change), 0)
+                   FROM %1$I.lane_adjacency_override WHERE any_change AND axis_id = a.axis_id
                UNION ALL SELECT 9, controller_override_id, hash_record_extended(ROW(controller.geom::bytea,
                    controller.program, cycle, start_offset, durations), 0)
                    FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
@@ -91,9 +95,11 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
-           -- Sidewalks and flows are the seed, so that it stays the same where nothing is said of them.
+           -- Sidewalks, flows and lane changes are the seed, so that it stays the same where nothing is said of them.
            CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
+           # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END)
            AS input_hash,
@@ -130,6 +136,7 @@ LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
     EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
     EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
     EXISTS (SELECT FROM %1$I.ramp_override) AS any_ramp,
+    EXISTS (SELECT FROM %1$I.lane_adjacency_override) AS any_change,
     EXISTS (SELECT FROM %1$I.height_override) AS any_height,
     EXISTS (SELECT FROM %1$I.control_point) AS any_control,
     EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,

@@ -42,7 +42,8 @@ FROM %1$I.lane_separator s %2$s
     CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.change_forward ELSE a.change_backward END AS list,
         CASE v.side WHEN 'right' THEN l.lane_position ELSE r.lane_position END AS at) n
     CROSS JOIN LATERAL (SELECT (v.side = 'left') = l.along_axis AS leftwards, CASE WHEN n.list IS NOT NULL
-        AND l.along_axis = r.along_axis AND 'merging' NOT IN (l.kind, r.kind) THEN split_part(n.list, '|', (
+        AND l.along_axis = r.along_axis AND 'merging' NOT IN (l.kind, r.kind)
+        AND CASE v.side WHEN 'right' THEN l.kind ELSE r.kind END IN ('general', 'bus') THEN split_part(n.list, '|', (
             SELECT count(*) FROM %1$I.lane w WHERE w.edge_id = l.edge_id AND w.along_axis = l.along_axis
                 AND w.kind IN ('general', 'bus') AND (w.lane_position - n.at) * CASE WHEN l.along_axis THEN 1
                     ELSE -1 END <= 0)::integer) END AS word) c;

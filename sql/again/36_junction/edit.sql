@@ -28,26 +28,52 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._lock_junctions(name, bigint[]) IS 'Locks the axes at junctions.';
 
-CREATE OR REPLACE FUNCTION streetgen._decide_junction(model name, known bigint[], place geometry, axis bigint,
+CREATE OR REPLACE FUNCTION streetgen._nodes_to_decide(model name, junction bigint, OUT axes bigint[],
+    OUT places geometry[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+SELECT array_agg(axis_id ORDER BY node_id), array_agg(geom ORDER BY node_id)
+FROM (SELECT n.node_id, ST_Force2D(n.geom) AS geom, (array_agg(e.axis_id ORDER BY e.edge_id))[1] AS axis_id,
+        count(*) >= 3 AS meets, bool_or(count(*) >= 3) OVER () AS any_meets
+    FROM %1$I.junction_node m JOIN %1$I.node n USING (node_id)
+        JOIN %1$I.edge e CROSS JOIN LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) ON v.node_id = n.node_id
+    WHERE m.junction_id = $1 GROUP BY n.node_id, n.geom) n
+WHERE meets OR NOT any_meets $sql$, model) INTO axes, places USING junction;
+END $$;
+COMMENT ON FUNCTION streetgen._nodes_to_decide(name, bigint) IS
+    'The nodes of a junction where its kind by hand is written: all of three and more edges, where it has any; of each '
+    'an axis and the place. NULL where the junction is gone.';
+
+CREATE OR REPLACE FUNCTION streetgen._decide_junction(model name, known bigint[], axes bigint[], places geometry[],
     inside boolean, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    kept bigint[];
+    missing integer[];
 BEGIN
-    EXECUTE format('DELETE FROM %I.junction_override WHERE junction_override_id = ANY ($1)', model)
-        USING CASE WHEN num_nonnulls(inside, kind) = 0 THEN known ELSE known[2:] END;
-    IF num_nonnulls(inside, kind) = 0 THEN
-        RETURN;
-    ELSIF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.junction_override (axis_id, geom, inside, kind) VALUES ($1, $2, $3, $4)', model)
-            USING axis, place, inside, kind;
-    ELSE
-        EXECUTE format('UPDATE %I.junction_override SET inside = $2, kind = $3 WHERE junction_override_id = $1', model)
-            USING known[1], inside, kind;
-    END IF;
+    -- Of each place the first of the rows that stand there stays.
+    EXECUTE format($sql$
+SELECT coalesce(array_agg(o.id) FILTER (WHERE o.id IS NOT NULL), '{}'),
+    coalesce(array_agg(p.i) FILTER (WHERE o.id IS NULL), '{}')
+FROM unnest($2) WITH ORDINALITY p(geom, i) LEFT JOIN LATERAL (
+    SELECT junction_override_id AS id FROM %I.junction_override v JOIN unnest($1) WITH ORDINALITY k(id, turn)
+        ON v.junction_override_id = k.id
+    WHERE cardinality($2) = 1 OR ST_DWithin(v.geom, p.geom, 3 * $3) ORDER BY turn LIMIT 1) o ON true
+WHERE num_nonnulls($4, $5) = 1 $sql$, model) INTO kept, missing
+        USING known, places, streetgen._tolerance(model), inside, kind;
+    EXECUTE format('DELETE FROM %I.junction_override WHERE junction_override_id = ANY ($1) '
+        'AND junction_override_id <> ALL ($2)', model) USING known, kept;
+    EXECUTE format('UPDATE %I.junction_override SET inside = $2, kind = $3 WHERE junction_override_id = ANY ($1)',
+        model) USING kept, inside, kind;
+    EXECUTE format('INSERT INTO %I.junction_override (axis_id, geom, inside, kind) '
+        'SELECT ($1)[i], ($2)[i], $3, $4 FROM unnest($5) i', model) USING axes, places, inside, kind, missing;
 END $$;
-COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], geometry, bigint, boolean, text) IS
-    'Writes one decision on a junction: known are the rows that decided before, of which one stays; without them there '
-    'is a new row at the place on the axis. Neither inside nor kind: it is taken back.';
+COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], bigint[], geometry[], boolean, text) IS
+    'Writes a decision on a junction, a row at each place on its axis: known are the rows that decided before, of '
+    'which one stays at each place. Neither inside nor kind: it is taken back.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_junction_kind(model name, junction bigint, kind text) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -82,7 +108,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
     AS $$
 DECLARE
     known bigint[];
-    node record;
+    nodes record;
     decided text;
 BEGIN
     IF TG_OP = 'INSERT' THEN
@@ -103,23 +129,21 @@ BEGIN
     EXECUTE format('SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), ''{}'') '
         'FROM %I.junction_override o WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY ($1)', TG_TABLE_SCHEMA)
         INTO known USING streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id);
-    EXECUTE format('SELECT e.axis_id, ST_Force2D(n.geom) AS geom FROM %1$I.node n JOIN %1$I.edge e '
-        'ON n.node_id IN (e.from_node, e.to_node) WHERE n.node_id = $1 ORDER BY e.edge_id LIMIT 1', TG_TABLE_SCHEMA)
-        INTO node USING OLD.junction_id;
-    IF node IS NULL THEN
+    nodes := streetgen._nodes_to_decide(TG_TABLE_SCHEMA, OLD.junction_id);
+    IF nodes.axes IS NULL THEN
         RAISE EXCEPTION 'junction % is gone', OLD.junction_id USING ERRCODE = '22023',
             DETAIL = 'Somebody else changed its axes.', HINT = 'Refresh the layer, and edit what is there now.';
     END IF;
     IF decided <> OLD.kind THEN
         PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, OLD.junction_id, decided);
     END IF;
-    PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, node.geom, node.axis_id, NULL, decided);
+    PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, nodes.axes, nodes.places, NULL, decided);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_junction() IS
-    'Trigger of junction_editing: writes the kind to junction_override, at a node of the junction; kind NULL, or '
-    'DELETE, takes it back. An unknown kind: 23514; one that does not fit its arms, or a junction that '
-    'is gone: 22023; INSERT, another key or place: 0A000.';
+    'Trigger of junction_editing: writes the kind to junction_override, at each node of the junction where three and '
+    'more edges meet; kind NULL, or DELETE, takes it back. An unknown kind: 23514; one that does not fit its arms, '
+    'or a junction that is gone: 22023; INSERT, another key or place: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_junction_edge() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -149,7 +173,7 @@ BEGIN
         streetgen._fill_template(streetgen._edge_of_override(), jsonb_build_object('model',
         quote_ident(TG_TABLE_SCHEMA)))) INTO known USING edge.axis_id, OLD.edge_id;
     PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known,
-        ST_LineInterpolatePoint(ST_Force2D(edge.geom), 0.5), edge.axis_id, decided, NULL);
+        ARRAY[edge.axis_id], ARRAY[ST_LineInterpolatePoint(ST_Force2D(edge.geom), 0.5)], decided, NULL);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_junction_edge() IS

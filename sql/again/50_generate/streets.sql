@@ -8,7 +8,9 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     subjects text[] DEFAULT '{lane,interconnection}', neighbours streetgen.street_neighbour[] DEFAULT NULL,
     controls streetgen.street_control[] DEFAULT NULL, overpasses streetgen.street_overpass[] DEFAULT NULL,
     bends streetgen.street_bend[] DEFAULT NULL, circulations streetgen.street_circulation[] DEFAULT NULL,
-    ramp_axes streetgen.street_ramp_axis[] DEFAULT NULL, ramps streetgen.street_ramp[] DEFAULT NULL)
+    ramp_axes streetgen.street_ramp_axis[] DEFAULT NULL, ramps streetgen.street_ramp[] DEFAULT NULL,
+    junctions streetgen.street_junction[] DEFAULT NULL, changes streetgen.street_lane_change[] DEFAULT NULL,
+    leaving streetgen.street_leaving[] DEFAULT NULL)
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[],
@@ -16,7 +18,8 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
     streetgen.street_lane[], streetgen.street_restriction[], streetgen.former_edge[], streetgen.former_node[], boolean,
         text[], streetgen.street_neighbour[], streetgen.street_control[], streetgen.street_overpass[],
         streetgen.street_bend[], streetgen.street_circulation[], streetgen.street_ramp_axis[],
-        streetgen.street_ramp[])
+        streetgen.street_ramp[], streetgen.street_junction[], streetgen.street_lane_change[],
+        streetgen.street_leaving[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
@@ -24,7 +27,8 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
         'interconnection, kerb, overpass; words of SQL alone are passed over. neighbours: for kerbs, all surfaces '
         'near that '
-        'stay; NULL: unknown. ramp_axes: those that may be part of a ramp; without any there are no ramps. No axes '
+        'stay; NULL: unknown. ramp_axes: those that may be part of a ramp; without any there are no ramps. '
+        'junctions, changes, leaving: what is known of paint. No axes '
         '(NULL) or no subjects (NULL): NULL; any other '
         'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
         'or unknown, a geometry that is none: 22023.';

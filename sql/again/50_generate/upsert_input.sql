@@ -80,6 +80,19 @@ computed AS MATERIALIZED (
                 ORDER BY control_point_id)
             FROM (SELECT control_point_id, axis_id, abscissa, kind, direction FROM {model}.control_point
                 WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2) {yields}) c),
+        junctions => (
+            SELECT array_agg(ROW (axis_id, ST_X(geom), ST_Y(geom), kind)::streetgen.street_junction
+                ORDER BY junction_override_id)
+            FROM {model}.junction_override WHERE kind IS NOT NULL AND ({whole} OR axis_id = ANY ($2))),
+        changes => (
+            SELECT array_agg(ROW (axis_id, abscissa, lane_from, lane_to, change)::streetgen.street_lane_change
+                ORDER BY lane_adjacency_override_id)
+            FROM {model}.lane_adjacency_override WHERE {whole} OR axis_id = ANY ($2)),
+        leaving => (
+            SELECT array_agg(ROW (axis_id, change_forward, change_backward)::streetgen.street_leaving
+                ORDER BY axis_id)
+            FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
+                AND coalesce(change_forward, change_backward) IS NOT NULL),
         circulations => {circulations},
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,

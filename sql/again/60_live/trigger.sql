@@ -207,9 +207,6 @@ BEGIN
     IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override')
         THEN
         RETURN NULL;
-    -- Nothing is computed from them: view lane_adjacency reads them.
-    ELSIF TG_TABLE_NAME = 'lane_adjacency_override' THEN
-        RETURN NULL;
     ELSIF TG_OP = 'TRUNCATE' THEN
         -- What goes is known only before: as if deleted.
         EXECUTE format('DELETE FROM %%I.%%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);

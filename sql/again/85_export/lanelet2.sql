@@ -125,11 +125,11 @@ line AS (
         WHEN 4 THEN streetgen._lanelet2_tags('{type,subtype}', '{traffic_light,red_yellow_green}')
         ELSE CASE WHEN b.number IN (1, cardinality(d.lanes) + 1)
                 THEN streetgen._lanelet2_tags('{type,subtype}', '{curbstone,high}')
-            WHEN m.kind IS NULL THEN streetgen._lanelet2_tags('{type}', '{virtual}')
-            ELSE streetgen._lanelet2_tags('{type,subtype}', ARRAY['line_thin', CASE WHEN m.dashed THEN 'dashed'
-                ELSE 'solid' END]) END END || '</way>'
+            WHEN m.paint IS NULL THEN streetgen._lanelet2_tags('{type}', '{virtual}')
+            ELSE streetgen._lanelet2_tags('{type,subtype}', ARRAY['line_thin', CASE WHEN m.paint <> 'mixed'
+                THEN m.paint WHEN m.leftwards THEN 'solid_dashed' ELSE 'dashed_solid' END]) END END || '</way>'
     FROM bound b LEFT JOIN drawn d ON b.source = 1 AND d.road_id = b.key
-        LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, d.before + b.number - 1)
+        LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, d.before + b.number - 1)
     UNION ALL SELECT 3, l.id, '<relation id="' || l.id || '" version="1" visible="true"><member type="way" ref="'
         || CASE WHEN along THEN on_left ELSE on_right END || '" role="left"/><member type="way" ref="'
         || CASE WHEN along THEN on_right ELSE on_left END || '" role="right"/>' || coalesce(r.text, '')
@@ -160,8 +160,9 @@ END $$;
 COMMENT ON FUNCTION streetgen.export_lanelet2(name, jsonb) IS
     'A file of Lanelet2, OSM XML, line by line. A lane is a lanelet between two borders, which neighbours share, and '
     'an interconnection that connects is a lanelet whose borders begin and end in the points of those of its lanes. '
-    'Borders between lanes are lines, dashed where the model has dashes, which one may cross then; the outer ones '
-    'are curbstones. Lanelets have the speed limit of their edge, say who drives there and whether one way only, and '
+    'Borders between lanes are lines, dashed where the model has dashes, which one may cross then, '
+    'solid_dashed or dashed_solid where only one side may; the outer ones are curbstones. Lanelets have '
+    'the speed limit of their edge, say who drives there and whether one way only, and '
     'name their edge. A junction with stop or yield lines has a regulatory element right_of_way, and with subject '
     'signal each lane that waits for lights has one of traffic_light. Parking lanes are left out. Coordinates are '
     'WGS 84, heights are left out. Junctions, references and options are those of export_opendrive. An unknown '

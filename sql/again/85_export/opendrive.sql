@@ -35,12 +35,16 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_step(element text, place text, l
 COMMENT ON FUNCTION streetgen._opendrive_step(text, text, float8, float8, float8) IS
     'The element of a polynomial that is straight over a whole road of that length.';
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(kind text, dashed boolean) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(paint text, leftwards boolean, rightwards boolean,
+    inside_left boolean DEFAULT true) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN '<roadMark sOffset="0" type="' || CASE WHEN kind IS NULL THEN 'none' WHEN dashed THEN 'broken'
-        ELSE 'solid' END || '" color="standard" laneChange="' || CASE WHEN dashed THEN 'both' ELSE 'none' END || '"/>';
-COMMENT ON FUNCTION streetgen._opendrive_mark(text, boolean) IS
-    'The line between two lanes, by its kind (NULL: none) and whether it has dashes.';
+    RETURN '<roadMark sOffset="0" type="' || CASE WHEN paint IS NULL THEN 'none' WHEN paint = 'dashed' THEN 'broken'
+        WHEN paint = 'solid' THEN 'solid' WHEN leftwards = inside_left THEN 'solid broken' ELSE 'broken solid' END
+        || '" color="standard" laneChange="' || CASE WHEN leftwards AND rightwards THEN 'both'
+        WHEN leftwards THEN 'increase' WHEN rightwards THEN 'decrease' ELSE 'none' END || '"/>';
+COMMENT ON FUNCTION streetgen._opendrive_mark(text, boolean, boolean, boolean) IS
+    'The line between two lanes: solid, dashed, mixed (a solid one beside a dashed one) or none (NULL); whether one '
+    'may cross it to the left and to the right; inside_left: towards the centre lane is left.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_roads() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -79,6 +83,16 @@ stretch AS (
             AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
         FROM %1$I.section_limit start JOIN %1$I.section_limit until USING (edge_id)
         WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
+-- The lines between lanes, and who may cross them, seen along the axis. Over a dashed line in the middle all may.
+line_between AS MATERIALIZED (
+    SELECT s.edge_id, s.lane_position, leftwards, rightwards, CASE WHEN NOT s.dashed THEN 'solid'
+        WHEN leftwards = rightwards THEN 'dashed' ELSE 'mixed' END AS paint
+    FROM %1$I.lane_separator s LEFT JOIN (
+        SELECT lane_adjacency_id / 2 AS lane_separator_id, bool_or(side = 'left' AND change = 'allowed') AS to_left,
+            bool_or(side = 'right' AND change = 'allowed') AS to_right
+        FROM %1$I.lane_adjacency WHERE change <> 'opposite' GROUP BY lane_adjacency_id / 2) a USING (lane_separator_id),
+        LATERAL (SELECT coalesce(to_left, s.dashed) AS leftwards, coalesce(to_right, s.dashed) AS rightwards) c
+    WHERE s.edge_id IN (SELECT edge_id FROM written_edge)),
 drawn AS MATERIALIZED (
     SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
         d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
@@ -112,7 +126,8 @@ connecting AS MATERIALIZED (
             ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END],
             CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads() IS
-    'Queries of a file of OpenDRIVE over a model: drawn, a road for each edge with what streetgen._road_lanes gives; '
+    'Queries of a file of OpenDRIVE over a model: line_between, what parts lanes; drawn, a road '
+    'for each edge with what streetgen._road_lanes gives; '
     'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
     'lane.';
 
@@ -144,10 +159,10 @@ lane_text AS (
             ELSE streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
                 SELECT border[(i - 1) * stations + k] - border[i * stations + k]
                 FROM generate_series(1, stations) k)) END
-        || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane>' AS text
+        || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards, i > lefts) || '</lane>' AS text
     FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
         CROSS JOIN generate_series(1, cardinality(lanes)) i
-        LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position)
+        LEFT JOIN line_between m ON (m.edge_id, m.lane_position)
             = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
 lanes_text AS (
     SELECT road_id, string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) AS on_left,
@@ -182,13 +197,13 @@ line AS (
         || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', d.station,
             border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)])
         || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
-        || streetgen._opendrive_mark(m.kind, m.dashed) || '</lane></center>' || coalesce(on_right, '')
+        || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards) || '</lane></center>' || coalesce(on_right, '')
         || '</laneSection></lanes>' || coalesce(j.text, '') || coalesce(g.text, '') || '<userData code="edge" value="'
         || d.edge_id || '"/></road>'
     FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
-        LEFT JOIN %1$I.lane_separator m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
+        LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
         LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
         LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL
@@ -283,7 +298,8 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'the junction. Stop and yield lines without signals have signs (206 and 205 of country DE). Objects have their '
     'type, place and direction, crossings, bays and lines their outline. The junctions of an accepted roundabout are '
     'a junctionGroup. All ids are integers, and userData names the edge and the interconnection. Lines between lanes '
-    'are road marks. Heights are those of profiles where the model computes them, else of axes that have any. '
+    'are road marks, laneChange as view lane_adjacency says. Heights are those of profiles where the model computes '
+    'them, else of axes that have any. '
     'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes that meet '
     'at one place are cut back by 0.05 m for the road that connects them. options as streetgen.export_option() lists '
     'them: an unknown one, or no edge that they take: 22023. A caller who may not read the model: 42501; a model '

@@ -28,7 +28,7 @@ StreetModel street_model(const StreetModelInput& input) {
                           input.subjects.kerb, ramps);
   if (input.subjects.lane) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
-                        input.controls, input.circulations);
+                        input.controls, input.circulations, input.paint);
     check_lanes(model.streets, model.lanes);
   }
   if (input.subjects.interconnection) {

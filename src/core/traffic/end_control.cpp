@@ -40,13 +40,25 @@ class Controls {
     }
   }
 
+  void decide(const JunctionDecision& decision, const std::vector<Node>& nodes) {
+    const auto found = of_axis_.find(decision.axis_id);
+    if (found == of_axis_.end()) return;
+    const auto off = [&](int slot) { return distance(planar(nodes[node_of(slot)].point), decision.place); };
+    int nearest = 2 * found->second.front();
+    for (const int e : found->second)
+      for (const int slot : {2 * e, 2 * e + 1})
+        if (off(slot) < off(nearest)) nearest = slot;
+    if (off(nearest) > farthest_) return;
+    for (const int slot : slots_[node_of(nearest)]) ends_[slot].decided = decision.kind;
+  }
+
   std::vector<EndControl> run() {
     for (const std::vector<int>& slots : slots_) {
-      const bool signals = std::any_of(slots.begin(), slots.end(), [&](int slot) {
-        return ends_[slot].own == ControlKind::signals;
-      });
+      std::optional<ControlKind> highest;
       for (const int slot : slots)
-        ends_[slot].beside_signals = signals && ends_[slot].own != ControlKind::signals;
+        if (ends_[slot].own && (!highest || *ends_[slot].own < *highest))
+          highest = ends_[slot].own;
+      for (const int slot : slots) ends_[slot].at_node = highest;
     }
     return std::move(ends_);
   }
@@ -129,10 +141,13 @@ const char* control_kind_name(ControlKind kind) noexcept {
 }
 
 std::vector<EndControl> end_controls(const Network& network, const std::vector<LanesOfAxis>& lanes,
-                                     const std::vector<ControlPoint>& points, double farthest) {
-  if (points.empty()) return std::vector<EndControl>(2 * network.edges.size());
+                                     const std::vector<ControlPoint>& points, double farthest,
+                                     const std::vector<JunctionDecision>& decisions) {
+  if (points.empty() && decisions.empty())
+    return std::vector<EndControl>(2 * network.edges.size());
   Controls controls(network, lanes, farthest);
   for (const ControlPoint& point : points) controls.put(point);
+  for (const JunctionDecision& decision : decisions) controls.decide(decision, network.nodes);
   return controls.run();
 }
 

@@ -10,6 +10,7 @@
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 #include "streetgen/surface.hpp"
+#include "traffic/lane_change.hpp"
 #include "traffic/lane_layout.hpp"
 #include "traffic/lane_taper.hpp"
 #include "traffic/lane_wishes.hpp"
@@ -242,10 +243,13 @@ class Builder {
  public:
   Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
           std::vector<LaneOverride> overrides, const LaneSettings& settings,
-          const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations)
+          const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
+          const PaintRules& paint)
       : streets_(streets),
         settings_(settings),
-        controls_(end_controls(streets.network, axes, controls, settings.control_distance)),
+        controls_(end_controls(streets.network, axes, controls, settings.control_distance,
+                               paint.junctions)),
+        changes_(paint.changes, paint.leaving),
         wishes_(std::move(axes), std::move(overrides), circulations, settings) {}
 
   Lanes run() {
@@ -271,6 +275,7 @@ class Builder {
         if (decision.line != nullptr) draw(lane, strip, *decision.line, !crossed);
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
+      changes_.paint(streets_.network.edges[e], made.lanes, made.separators);
       if (!crossed) {
         append_end_markings(streets_, ranks, controls_, strip, made.lanes,
                             settings_.driving_side, out.markings);
@@ -304,6 +309,7 @@ class Builder {
   const Streets& streets_;
   const LaneSettings& settings_;
   std::vector<EndControl> controls_;  // by slot
+  LaneChanges changes_;
   LaneWishes wishes_;
   Geos geos_;
 };
@@ -313,8 +319,9 @@ class Builder {
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls,
-            const std::vector<Circulation>& circulations) {
-  return Builder(streets, std::move(axes), std::move(overrides), settings, controls, circulations)
+            const std::vector<Circulation>& circulations, const PaintRules& paint) {
+  return Builder(streets, std::move(axes), std::move(overrides), settings, controls, circulations,
+                 paint)
       .run();
 }
 

@@ -79,6 +79,28 @@ void append_band(const Line& line, double half, MultiPolygon& out) {
   out.insert(out.end(), built.begin(), built.end());
 }
 
+// As many dashes as fit, as far from one end as from the other.
+std::vector<std::pair<double, double>> dashes(double total, double on, double off) {
+  const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
+  const double start = std::max(0.0, (total - count * (on + off) + off) / 2);
+  std::vector<std::pair<double, double>> spans;
+  spans.reserve(count);
+  for (int i = 0; i < count; ++i)
+    spans.emplace_back(start + i * (on + off), std::min(total, start + i * (on + off) + on));
+  return spans;
+}
+
+void append_stripe(const Line& line, bool dashed, MultiPolygon& out) {
+  const double total = length(line);
+  if (!dashed || total > longest_dashed) {
+    append_band(line, stripe / 2, out);
+    return;
+  }
+  const auto spans = dashes(total, dash, gap);
+  out.reserve(out.size() + spans.size());
+  cut(line, spans, [&](const Line& piece) { append_band(piece, stripe / 2, out); });
+}
+
 // Whether all of the line goes within a sixth of a turn of one direction, so that it gets on by
 // half of its length at least and never comes back.
 bool goes_on(const Line& line) {
@@ -93,17 +115,6 @@ bool goes_on(const Line& line) {
     before = along;
   }
   return most - least < 2 * M_PI / 3;
-}
-
-// As many dashes as fit, as far from one end as from the other.
-std::vector<std::pair<double, double>> dashes(double total, double on, double off) {
-  const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
-  const double start = std::max(0.0, (total - count * (on + off) + off) / 2);
-  std::vector<std::pair<double, double>> spans;
-  spans.reserve(count);
-  for (int i = 0; i < count; ++i)
-    spans.emplace_back(start + i * (on + off), std::min(total, start + i * (on + off) + on));
-  return spans;
 }
 
 // Arrows are drawn towards x, from the origin, at full size.
@@ -160,15 +171,23 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
 
 // The line across the lanes that come by an end: `lower` is its importance less than that of the
 // most important edge at the node.
-std::optional<MarkingKind> end_marking(const EndControl& control, int lower, bool merges) {
-  if (control.own == ControlKind::signals || control.own == ControlKind::stop)
-    return MarkingKind::stop;
+std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
+                                       bool merges) {
+  const std::optional<JunctionKind> by_hand = control.decided;
+  const bool waits_by_hand = by_hand == JunctionKind::stop || by_hand == JunctionKind::priority;
+  if (by_hand == JunctionKind::right_before_left) return std::nullopt;
+  if (control.own == ControlKind::stop) return MarkingKind::stop;
   if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
     return MarkingKind::yield;
-  if (control.beside_signals) return MarkingKind::stop;
+  if (by_hand == JunctionKind::signals) return MarkingKind::stop;
+  if (control.at_node == ControlKind::signals && !waits_by_hand) return MarkingKind::stop;
   if (merges) return std::nullopt;
-  if (lower > 1) return MarkingKind::stop;
-  return lower == 1 ? std::optional(MarkingKind::yield) : std::nullopt;
+  if (by_hand == JunctionKind::stop) {
+    const bool all = rank.lowest == rank.importance && control.at_node != ControlKind::stop;
+    return all || lower > 0 ? std::optional(MarkingKind::stop) : std::nullopt;
+  }
+  if (lower > 1 && by_hand != JunctionKind::priority) return MarkingKind::stop;
+  return lower > 0 ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
 }  // namespace
@@ -179,6 +198,7 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
     for (const int node : {streets.network.edges[e].from_node, streets.network.edges[e].to_node}) {
       ++ranks[node].degree;
       ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
+      ranks[node].lowest = std::max(ranks[node].lowest, streets.roadways[e].importance);
     }
   for (const Ramp& ramp : streets.ramps)
     if (ramp.on &&
@@ -190,13 +210,13 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
 MultiPolygon paint_of(const LaneSeparator& separator) {
   if (!separator.painted) return {};
   MultiPolygon surface;
-  const double total = length(separator.line);
-  if (!separator.dashed || total > longest_dashed) {
-    append_band(separator.line, stripe / 2, surface);
+  if (separator.solid_side == 0) {
+    append_stripe(separator.line, separator.dashed, surface);
   } else {
-    const auto spans = dashes(total, dash, gap);
-    surface.reserve(spans.size());
-    cut(separator.line, spans, [&](const Line& piece) { append_band(piece, stripe / 2, surface); });
+    for (const int side : {+1, -1}) {
+      const Line beside = offset_line(separator.line, side * stripe, side * stripe);
+      if (beside.size() > 1) append_stripe(beside, side != separator.solid_side, surface);
+    }
   }
   if (goes_on(separator.line)) return surface;
   // Dashes of a line that comes back may lie on each other.
@@ -214,7 +234,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const int node = at_start ? edge.from_node : edge.to_node;
     if (ranks[node].degree < 3) continue;
     const std::optional<MarkingKind> kind =
-        end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)],
+        end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)], ranks[node],
                     streets.roadways[lanes.front().edge].importance - ranks[node].importance,
                     ranks[node].merging_link == lanes.front().edge);
     if (!kind) continue;

@@ -178,6 +178,7 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->ramps = {ramps.count, column(ramps, "axis_id", INT8OID),
                  column(ramps, "abscissa", FLOAT8OID), column_or_null(ramps, "tangent", FLOAT8OID),
                  column_or_null(ramps, "length", FLOAT8OID)};
+  call->paint = take_paint(fcinfo, 19, 20, 21);
 }
 
 }  // namespace streetgen::pg

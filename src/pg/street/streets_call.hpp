@@ -3,6 +3,7 @@
 
 #include "frame/composite_rows.hpp"
 #include "value/control_rows.hpp"
+#include "value/paint_rows.hpp"
 
 namespace streetgen::pg {
 
@@ -59,6 +60,7 @@ struct StreetsCall {
     Column axis_id, abscissa, radius;
   } bends;
   ControlRows controls;
+  PaintRows paint;
   struct {
     int count;
     Column axis_above, axis_below, x, y, clearance;

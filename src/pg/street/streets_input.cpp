@@ -473,6 +473,7 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.lane_overrides = lane_overrides_of(call);
   input.model.lane_settings = lane_settings_of(settings);
   input.model.controls = read_controls(call.controls);
+  input.model.paint = read_paint(call.paint);
   input.model.circulations = circulations_of(call);
   input.model.ramps = ramps_of(call, settings);
   input.model.restrictions = restrictions_of(call);

@@ -10,10 +10,12 @@ using Direction = ControlPoint::Direction;
 // A street of 200 m along x that ends at a node of three edges at each end.
 Network street_between_junctions() {
   Network network;
+  network.nodes.resize(6);
   const auto edge = [&](std::int64_t axis, int from, int to, Line line) {
+    network.nodes[from].point = line.front();
+    network.nodes[to].point = line.back();
     network.edges.push_back({axis, from, to, 0, 0, 200, std::move(line)});
   };
-  network.nodes.resize(6);
   edge(1, 0, 1, {{0, 0}, {200, 0}});
   edge(2, 2, 0, {{0, -200}, {0, 0}});
   edge(3, 0, 3, {{0, 0}, {0, 200}});
@@ -77,10 +79,9 @@ TEST(EndControl, OnANodeWithADirectionItSpeaksToOneArm) {
 
 TEST(EndControl, SignalsOfOneArmAreSeenByTheOthers) {
   const auto ends = controlled({1, 180, ControlKind::signals, Direction::along});
-  EXPECT_FALSE(ends[1].beside_signals);
-  EXPECT_TRUE(ends[7].beside_signals);
-  EXPECT_TRUE(ends[8].beside_signals);
-  EXPECT_FALSE(ends[0].beside_signals);
+  for (const int slot : {1, 7, 8}) EXPECT_EQ(ends[slot].at_node, ControlKind::signals);
+  EXPECT_EQ(own_controls(ends), 1);
+  EXPECT_FALSE(ends[0].at_node);
 }
 
 TEST(EndControl, OfSeveralTheStricterHoldsWhateverTheirOrder) {
@@ -89,6 +90,24 @@ TEST(EndControl, OfSeveralTheStricterHoldsWhateverTheirOrder) {
   for (const auto& points : {std::vector{yield, stop}, std::vector{stop, yield}})
     EXPECT_EQ(end_controls(street_between_junctions(), two_way(), points, 50)[1].own,
               ControlKind::stop);
+}
+
+std::vector<EndControl> decided(const std::vector<JunctionDecision>& decisions) {
+  return end_controls(street_between_junctions(), two_way(), {}, 50, decisions);
+}
+
+TEST(EndControl, AKindByHandHoldsForTheNearestNodeOfItsAxis) {
+  const auto ends = decided({{1, {180, 10}, JunctionKind::signals}});
+  for (const int slot : {1, 7, 8}) EXPECT_EQ(ends[slot].decided, JunctionKind::signals);
+  for (const int slot : {0, 3, 4, 6, 9}) EXPECT_FALSE(ends[slot].decided);
+  EXPECT_EQ(decided({{2, {180, 0}, JunctionKind::signals}})[1].decided, std::nullopt)
+      << "farther off than control points";
+  EXPECT_EQ(decided({{99, {200, 0}, JunctionKind::signals}})[1].decided, std::nullopt);
+}
+
+TEST(EndControl, OfTwoKindsByHandTheLaterHolds) {
+  const auto ends = decided({{1, {200, 0}, JunctionKind::stop}, {5, {200, 4}, JunctionKind::priority}});
+  EXPECT_EQ(ends[7].decided, JunctionKind::priority);
 }
 
 TEST(EndControl, OneOnAnAxisThatIsNotThereChangesNothing) {
