@@ -188,9 +188,15 @@ SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) 
   ('a crossing as a roundabout', $$UPDATE town.junction_editing SET kind = 'roundabout' WHERE junction_id = (SELECT junction_id FROM pg_temp.side)$$, '22023'),
   ('a crossing as a continuation', $$UPDATE town.junction_editing SET kind = 'continuation' WHERE junction_id = (SELECT junction_id FROM pg_temp.side)$$, '22023'),
   ('an end as a priority junction', $$UPDATE town.junction_editing SET kind = 'priority' WHERE kind = 'end'$$, '22023'),
+  ('a row of kind end at a crossing', $$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (4, 'SRID=2154;POINT(650000 6860001)', 'end')$$, '22023'),
+  ('a row of kind stop at an end', $$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (1, 'SRID=2154;POINT(649800 6860000)', 'priority')$$, '22023'),
+  ('a row of a kind that is none', $$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (4, 'SRID=2154;POINT(650000 6860000)', 'circus')$$, '23514'),
   ('a kind that is none', $$UPDATE town.junction_editing SET kind = 'circus'$$, '23514'),
   ('a junction moved', 'UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another key', 'UPDATE town.junction_editing SET junction_id = junction_id + 1', '0A000'),
   ('an edge moved', 'UPDATE town.junction_edge_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another edge', 'UPDATE town.junction_edge_editing SET edge_id = edge_id + 1000', '0A000')) v(name, statement, state);
+SELECT 'a kind that does not fit is named', test.said($$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (4, 'SRID=2154;POINT(650000 6860001)', 'end')$$) LIKE 'junction % cannot be of kind end';
+SELECT 'one on an axis that is not there is taken', test.state($$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (999, 'SRID=2154;POINT(650000 6860000)', 'end')$$) = 'none';
+DELETE FROM town.junction_override WHERE axis_id = 999;
 SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of the new junction override % cannot be "circus"%';
 DROP TABLE before;
 DELETE FROM town.axis WHERE axis_id = 1;

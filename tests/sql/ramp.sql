@@ -112,11 +112,13 @@ BEGIN
   DELETE FROM fresh.axis;
   SET LOCAL streetgen.live = 'off';
   INSERT INTO fresh.ramp_override SELECT * FROM road.ramp_override;
+  INSERT INTO fresh.lane_override SELECT * FROM road.lane_override;
   INSERT INTO fresh.axis SELECT * FROM road.axis;
   PERFORM streetgen.generate('fresh');
   SET LOCAL streetgen.live TO DEFAULT;
   RETURN QUERY SELECT what || ' as from scratch', test.same('road', 'fresh');
   DELETE FROM fresh.ramp_override;
+  DELETE FROM fresh.lane_override;
 END $$;
 SELECT * FROM agree('ramps');
 UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 650780 6860000)' WHERE axis_id = 2;
@@ -126,10 +128,27 @@ SELECT * FROM agree('a highway joined again');
 UPDATE road.ramp_editing SET length = 450;
 SELECT 'two that meet are one auxiliary lane', bool_and(auxiliary) AND (SELECT count(*) = 1 AND bool_and(start_abscissa IS NULL AND end_abscissa IS NULL) FROM merging) FROM road.ramp;
 SELECT * FROM agree('an auxiliary lane');
+-- What somebody decided of ramps goes with a schema that is renamed and adopted.
+ALTER SCHEMA road RENAME TO moved;
+SELECT streetgen.adopt_model('moved') \g /dev/null
+SELECT 'an adopted model keeps ramps by hand', (SELECT count(*) = 2 AND bool_and(length = 450) FROM moved.ramp_override) AND (SELECT bool_and(method = 'by_hand' AND auxiliary) FROM moved.ramp) AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('moved'));
+UPDATE moved.ramp_editing SET length = 440 WHERE kind = 'on';
+SELECT 'and follows edits of them', (SELECT array_agg(length ORDER BY length) = '{440,450}' FROM moved.ramp_override) AND (SELECT bool_and(auxiliary) FROM moved.ramp);
+ALTER SCHEMA moved RENAME TO road;
+SELECT streetgen.adopt_model('road') \g /dev/null
+SELECT * FROM agree('an adopted model');
 DELETE FROM road.ramp_editing WHERE kind = 'off';
 UPDATE road.axis SET lane_count = 2 WHERE axis_id = 4;
 SELECT 'two lanes of a ramp are two merging lanes', (lanes_missing, lanes_merging) = (2, 2) FROM road.ramp WHERE kind = 'on';
 SELECT * FROM agree('another number of lanes');
+INSERT INTO road.lane_override (axis_id, abscissa, ordinality, along_axis) VALUES (4, 100, 2, false);
+SELECT 'a lane of it turned round by hand is none that merges', (lanes_ramp, lanes_merging) = (1, 1) FROM road.ramp WHERE kind = 'on';
+SELECT * FROM agree('a lane turned round');
+UPDATE road.lane_override SET along_axis = NULL, width = 2.5;
+SELECT 'one made narrow is', (lanes_ramp, lanes_merging) = (2, 2) FROM road.ramp WHERE kind = 'on';
+SELECT * FROM agree('a narrow lane');
+DELETE FROM road.lane_override;
+SELECT * FROM agree('lanes as they were');
 UPDATE road.axis SET lane_count = NULL WHERE axis_id = 4;
 SELECT 'where lanes are estimated none is missing', lanes_missing = 0 FROM road.ramp WHERE kind = 'on';
 UPDATE road.axis SET lane_count = 1 WHERE axis_id = 4;

@@ -103,6 +103,30 @@ COMMENT ON FUNCTION streetgen._check_junction_kind(name, bigint, text) IS
     'Refuses (22023) a kind by hand that does not fit the arms of a junction: end, continuation, roundabout where no '
     'axis goes round, and what needs several arms at an end.';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_unfit_kind() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    at record;
+BEGIN
+    IF to_regclass(format('%I.junction', TG_TABLE_SCHEMA)) IS NULL OR NOT streetgen._live(TG_TABLE_SCHEMA)
+        OR TG_OP = 'UPDATE' AND NEW.kind IS NOT DISTINCT FROM OLD.kind THEN
+        RETURN NEW;
+    END IF;
+    EXECUTE format($sql$
+SELECT j.junction_id, j.kind FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+    JOIN %1$I.node n USING (node_id) JOIN %1$I.junction_node m USING (node_id) JOIN %1$I.junction j USING (junction_id)
+WHERE e.axis_id = $1 ORDER BY ST_Distance(n.geom, $2), v.node_id LIMIT 1
+$sql$, TG_TABLE_SCHEMA) INTO at USING NEW.axis_id, NEW.geom;
+    IF at.kind <> NEW.kind THEN
+        PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, at.junction_id, NEW.kind);
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_unfit_kind() IS
+    'Trigger of junction_override: refuses (22023) a kind by hand that does not fit the arms of the junction at its '
+    'place. Where streets do not follow, and where no junction is computed, every kind is taken.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -133,9 +157,6 @@ BEGIN
     IF nodes.axes IS NULL THEN
         RAISE EXCEPTION 'junction % is gone', OLD.junction_id USING ERRCODE = '22023',
             DETAIL = 'Somebody else changed its axes.', HINT = 'Refresh the layer, and edit what is there now.';
-    END IF;
-    IF decided <> OLD.kind THEN
-        PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, OLD.junction_id, decided);
     END IF;
     PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, nodes.axes, nodes.places, NULL, decided);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
