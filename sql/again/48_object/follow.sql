@@ -290,14 +290,42 @@ COMMENT ON FUNCTION streetgen._make_object_functions(name) IS
     'Makes the functions and triggers of a model by which objects follow its axes, or drops them where it computes '
     'none.';
 
+CREATE OR REPLACE FUNCTION streetgen._has_no_objects(model name) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- For fewer axes taking off costs more than it saves.
+    worth_it constant integer := 1000;
+    none boolean;
+BEGIN
+    EXECUTE format('SELECT %1$I._has_rules() AND NOT EXISTS (SELECT FROM %1$I.street_object)
+        AND (SELECT count(*) = $1 FROM (SELECT FROM %1$I.axis LIMIT $1) a)
+        AND pg_has_role(relowner, ''USAGE'') FROM pg_class WHERE oid = ''%1$I.street_object''::regclass', model)
+        INTO none USING worth_it;
+    RETURN none;
+END $$;
+COMMENT ON FUNCTION streetgen._has_no_objects(name) IS
+    'Will rules place objects along a thousand axes and more into tables that are empty, and the caller''s?';
+
 CREATE OR REPLACE FUNCTION streetgen._update_objects(model name, axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    back text[] := '{}';
 BEGIN
-    IF 'object' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY EXECUTE format('SELECT * FROM %I._place_objects($1)', model) USING axes;
+    IF 'object' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
     END IF;
+    IF axes IS NULL AND streetgen._has_no_objects(model) THEN
+        back := ARRAY(SELECT t.statement FROM streetgen._drop_keys(model, '{object_type,street_object,object_edge}') t
+            ORDER BY t.turn);
+    END IF;
+    RETURN QUERY EXECUTE format('SELECT * FROM %I._place_objects($1)', model) USING axes;
+    FOR i IN 1 .. cardinality(back) LOOP
+        EXECUTE back[i];
+    END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._update_objects(name, bigint[]) IS
-    'After the one statement wrote rows of axes (NULL: of all): brings the places of objects up to date.';
+    'After the one statement wrote rows of axes (NULL: of all): brings the places of objects up to date. The first '
+    'objects of all rules come before their keys and indexes.';

@@ -169,17 +169,18 @@ BEGIN
             LATERAL (SELECT jsonb_populate_record(NULL::%1$I.placement_rule, jsonb_build_object('rule_id', 0,
                 'type', p.type, 'density', 1)) AS rule) own),
     taken AS MATERIALIZED (
-        SELECT *, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL, at_side,
+        SELECT rule_id, type, every, distance_least, axis_id, level, edge_id, at_side, abscissa, rule_place, turned,
+            aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL, at_side,
             aside) AS geom,
             streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
         FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
     bay AS MATERIALIZED (
-        SELECT rule_id, axis_id, rule_place, level, streetgen._bay_ground(line, streetgen._border_offset(
-                streetgen._to_border(t.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa, at_side),
-                aside, at_side), at_side,
+        SELECT rule_id, t.axis_id, rule_place, t.level, streetgen._bay_ground(line, streetgen._border_offset(
+                streetgen._to_border(s.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa,
+                    at_side), aside, at_side), at_side,
             abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
             streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
-        FROM taken t, streetgen._usual_bay() usual WHERE type = ANY (bays)),
+        FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE type = ANY (bays)),
     -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
     former AS MATERIALIZED (
         SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
@@ -220,7 +221,9 @@ BEGIN
         SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
             WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
     held AS MATERIALIZED (
-        SELECT * FROM %1$I.street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
+        SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
+            rule_place, method
+        FROM %1$I.street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
     compared AS MATERIALIZED (
         SELECT f.type, f.geom, f.angle, CASE WHEN f.at_side IS NULL THEN 'axis' ELSE 'border' END AS placement,
             f.axis_id, f.abscissa, f.at_side, f.aside, f.turned, f.rule_id, f.rule_place, h.street_object_id AS held,
@@ -247,13 +250,12 @@ BEGIN
     END IF;
     INSERT INTO %1$I.pedestrian_crossing (street_object_id)
         SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
-            AND o.type = ANY (%1$I._types_below('crossing')) AND (axes IS NULL OR o.axis_id = ANY (axes))
+            AND o.type = ANY (crossings) AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT DO NOTHING;
     -- A rule's orientation is the angle of its bays.
     INSERT INTO %1$I.parking_bay AS b (street_object_id, angle)
         SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM %1$I.street_object o
-        WHERE o.placed_by = 'rule' AND o.type = ANY (%1$I._types_below('parking_bay'))
-            AND (axes IS NULL OR o.axis_id = ANY (axes))
+        WHERE o.placed_by = 'rule' AND o.type = ANY (bays) AND (axes IS NULL OR o.axis_id = ANY (axes))
         ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I._take_from_rules(objects bigint[]) RETURNS void

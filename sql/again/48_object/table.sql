@@ -84,7 +84,8 @@ CREATE INDEX IF NOT EXISTS street_object_geom ON %1$I.street_object USING gist (
 CREATE INDEX IF NOT EXISTS street_object_axis ON %1$I.street_object (axis_id);
 CREATE INDEX IF NOT EXISTS street_object_type ON %1$I.street_object (type);
 CREATE INDEX IF NOT EXISTS street_object_orphaned ON %1$I.street_object USING gist (geom) WHERE method = 'orphaned';
-CREATE UNIQUE INDEX IF NOT EXISTS street_object_source ON %1$I.street_object (source, source_ref);
+CREATE UNIQUE INDEX IF NOT EXISTS street_object_source ON %1$I.street_object (source, source_ref)
+    WHERE source_ref IS NOT NULL;
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_control ON %1$I.street_object (control_point_id)
     WHERE control_point_id IS NOT NULL;
 CREATE UNIQUE INDEX IF NOT EXISTS street_object_rule ON %1$I.street_object (rule_id, axis_id, rule_place);

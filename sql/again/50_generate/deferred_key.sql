@@ -34,8 +34,8 @@ $sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model)
         EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.deferred_key FROM %s', model, CASE writer
             WHEN 0 THEN 'PUBLIC' ELSE writer::regrole::text END);
     END LOOP;
-    EXECUTE format('INSERT INTO %I.deferred_key SELECT * FROM streetgen._drop_keys(%L, by_cluster => true)', model,
-        model);
+    EXECUTE format('INSERT INTO %I.deferred_key SELECT * FROM streetgen._drop_keys($1, $2, by_cluster => true)', model)
+        USING model, streetgen._computed_tables(model);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN
         EXECUTE format('DROP TABLE %I.deferred_key', model);

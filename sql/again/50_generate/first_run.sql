@@ -55,20 +55,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS
     'Validates a constraint of a table; where a row violates it, after a statement that lets such rows go.';
 
-CREATE OR REPLACE FUNCTION streetgen._drop_keys(model name, by_cluster boolean DEFAULT false)
+CREATE OR REPLACE FUNCTION streetgen._drop_keys(model name, relations name[], by_cluster boolean DEFAULT false)
     RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     off text[];
     turns integer[];
-    relations name[];
+    tables name[];
     statements text[];
 BEGIN
-    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, d.relation),
-        ', ') || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(streetgen._computed_tables(model)) d(relation));
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, name), ', ')
+        || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(relations) name);
     WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c
-        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (streetgen._computed_tables(model))),
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (relations)),
     -- Foreign keys between them.
     reference AS (
         SELECT k.*, d.relname, d.name AS relation, format('ALTER TABLE %s ADD CONSTRAINT %I %s', d.name, conname,
@@ -141,17 +141,17 @@ BEGIN
             WHERE p.turn = 2 AND NOT by_cluster)
     SELECT (SELECT array_agg(p.off ORDER BY p.turn DESC, p.oid) FROM part p), array_agg(m.turn), array_agg(m.relname),
         array_agg(m.back)
-        INTO off, turns, relations, statements FROM make m WHERE m.back IS NOT NULL;
+        INTO off, turns, tables, statements FROM make m WHERE m.back IS NOT NULL;
     FOR i IN 1 .. coalesce(cardinality(off), 0) LOOP
         EXECUTE off[i];
     END LOOP;
-    RETURN QUERY SELECT * FROM unnest(turns, relations, statements);
+    RETURN QUERY SELECT * FROM unnest(turns, tables, statements);
 EXCEPTION WHEN lock_not_available OR object_in_use THEN
     RAISE WARNING 'tables of model "%" are in use: their keys and indexes stay on, and its first run takes longer',
         model USING DETAIL = SQLERRM;
 END $$;
-COMMENT ON FUNCTION streetgen._drop_keys(name, boolean) IS
-    'Takes foreign keys between derived tables, indexes and keys of rows off the tables of a model, which it locks '
+COMMENT ON FUNCTION streetgen._drop_keys(name, name[], boolean) IS
+    'Takes foreign keys between tables of a model, and their indexes and keys of rows off them, which it locks '
     'against all others; not where something of others builds on them. Gives the statements that put them back, with '
     'their comments, and renew statistics: first (turn 1) indexes and keys of rows, a row a table, then foreign keys. '
     'by_cluster: keys stay on, and B-trees by which a cluster finds rows; foreign keys come first, not valid (turn '
@@ -196,7 +196,8 @@ DECLARE
     back text[] := '{}';
 BEGIN
     IF streetgen._has_no_results(model) THEN
-        back := ARRAY(SELECT t.statement FROM streetgen._drop_keys(model) t ORDER BY t.turn);
+        back := ARRAY(SELECT t.statement FROM streetgen._drop_keys(model, streetgen._computed_tables(model)) t
+            ORDER BY t.turn);
         IF back <> '{}' THEN
             PERFORM streetgen._truncate_results(model);
         END IF;
