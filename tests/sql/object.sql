@@ -193,3 +193,16 @@ SELECT 'a first run makes the indexes of objects after their rows, and they are 
 UPDATE first_keys SET geom = 'first.street_object_geom'::regclass;
 SELECT 'a first run places objects and joins them to edges', (SELECT count(*) FROM first.street_object) = count(*) AND count(*) > 3000 FROM first.object_edge;
 SELECT 'a second one changes nothing', sum(inserted + updated + deleted) = 0 AND min(geom) = 'first.street_object_geom'::regclass FROM streetgen.generate('first', wait => true), first_keys;
+
+-- An editor, who owns nothing of the model.
+CREATE ROLE streetgen_test_planter;
+SELECT streetgen."grant"('town', 'streetgen_test_planter', 'editor'), streetgen."grant"('ruled', 'streetgen_test_planter', 'editor') \g /dev/null
+SET ROLE streetgen_test_planter;
+INSERT INTO town.street_object_editing (type, geom) VALUES ('kiosk', pg_temp.line('POINT(50 9)'));
+UPDATE town.street_object_editing SET orientation = 45 WHERE type = 'kiosk';
+SELECT 'an editor puts an object and turns it', count(*) > 0 AND bool_and(orientation = 45) FROM town.street_object WHERE type = 'kiosk';
+DELETE FROM ruled.street_object_editing WHERE street_object_id = (SELECT min(street_object_id) FROM ruled.street_object);
+SELECT 'and takes one away where rules place them', count(*) > 0 FROM ruled.free_place;
+RESET ROLE;
+DROP OWNED BY streetgen_test_planter;
+DROP ROLE streetgen_test_planter;

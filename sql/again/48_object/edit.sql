@@ -22,14 +22,15 @@ BEGIN
     IF to_regprocedure(format('%I._begin_ruled_edit()', model)) IS NOT NULL THEN
         EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
     END IF;
-    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = ANY ($1) ORDER BY axis_id FOR SHARE', model) USING axes;
-    IF ruled THEN
-        EXECUTE format('SELECT %I._lock_beside($1)', model) USING array_remove(places, NULL);
-    END IF;
+    PERFORM streetgen._hold_axes(model, axes, CASE WHEN ruled THEN array_remove(places, NULL) END, wait => true);
+EXCEPTION WHEN lock_not_available THEN
+    RAISE EXCEPTION 'another session edits the street of the object' USING ERRCODE = '55P03',
+        DETAIL = streetgen._holders(model), HINT = 'Repeat the edit when it has ended, or raise lock_timeout.';
 END $$;
 COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint[], geometry[]) IS
     'Before an edit view writes an object: locks what who edits axes locks before objects, in the same order. That is '
-    'the model, the axes by which the object stands, and where rules place objects the axes beside its places.';
+    'the model, the axes by which the object stands with their borders, and where rules place objects the axes beside '
+    'its places. A lock_timeout that ends: 55P03, naming who holds them.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_street_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -66,19 +67,23 @@ BEGIN
         END IF;
         IF NEW.axis_id IS NULL THEN
             NEW.placement := 'absolute';
-        ELSE
-            axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
-            at := streetgen._located(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders, dropped);
-            NEW.placement := coalesce(NEW.placement, CASE WHEN at.border_offset > 0 THEN 'border' ELSE 'axis' END);
-            NEW.abscissa := at.abscissa;
-            NEW.side := CASE NEW.placement WHEN 'border' THEN at.side END;
-            NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN at.border_offset ELSE at.axis_offset END;
         END IF;
     ELSIF TG_OP = 'UPDATE' AND NEW.placement IN ('axis', 'border') AND NEW.placement IS DISTINCT FROM OLD.placement
         AND (NEW.abscissa, NEW.axis_offset) IS NOT DISTINCT FROM (OLD.abscissa, OLD.axis_offset) THEN
         -- It stays where it is, and is measured from another line.
         NEW.axis_id := coalesce(NEW.axis_id, streetgen._snapped_axis(TG_TABLE_SCHEMA, OLD.geom));
         NEW.abscissa := NULL;
+    END IF;
+    PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id, CASE WHEN NEW.placement
+        IS DISTINCT FROM 'absolute' THEN NEW.axis_id END], ARRAY[OLD.geom, NEW.geom,
+        streetgen._axis_foot(TG_TABLE_SCHEMA, NEW.axis_id, NEW.abscissa)]);
+    IF dropped IS NOT NULL AND NEW.placement IS DISTINCT FROM 'absolute' THEN
+        axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
+        at := streetgen._located(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders, dropped);
+        NEW.placement := coalesce(NEW.placement, CASE WHEN at.border_offset > 0 THEN 'border' ELSE 'axis' END);
+        NEW.abscissa := at.abscissa;
+        NEW.side := CASE NEW.placement WHEN 'border' THEN at.side END;
+        NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN at.border_offset ELSE at.axis_offset END;
     END IF;
     IF TG_OP = 'INSERT' THEN
         EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, side, '
@@ -89,8 +94,10 @@ BEGIN
             coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
-    PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id, CASE WHEN NEW.placement <> 'absolute'
-        THEN NEW.axis_id END], ARRAY[OLD.geom, NEW.geom]);
+    -- Who holds the object must not wait for the axis.
+    IF NEW.placement <> 'absolute' AND dropped IS NULL THEN
+        PERFORM streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
+    END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
         'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
         'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 '
@@ -107,6 +114,19 @@ COMMENT ON FUNCTION streetgen._edit_street_object() IS
     'Trigger of street_object_editing: a point that is dropped or dragged gets the abscissa and offset of the place '
     'at its axis, or at the nearest one within setting object_snap, on the roadway from the axis and beside it from '
     'the border; farther away it stands absolute. Typed values count as they are.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_foot(model name, axis bigint, abscissa float8) RETURNS geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    foot geometry;
+BEGIN
+    EXECUTE format('SELECT ST_LineInterpolatePoint(geom, greatest(0, least(1, $2 / ST_Length2D(geom)))) FROM %I.axis
+        WHERE axis_id = $1', model) INTO foot USING axis, abscissa;
+    RETURN foot;
+END $$;
+COMMENT ON FUNCTION streetgen._axis_foot(name, bigint, float8) IS
+    'The place of an axis at an abscissa, or at the end that is nearer; NULL for an axis that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._own_axis_near(model name, axis bigint, place geometry) RETURNS bigint
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public

@@ -13,10 +13,10 @@ BEGIN
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
             '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
             '%1$I._has_rules(), %1$I._is_junction(bigint), %1$I._take_from_rules(bigint[]), '
-            '%1$I._renew_rules_beside(geometry[]), %1$I._lock_beside(geometry[]), '
+            '%1$I._renew_rules_beside(geometry[]), %1$I._lock_beside(geometry[], boolean), '
             '%1$I._begin_ruled_edit(), '
             '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
-            '%1$I.leave_edges(), %1$I._street_of_objects(bigint[]), '
+            '%1$I.leave_edges(), %1$I._street_of_objects(bigint[]), %1$I._hold_borders(bigint[], boolean), '
             '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
         RETURN;
     END IF;
@@ -27,8 +27,8 @@ BEGIN
 CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
-    -- Of all axes or of some: each has a plan of its own.
-    SET plan_cache_mode = force_custom_plan
+    -- Of all axes or of some: each has a plan of its own. With less memory the joins of a city have too many parts.
+    SET plan_cache_mode = force_custom_plan SET work_mem = '16MB'
     AS $body$
 #variable_conflict use_column
 DECLARE

@@ -40,12 +40,28 @@ BEGIN
         FROM %1$I.axis_used u LEFT JOIN streetgen._axis_borders(%2$L, touched) b USING (axis_id)
         WHERE u.axis_id = ANY (touched);
 END $body$;
+CREATE OR REPLACE FUNCTION %1$I._hold_borders(axes bigint[], wait boolean) RETURNS void
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF wait THEN
+        PERFORM FROM %1$I.section s JOIN %1$I.edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
+            FOR SHARE OF s;
+    ELSE
+        PERFORM FROM %1$I.section s JOIN %1$I.edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
+            FOR SHARE OF s NOWAIT;
+    END IF;
+END $body$;
 $sql$, model, model);
     PERFORM streetgen._own_function(model, '_street_of_objects(bigint[])',
-        'The axes by which objects stand, with their lines, widths and borders');
+        'The axes by which objects stand, with their lines, widths and borders'),
+        streetgen._own_function(model, '_hold_borders(bigint[], boolean)',
+        'Keeps others from moving the borders of axes until the transaction ends; without wait 55P03 where one does');
+    -- Who edits objects calls it.
+    EXECUTE format('GRANT EXECUTE ON FUNCTION %I._hold_borders(bigint[], boolean) TO PUBLIC', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_street_function(name) IS
-    'Makes the function of a model that tells the streets of objects.';
+    'Makes the functions of a model that tell and hold the streets of objects.';
 
 CREATE OR REPLACE FUNCTION streetgen._border_line(axis geometry, length float8, width float8, width_end float8,
     roadway_offset float8, borders float8[], abscissa float8, abscissa_end float8, side text, axis_offset float8)
@@ -118,22 +134,70 @@ COMMENT ON FUNCTION streetgen._object_angle(geometry, float8, float8, float8, te
     'The direction that an object faces, degrees clockwise from the north, from 0 to below 360: a stretch in its '
     'middle.';
 
+CREATE OR REPLACE FUNCTION streetgen._hold_axes(model name, axes bigint[], places geometry[], wait boolean)
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    hold_axes constant text := format('SELECT FROM %I.axis WHERE axis_id = ANY ($1) ORDER BY axis_id FOR SHARE', model);
+    hold_borders constant text := CASE WHEN to_regprocedure(format('%I._hold_borders(bigint[], boolean)', model))
+        IS NOT NULL THEN format('SELECT %I._hold_borders($1, $2)', model) END;
+    held text;
+    entered boolean;
+BEGIN
+    -- Nobody waits here while holding anything that was taken here: who edits axes wants these in another order.
+    LOOP
+        entered := false;
+        BEGIN
+            IF places IS NOT NULL THEN
+                EXECUTE format('SELECT %I._lock_beside($1, false)', model) USING places;
+            END IF;
+            entered := true;
+            EXECUTE hold_axes || ' NOWAIT' USING axes;
+            IF hold_borders IS NOT NULL THEN
+                EXECUTE hold_borders USING axes, false;
+            END IF;
+            RETURN;
+        EXCEPTION WHEN lock_not_available THEN
+            IF NOT (entered AND wait) THEN
+                RAISE;
+            END IF;
+        END;
+        FOREACH held IN ARRAY ARRAY[hold_axes, hold_borders] LOOP
+            BEGIN
+                EXECUTE held USING axes, true;
+                RAISE SQLSTATE 'SG001';
+            EXCEPTION WHEN SQLSTATE 'SG001' THEN
+                NULL;
+            END;
+        END LOOP;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._hold_axes(name, bigint[], geometry[], boolean) IS
+    'Keeps others from moving axes and their borders until the transaction ends, and from editing axes beside places '
+    '(NULL: none): they wait, and then find an object there. Where one does so, or a lock_timeout ends: 55P03; without '
+    'wait at once.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_edit_waits() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'Repeat the edit when it has ended, or edit street_object_editing, which waits.' $$;
+COMMENT ON FUNCTION streetgen._object_edit_waits() IS
+    'The way out of an edit of objects that is refused beside another one.';
+
 CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holder text, OUT line geometry,
     OUT width float8, OUT width_end float8, OUT roadway_offset float8, OUT borders float8[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- Who moves the axis waits, and then finds the object there.
-    EXECUTE format('SELECT FROM %I.axis WHERE axis_id = $1 FOR SHARE', model)
-        || CASE WHEN holder IS NULL THEN '' ELSE ' NOWAIT' END USING axis;
+    PERFORM streetgen._hold_axes(model, ARRAY[axis], NULL, wait => holder IS NULL);
     EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
         model) INTO line, width, width_end, roadway_offset USING axis;
     borders := (SELECT b.borders FROM streetgen._axis_borders(model, ARRAY[axis]) b);
 EXCEPTION WHEN lock_not_available THEN
-    RAISE EXCEPTION 'another session edits axis %, by which % stands', axis, coalesce(holder, 'the object')
-        USING ERRCODE = '55P03', DETAIL = streetgen._holders(model), HINT = CASE WHEN holder IS NULL
-            THEN 'Repeat the edit when it has ended, or raise lock_timeout.'
-            ELSE 'Repeat the edit when it has ended, or edit street_object_editing, which waits.' END;
+    RAISE EXCEPTION 'another session edits axis %, by which % stands, or its borders', axis,
+        coalesce(holder, 'the object') USING ERRCODE = '55P03', DETAIL = streetgen._holders(model),
+        HINT = CASE WHEN holder IS NULL THEN 'Repeat the edit when it has ended, or raise lock_timeout.'
+            ELSE streetgen._object_edit_waits() END;
 END $$;
 COMMENT ON FUNCTION streetgen._object_axis(name, bigint, text) IS
     'The line, widths and roadway_offset (m) of an axis as the streets use them, and the borders of its roadway, '

@@ -276,15 +276,27 @@ BEGIN
     END IF;
     RETURN ruled;
 END $body$;
-CREATE OR REPLACE FUNCTION %1$I._lock_beside(places geometry[]) RETURNS bigint[]
+CREATE OR REPLACE FUNCTION %1$I._lock_beside(places geometry[], holding boolean) RETURNS bigint[]
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 DECLARE
     beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
         JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
+    timeout constant text := current_setting('lock_timeout');
 BEGIN
+    -- Who holds places may wait for an object that this session has written.
+    IF holding THEN
+        PERFORM set_config('lock_timeout', '100ms', true);
+    END IF;
     PERFORM streetgen._lock_places(%2$L, beside, wait => true);
+    PERFORM set_config('lock_timeout', timeout, true);
     RETURN beside;
+EXCEPTION WHEN lock_not_available THEN
+    IF holding THEN
+        RAISE EXCEPTION 'another session works beside the objects of this edit' USING ERRCODE = '55P03',
+            DETAIL = streetgen._holders(%2$L), HINT = streetgen._object_edit_waits();
+    END IF;
+    RAISE;
 END $body$;
 CREATE OR REPLACE FUNCTION %1$I._renew_rules_beside(places geometry[]) RETURNS void
     LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
@@ -294,7 +306,7 @@ DECLARE
 BEGIN
     IF %1$I._has_rules() THEN
         IF places IS NOT NULL THEN
-            beside := %1$I._lock_beside(places);
+            beside := %1$I._lock_beside(places, holding => true);
         END IF;
         PERFORM FROM %1$I._place_objects(beside);
     END IF;
@@ -408,14 +420,17 @@ $sql$, model, followed.event, followed.tables);
         'Makes objects of rules those of the user, and leaves their places free'),
         streetgen._own_function(model, '_begin_ruled_edit()',
         'Locks the model beside other editors where rules place objects, and tells whether they do'),
-        streetgen._own_function(model, '_lock_beside(geometry[])',
-        'Locks the axes within 100 m of places against other edits, and tells them'),
+        streetgen._own_function(model, '_lock_beside(geometry[], boolean)',
+        'Locks the axes within 100 m of places against other edits, and tells them; who holds objects does not wait'),
         streetgen._own_function(model, '_renew_rules_beside(geometry[])',
         'Brings the objects that rules place within 100 m of places (NULL: everywhere) up to date, under locks'),
         streetgen._own_function(model, 'enter_rules()', 'Before an edit of rules or objects: locks the model'),
         streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
         streetgen._own_function(model, 'fill_places()', 'After an edit of free places: rules place objects there'),
         streetgen._own_function(model, 'free_places()', 'After objects were deleted: rules take their places');
+    -- Who edits objects calls these by the edit views.
+    EXECUTE format('GRANT EXECUTE ON FUNCTION %1$I._begin_ruled_edit(), %1$I._lock_beside(geometry[], boolean) '
+        'TO PUBLIC', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_rule_functions(name) IS
     'Makes the functions and triggers of a model by which rules place objects.';
