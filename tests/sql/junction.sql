@@ -203,6 +203,31 @@ DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'what an axis leaves behind is as from scratch', test.followed('town', 'anew');
 INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES (1, 'SRID=2154;LINESTRING(649800 6860000,650000 6860000,650200 6860000)', 7, 2, 'direct', 2, 'avenue');
 SELECT 'and what it brings', several() = 1 AND test.followed('town', 'anew');
+-- Of two ways over single nodes as short as each other the same holds, whatever came first.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('knot', 2154, subjects => '{junction}'), streetgen.create_model('knot_anew', 2154, subjects => '{junction}');
+  INSERT INTO knot.axis (axis_id, geom, width, direction, importance, level) OVERRIDING SYSTEM VALUE VALUES
+    (4, 'SRID=2154;LINESTRING(650001.8723 6860079.2607,650078.6366 6860114.2103)', 6.49, 'both', NULL, 1), (9, 'SRID=2154;LINESTRING(650045.5593 6860052.4244,650078.6366 6860114.2103)', 3.44, 'direct', 4, 0),
+    (10, 'SRID=2154;LINESTRING(650045.5593 6860052.4244,650126.6923 6860048.6798)', 4.32, 'both', 4, 0), (12, 'SRID=2154;LINESTRING(650078.6366 6860114.2103,650069.8992 6860179.1167)', 3.08, 'reverse', NULL, 0),
+    (13, 'SRID=2154;LINESTRING(650078.6366 6860114.2103,650114.2103 6860137.9261)', 19.43, 'direct', 5, 0), (17, 'SRID=2154;LINESTRING(650126.6923 6860048.6798,650172.8757 6860046.1834)', 10.03, 'both', 5, 0);
+  UPDATE knot.axis a SET geom = (SELECT ST_MakeLine(CASE WHEN ST_DWithin(p.geom, 'SRID=2154;POINT(650078.6366 6860114.2103)', 1e-6) THEN 'SRID=2154;POINT(650172.8757 6860046.1834)' ELSE p.geom END ORDER BY path) FROM ST_DumpPoints(a.geom) p);
+  INSERT INTO knot.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, connecting) VALUES ('SRID=2154;POINT(650172.8757 6860046.1834)', 9, 1, 13, 6, true);
+END $$;
+SELECT 'of two chains of paths the first by place holds', test.followed('knot', 'knot_anew');
+DO $$ BEGIN PERFORM streetgen.drop_model('knot'), streetgen.drop_model('knot_anew'); END $$;
+-- Carriageways so near to each other that corners on both sides of a median run into each other.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('near', 2154, subjects => '{junction}');
+  INSERT INTO near.axis (geom, width, lane_count, direction, name) VALUES
+    ('SRID=2154;LINESTRING(649900 6860000,650000 6860000,650100 6860000)', 7, 2, 'direct', 'avenue'), ('SRID=2154;LINESTRING(650100 6860010,650000 6860010,649900 6860010)', 7, 2, 'direct', 'avenue'),
+    ('SRID=2154;LINESTRING(650000 6859900,650000 6860000,650000 6860010,650000 6860100)', 7, 2, 'both', 'lane');
+END $$;
+CREATE VIEW pg_temp.drawn_arc AS SELECT ST_SetSRID(ST_GeomFromText('LINESTRING(' || (SELECT string_agg(format('%s %s', 649900 + p[1]::float8, 6860100 - p[2]::float8), ',' ORDER BY i) FROM regexp_matches(d[1], '([-0-9.]+) ([-0-9.]+)', 'g') WITH ORDINALITY m(p, i)) || ')'), 2154) AS geom
+  FROM streetgen.svg('near', ST_MakeEnvelope(649900, 6859900, 650100, 6860100, 2154)) s, string_to_table(s, E'\n') line, regexp_matches(line, 'class="arc[^"]*" d="([^"]*)"') d;
+SELECT 'arcs are drawn where they are kerb, and not within the junction', count(*) >= 4 AND bool_and(ST_Length(ST_Difference(a.geom, ST_Buffer(ST_Boundary(j.surface), 0.1))) < 0.01)
+  FROM pg_temp.drawn_arc a, near.junction j WHERE j.method = 'grouped';
+DROP VIEW pg_temp.drawn_arc;
+DO $$ BEGIN PERFORM streetgen.drop_model('near'); END $$;
 -- Classifiers.
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'paper'), streetgen.generate('town', wait => true); END $$;
 SELECT 'as the paper has it all are signals', (SELECT bool_and(kind IN ('signals', 'end')) FROM town.junction);

@@ -85,10 +85,14 @@ BEGIN
                     avg(l.axis_offset) FILTER (WHERE NOT l.along_axis OR l.both_ways) AS against
                 FROM {model}.lane l WHERE l.edge_id = e.edge_id AND l.kind NOT IN ('parking', 'merging')) o ON true
             WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id, e.axis_id, e.start_abscissa),
+        -- By place: of chains as short as each other the first holds, whatever their keys.
         ARRAY(SELECT ROW (m.junction_id, i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out,
                 i.plausible)::streetgen.junction_step
             FROM member m JOIN {model}.interconnection i USING (node_id)
-            ORDER BY m.junction_id, i.interconnection_id),
+                JOIN {model}.lane l ON l.lane_id = i.lane_in JOIN {model}.edge a ON a.edge_id = l.edge_id
+                JOIN {model}.lane r ON r.lane_id = i.lane_out JOIN {model}.edge b ON b.edge_id = r.edge_id
+            ORDER BY m.junction_id, a.axis_id, a.start_abscissa, l.ordinality, i.along_in, b.axis_id,
+                b.start_abscissa, r.ordinality, i.along_out),
         ARRAY(SELECT ROW (m.junction_id, r.from_axis, r.to_axis, ST_X(n.geom), ST_Y(n.geom), r.kind, r.turn,
                 r.except_kinds)::streetgen.junction_restriction
             FROM member m JOIN {model}.node n USING (node_id)

@@ -126,12 +126,12 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
             WHERE j.edge_id = l.edge_id)$part$),
     -- Arcs inside a junction are no kerb.
     (43, 'junction', $part$
-    SELECT 902, CASE c.method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, ST_CurveToLine(c.arc, 16),
-        c.corner_id FROM %1$I.corner c LEFT JOIN %1$I.junction_node n USING (node_id)
-            LEFT JOIN %1$I.junction j USING (junction_id), size
-        WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.method IS NULL OR j.method = 'hypothesis'
-            OR ST_Distance(ST_LineInterpolatePoint(ST_CurveToLine(c.arc, 16), 0.5),
-                ST_Boundary(j.surface)) < 0.05)$part$),
+    SELECT 902, CASE c.method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, d.geom, c.corner_id
+        FROM size, %1$I.corner c LEFT JOIN %1$I.junction_node n USING (node_id)
+            LEFT JOIN %1$I.junction j ON j.junction_id = n.junction_id AND j.method <> 'hypothesis'
+            CROSS JOIN LATERAL ST_CurveToLine(c.arc, 16) whole CROSS JOIN LATERAL ST_Dump(CASE WHEN j.surface IS NULL
+                THEN whole ELSE ST_Intersection(whole, ST_Buffer(ST_Boundary(j.surface), 0.05)) END) d
+        WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.surface IS NULL OR ST_Length(d.geom) > 0.5)$part$),
     -- A deck lies over what is painted on its level, and has its own paint.
     (50, 'bridge', $part$
     SELECT CASE method WHEN 'overpass' THEN 5.5 ELSE 0.5 END + e.level * 10, 'bridge', false, b.surface, b.bridge_id

@@ -14,6 +14,7 @@ constexpr double farthest_aside = 30;  // metres from a node at which two pieces
 constexpr double straight = 1e-6;      // sine of an angle that is none
 constexpr double shortest = 1e-3;      // metres
 constexpr double shift_ratio = 3;      // metres along for each metre that a path moves aside
+constexpr double slight = 0.3;  // metres aside that no driver follows
 constexpr double lead = 0.5;           // metres that a path stays on the course of its lanes
 
 // A straight piece of the guide, endless.
@@ -70,6 +71,16 @@ Line forward_only(const Line& guide, const LaneEnd& out) {
   return kept;
 }
 
+// Without corners that lie beside the way from the one before to the next; the first two and the
+// last two lead the path in and out.
+Line without_slight_corners(const Line& guide) {
+  Line kept{guide[0], guide[1]};
+  for (std::size_t i = 2; i + 2 < guide.size(); ++i)
+    if (distance_to_segment(guide[i], kept.back(), guide[i + 1]) > slight) kept.push_back(guide[i]);
+  kept.insert(kept.end(), guide.end() - 2, guide.end());
+  return kept;
+}
+
 void append_rounded(Line& line, const Point& corner, const Point& from, const Point& to,
                     double tangent, double tolerance) {
   const Point start = corner - from * tangent, end = corner + to * tangent;
@@ -90,6 +101,8 @@ void append_rounded(Line& line, const Point& corner, const Point& from, const Po
   line.back() = end;
 }
 
+}  // namespace
+
 Line rounded(const Line& guide, double widest, double tolerance) {
   const std::size_t n = guide.size();
   std::vector<Point> along(n - 1);
@@ -98,22 +111,27 @@ Line rounded(const Line& guide, double widest, double tolerance) {
     size[i] = distance(guide[i], guide[i + 1]);
     along[i] = unit(guide[i + 1] - guide[i]);
   }
+  std::vector<double> wish(n, 0);  // the tangent of an arc of radius 1 at each corner
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double turn = std::atan2(cross(along[i - 1], along[i]), dot(along[i - 1], along[i]));
+    wish[i] = std::tan(std::min(std::abs(turn), 3.0) / 2);
+  }
+  // The corners at both ends of a piece share it, so that their arcs may have one radius; the first
+  // and the last piece stay straight at their ends.
+  const auto share = [&](std::size_t piece, std::size_t corner) {
+    const std::size_t other = corner == piece ? piece + 1 : piece;
+    if (other == 0 || other + 1 == n) return 0.8 * size[piece];
+    const double both = wish[corner] + wish[other];
+    return both > straight ? size[piece] * wish[corner] / both : 0;
+  };
   Line line{guide.front()};
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    // A piece between two corners is shared by both; the first and the last stay straight at their
-    // ends.
-    const double before = size[i - 1] * (i == 1 ? 0.8 : 0.5);
-    const double behind = size[i] * (i + 2 == n ? 0.8 : 0.5);
-    const double turn = std::atan2(cross(along[i - 1], along[i]), dot(along[i - 1], along[i]));
-    const double tangent =
-        std::min({before, behind, widest * std::tan(std::min(std::abs(turn), 3.0) / 2)});
+    const double tangent = std::min({share(i - 1, i), share(i, i), widest * wish[i]});
     append_rounded(line, guide[i], along[i - 1], along[i], tangent, tolerance);
   }
   line.push_back(guide.back());
   return distinct(std::move(line));
 }
-
-}  // namespace
 
 Line guided_path(const JunctionPlace& place, const JunctionRoute& route, const LaneEnd& in,
                  const LaneEnd& out, double widest, double tolerance) {
@@ -139,7 +157,7 @@ Line guided_path(const JunctionPlace& place, const JunctionRoute& route, const L
   }
   guide.push_back(out.place - out.direction * lead);
   guide.push_back(out.place);
-  return rounded(forward_only(guide, out), widest, tolerance);
+  return rounded(without_slight_corners(forward_only(guide, out)), widest, tolerance);
 }
 
 }  // namespace streetgen

@@ -13,4 +13,8 @@ namespace streetgen {
 Line guided_path(const JunctionPlace& place, const JunctionRoute& route, const LaneEnd& in,
                  const LaneEnd& out, double widest, double tolerance);
 
+// A line of straight pieces with its corners rounded: as wide as the pieces allow, no wider than
+// `widest` metres.
+Line rounded(const Line& guide, double widest, double tolerance);
+
 }  // namespace streetgen

@@ -14,6 +14,7 @@
 #include "traffic/kerb_clear_path.hpp"
 #include "traffic/path_choice.hpp"
 #include "traffic/plausibility.hpp"
+#include "traffic/taut_path.hpp"
 #include "traffic/turn.hpp"
 
 namespace streetgen {
@@ -59,6 +60,7 @@ class Across {
       }
     }
     choose_lanes(ends, movements);
+    for (std::size_t m = 0; m < movements.size(); ++m) keep_clear(ends, movements[m], drawn[m]);
     return with_verdicts(movements, drawn);
   }
 
@@ -153,8 +155,8 @@ class Across {
     return pairs;
   }
 
-  // The first that is clear of the kerbs and drivable: a curve, one that follows the edges inside,
-  // arcs; else the first that is clear, else the first.
+  // The first that is clear of the kerbs and drivable: a curve, one that follows the edges inside
+  // ever closer, arcs; else the first that is clear, else the first.
   Line path_between(const JunctionRoute& route, const LaneEnd& in, const LaneEnd& out, int from,
                     int to) const {
     const Line lane_in{in.place - in.direction, in.place}, lane_out{out.place, out.place + out.direction};
@@ -168,8 +170,22 @@ class Across {
     };
     PathChoice choice(kerbs_, from, to, false);
     choice.offer(curve(settings_.rule)) || choice.offer(guided(widest_guided)) ||
+        choice.offer(guided(widest_guided / 2)) || choice.offer(guided(widest_guided / 4)) ||
         choice.offer(curve(TrajectoryRule::arcs)) || choice.offer(guided(car_radius * 2));
     return choice.best().line;
+  }
+
+  // What traffic takes over a kerb goes the shortest way past it instead, where there is one.
+  void keep_clear(const std::vector<Leg>& ends, const Movement& movement,
+                  std::vector<JunctionMovement>& pairs) const {
+    const int from = movement.from, to = movement.to;
+    const std::size_t outs = ends[to].out.size();
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      if (!movement.verdicts[p].plausible || !kerbs_.stop(pairs[p].line, from, to)) continue;
+      auto path = taut_path(place_, kerbs_, from, to, ends[from].in[p / outs], ends[to].out[p % outs],
+                            settings_.tolerance);
+      if (path) pairs[p].line = std::move(*path);
+    }
   }
 
   // Chords leave their curve by an angle: at its ends the path goes on as the lanes do.

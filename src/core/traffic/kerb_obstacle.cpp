@@ -1,5 +1,7 @@
 #include "traffic/kerb_obstacle.hpp"
 
+#include <algorithm>
+
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 
@@ -40,10 +42,35 @@ Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_l
     for (const Ring& ring : polygon) count += ring.size();
   pieces_.reserve(count);
   for (const Polygon& polygon : intersection)
-    for (const Ring& ring : polygon)
+    for (std::size_t r = 0; r < polygon.size(); ++r) {
+      const bool left = (signed_area(polygon[r]) > 0) == (r == 0);
+      const Ring ring = left ? polygon[r] : reversed(polygon[r]);
+      const std::size_t first = pieces_.size();
       for (std::size_t i = 1; i < ring.size(); ++i)
         pieces_.push_back({ring[i - 1], ring[i], box_of(ring[i - 1], ring[i]),
-                           border_along(ring[i - 1], ring[i], border_lines)});
+                           border_along(ring[i - 1], ring[i], border_lines), pieces_.size() + 1});
+      if (pieces_.size() > first) pieces_.back().next = first;
+    }
+}
+
+std::vector<Point> Kerbs::bulges(double clearance) const {
+  std::vector<Point> places;
+  const auto offer = [&](const Point& place) {
+    if (std::none_of(places.begin(), places.end(),
+                     [&](const Point& other) { return distance(place, other) < clearance; }))
+      places.push_back(place);
+  };
+  for (const Piece& piece : pieces_) {
+    const Piece& next = pieces_[piece.next];
+    const Point along = unit(piece.end - piece.start), beyond = unit(next.end - next.start);
+    if ((piece.border >= 0 && next.border >= 0) || cross(along, beyond) > -same_place) continue;
+    const Point left = left_normal(along) * clearance, left_beyond = left_normal(beyond) * clearance;
+    offer(piece.end + left);
+    // A sharp bulge is gone round at its tip.
+    if (dot(along, beyond) < 0) offer(piece.end + (along - beyond) * (clearance / norm(along - beyond)));
+    offer(piece.end + left_beyond);
+  }
+  return places;
 }
 
 bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearance) const {

@@ -19,11 +19,16 @@ class Kerbs {
   // list, or comes nearer to a kerb than `clearance`.
   bool stop(const Line& path, int border_in, int border_out, double clearance = 0) const;
 
+  // Places so far off the kerbs, and from each other at least, where kerbs bulge into the
+  // intersection: a shortest way past them bends there.
+  std::vector<Point> bulges(double clearance) const;
+
  private:
   struct Piece {
     Point start, end;
     Box box;
     int border = -1;  // the border line that it runs along; -1: it is a kerb
+    std::size_t next = 0;  // the piece that follows, the intersection on the left of both
   };
   std::vector<Piece> pieces_;
 };

@@ -7,6 +7,7 @@
 
 #include "geometry/polyline.hpp"
 #include "streetgen/trajectory.hpp"
+#include "traffic/guided_path.hpp"
 
 namespace streetgen {
 namespace {
@@ -185,6 +186,15 @@ TEST_F(DualCarriageway, OfTooManyPairsNoneIsMade) {
 TEST_F(DualCarriageway, AJunctionWithoutLanesHasNoMovement) {
   place.lanes.clear();
   EXPECT_TRUE(junction_movements(place, settings).empty());
+}
+
+TEST(Rounded, GivesCornersOfAPieceOneRadius) {
+  // Turns by 90 and by 10 degrees, a piece of 10 m between them.
+  const Point ahead{std::cos(10 * M_PI / 180), -std::sin(10 * M_PI / 180)};
+  const Line guide{{0, 0}, {30, 0}, {30, 10}, Point{30, 10} + Point{ahead.y * -30, ahead.x * 30}};
+  const Line path = rounded(guide, 40, 0.01);
+  const double tangent = 30 - path[1].x;
+  EXPECT_NEAR(tangent, 10 / (1 + std::tan(5 * M_PI / 180)), 1e-9);
 }
 
 }  // namespace
