@@ -2,12 +2,13 @@
 \ir shared/truths.sql
 -- Files in three dimensions, CityJSON and glTF, held against the tables.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, 3, subjects => '{lane,sidewalk}'), streetgen.create_model('flat', 2154, subjects => '{surface}'), streetgen.create_model('bare', 2154), streetgen.create_model('painted', 2154);
+  PERFORM streetgen.create_model('town', 2154, 3, subjects => '{lane,sidewalk}'), streetgen.create_model('flat', 2154, subjects => '{surface}'), streetgen.create_model('bare', 2154), streetgen.create_model('painted', 2154), streetgen.create_model('wide', 2154, subjects => '{surface}');
   INSERT INTO painted.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 9);
   INSERT INTO town.axis (geom, width, level, sidewalk_left, sidewalk_right, name) VALUES
     ('SRID=2154;LINESTRING(650000 6860000 100, 650100 6860000 106)', 9, 0, 2, 3, 'a "<&'), ('SRID=2154;LINESTRING(650100 6860000 106, 650140 6860000 110, 650180 6860000 109, 650240 6860020 101)', 7, 0, 2, 2, NULL),
     ('SRID=2154;LINESTRING(650100 6860000 106, 650110 6859960 103, 650110 6859920 103)', 6, 0, 1.5, 0, NULL), ('SRID=2154;LINESTRING(650160 6859950 120, 650160 6860050 118)', 8, 1, 0, 0, NULL),
     ('SRID=2154;LINESTRING(650700 6860300 90, 650790 6860310 95)', 8, 0, 2, 2, 'far away');
+  INSERT INTO wide.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + x, 6860000 + y), ST_MakePoint(650040 + x, 6860000 + y)), 2154), 6 FROM generate_series(0, 19000, 1000) x, generate_series(0, 12000, 1000) y;
   INSERT INTO flat.axis (geom, width) SELECT geom, width FROM (SELECT ST_Force2D(geom) AS geom, width FROM town.axis) a;
 END $$;
 CREATE FUNCTION pg_temp.city(model name, options jsonb DEFAULT '{}') RETURNS jsonb LANGUAGE sql AS $$ SELECT string_agg(line, E'\n' ORDER BY ordinality)::jsonb FROM streetgen.export_cityjson(model, options) $$;
@@ -73,6 +74,8 @@ SELECT 'kerbs stand on the roadway, and end where sidewalks lie', bool_and(abs((
 SELECT 'paint lies above the roadway, by 5 mm and twice the tolerance', count(*) > 0 AND bool_and(abs((p #>> '{min,1}')::float8 - z) < 1e-6 AND abs((p #>> '{max,1}')::float8 - z) < 1e-6)
     FROM (VALUES ('{}'::jsonb, 0.105), ('{"tolerance": 0.01}', 0.025)) v(options, z), LATERAL (SELECT pg_temp.told(pg_temp.file('painted', options)) AS told) f, LATERAL (SELECT p FROM jsonb_array_elements(told #> '{meshes,0,primitives}') m, LATERAL (SELECT told #> ARRAY['accessors', m #>> '{attributes,POSITION}'] AS p) q WHERE m -> 'material' = '4') a;
 SELECT 'parts are of a megabyte at most, numbered from one', max(length(part)) <= 1048576 AND array_agg(ordinality ORDER BY ordinality) = array_agg(n ORDER BY n) FROM (SELECT *, row_number() OVER (ORDER BY ordinality) AS n FROM streetgen.export_gltf('town')) p;
+-- Each square has four.
+SELECT 'no part holds more than a thousand accessors', sum(n) = 4 * 20 * 13 AND max(n) <= 1000 AND sum(n) = (SELECT jsonb_array_length(pg_temp.told(pg_temp.file('wide')) -> 'accessors')) FROM (SELECT regexp_count(encode(part, 'escape'), '"bufferView"') AS n FROM streetgen.export_gltf('wide')) p;
 
 SELECT 'the same bytes again', pg_temp.file('town') = (SELECT file FROM solid) AND md5(pg_temp.city('town')::text) = (SELECT md5(city::text) FROM city);
 SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES

@@ -50,50 +50,54 @@ block AS MATERIALIZED (
     SELECT b.*, row_number() OVER place - 1 AS number, sum(length(bytes)) OVER place - length(bytes) AS start
     FROM origin o, streetgen._gltf_blocks(%1$L, $1, o.x, o.y) b WINDOW place AS (ORDER BY cell, kind)),
 size AS (SELECT sum(length(bytes))::bigint AS bytes FROM block),
-view AS (
-    SELECT 4 * number + k AS number, v.view, v.accessor
+view AS NOT MATERIALIZED (
+    SELECT number, start, a.*
     FROM block, LATERAL (VALUES
         (0, 0, 12 * vertices, 34962, 5126, vertices, 'VEC3', to_json(lowest::float8[]), to_json(highest::float8[])),
         (1, 12 * vertices, 12 * vertices, 34962, 5126, vertices, 'VEC3', NULL, NULL),
         (2, 24 * vertices, 8 * vertices, 34962, 5126, vertices, 'VEC2', NULL, NULL),
         (3, 32 * vertices, 4 * indices, 34963, 5125, indices, 'SCALAR', NULL, NULL))
-        a(k, after, bytes, target, component, count, type, low, high),
-    LATERAL (SELECT json_build_object('buffer', 0, 'byteOffset', start + after, 'byteLength', a.bytes, 'target', target)
-        AS view, json_strip_nulls(json_build_object('bufferView', 4 * number + k, 'componentType', component,
-            'count', count, 'type', type, 'min', low, 'max', high)) AS accessor) v),
+        a(k, after, bytes, target, component, count, type, low, high)),
 mesh AS (
     SELECT cell, row_number() OVER (ORDER BY cell) - 1 AS number, json_build_object('name', 'cell_' || cell,
         'primitives', json_agg(json_build_object('attributes', json_build_object('POSITION', 4 * number,
             'NORMAL', 4 * number + 1, 'TEXCOORD_0', 4 * number + 2), 'indices', 4 * number + 3,
             'material', kind) ORDER BY number)) AS mesh
     FROM block GROUP BY cell),
-told AS (
-    SELECT json_build_object(
-        'asset', json_build_object('version', '2.0', 'generator', 'StreetGen ' || streetgen.version(), 'extras',
-            json_build_object('model', streetgen._xml_text(%1$L), 'srid', %2$s, 'origin', json_build_array(o.x, o.y, 0),
-                'axes', 'x east, y up, z south, metres')),
-        'scene', 0, 'scenes', json_build_array(json_build_object('nodes',
-            (SELECT json_agg(number ORDER BY number) FROM mesh))),
-        'nodes', (SELECT json_agg(json_build_object('name', 'cell_' || cell, 'mesh', number) ORDER BY number)
-            FROM mesh),
-        'meshes', (SELECT json_agg(mesh ORDER BY number) FROM mesh),
-        'materials', (SELECT json_agg(json_build_object('name', kind, 'pbrMetallicRoughness', json_build_object(
-            'baseColorFactor', color || 1::float8, 'metallicFactor', 0, 'roughnessFactor', roughness)) ORDER BY number)
-            FROM streetgen._mesh_kind()),
-        'accessors', (SELECT json_agg(accessor ORDER BY number) FROM view),
-        'bufferViews', (SELECT json_agg(view ORDER BY number) FROM view),
-        'buffers', json_build_array(json_build_object('byteLength', size.bytes))) AS text
-    FROM origin o, size),
-words AS (SELECT bytes || repeat(' ', -length(bytes) & 3)::bytea AS bytes
-    FROM (SELECT convert_to(text::text, 'UTF8') AS bytes FROM told) t),
+-- A list of thousands of elements in one value would be copied many times: it is written piece by piece.
+element AS (
+    SELECT 2 AS turn, number, number::text AS text FROM mesh
+    UNION ALL SELECT 4, number, json_build_object('name', 'cell_' || cell, 'mesh', number)::text FROM mesh
+    UNION ALL SELECT 6, number, mesh::text FROM mesh
+    UNION ALL SELECT 8, 4 * number + k, json_strip_nulls(json_build_object('bufferView', 4 * number + k,
+        'componentType', component, 'count', count, 'type', type, 'min', low, 'max', high))::text FROM view
+    UNION ALL SELECT 10, 4 * number + k, json_build_object('buffer', 0, 'byteOffset', start + after, 'byteLength',
+        bytes, 'target', target)::text FROM view),
+told AS MATERIALIZED (
+    SELECT turn, number / 1000 AS id, convert_to(CASE WHEN number / 1000 > 0 THEN ', ' ELSE '' END
+        || string_agg(text, ', ' ORDER BY number), 'UTF8') AS bytes
+    FROM element GROUP BY turn, number / 1000
+    UNION ALL SELECT turn, 0, convert_to(text, 'UTF8') FROM origin o, size, LATERAL (VALUES
+        (1, '{"asset" : ' || json_build_object('version', '2.0', 'generator', 'StreetGen ' || streetgen.version(),
+            'extras', json_build_object('model', streetgen._xml_text(%1$L), 'srid', %2$s, 'origin',
+                json_build_array(o.x, o.y, 0), 'axes', 'x east, y up, z south, metres'))
+            || ', "scene" : 0, "scenes" : [{"nodes" : ['),
+        (3, ']}], "nodes" : ['), (5, '], "meshes" : ['),
+        (7, '], "materials" : ' || (SELECT json_agg(json_build_object('name', kind, 'pbrMetallicRoughness',
+            json_build_object('baseColorFactor', color || 1::float8, 'metallicFactor', 0, 'roughnessFactor', roughness))
+            ORDER BY number) FROM streetgen._mesh_kind()) || ', "accessors" : ['),
+        (9, '], "bufferViews" : ['),
+        (11, '], "buffers" : ' || json_build_array(json_build_object('byteLength', size.bytes)) || '}')) t(turn, text)),
+padded AS (SELECT bytes, bytes + (-bytes & 3) AS whole FROM (SELECT sum(length(bytes)) AS bytes FROM told) t),
 -- Header, the chunk of JSON, the chunk of data.
 piece AS (
     SELECT 0 AS turn, 0::bigint AS id, 'glTF'::bytea || streetgen._gltf_word(2)
-        || streetgen._gltf_word(28 + length(w.bytes) + size.bytes) || streetgen._gltf_word(length(w.bytes))
-        || 'JSON'::bytea AS bytes FROM words w, size
-    UNION ALL SELECT 1, 0, bytes FROM words
-    UNION ALL SELECT 2, 0, streetgen._gltf_word(bytes) || '\x42494e00'::bytea FROM size
-    UNION ALL SELECT 3, number, bytes FROM block)
+        || streetgen._gltf_word(28 + whole + size.bytes) || streetgen._gltf_word(whole) || 'JSON'::bytea AS bytes
+    FROM padded, size
+    UNION ALL SELECT * FROM told
+    UNION ALL SELECT 12, 0, repeat(' ', (whole - p.bytes)::integer)::bytea || streetgen._gltf_word(size.bytes)
+        || '\x42494e00'::bytea FROM padded p, size
+    UNION ALL SELECT 13, number, bytes FROM block)
 SELECT row_number() OVER (ORDER BY turn, id, start), substring(bytes FROM start + 1 FOR 1048576)
 FROM piece, generate_series(0, length(bytes) - 1, 1048576) start ORDER BY turn, id, start$part$ $$;
 COMMENT ON FUNCTION streetgen._gltf_query() IS
