@@ -125,3 +125,20 @@ SELECT 'the edge is two, and the node between them is there', pg_temp.found('//e
 SELECT 'both have the sidewalk at their kerb, which goes round the merging lane', count(*) = 2 AND bool_and(ST_Contains(ST_Buffer(surface, 0.1), line)) AND abs(sum(ST_Length(line)) - 800) < 2
   FROM beside.sidewalk s, unnest(xpath('//edge[starts-with(@id, "2")]/lane[@index="0" and @allow="pedestrian"]/@shape', pg_temp.file('beside', 'edges'))) shape,
     LATERAL (SELECT ST_Translate(ST_SetSRID(ST_GeomFromText('LINESTRING(' || translate(shape::text, ' ,', ', ') || ')'), 2154), 650000, 6859900) AS line) l WHERE edge_id = 2 AND side = 'right' AND node_id IS NULL;
+-- What is written of each row is no call of SQL: such a call costs more than the text.
+CREATE FUNCTION pg_temp.plan(query text) RETURNS text LANGUAGE plpgsql AS $$
+DECLARE line text; plan text := '';
+BEGIN
+  FOR line IN EXECUTE 'EXPLAIN (VERBOSE, COSTS OFF) ' || query LOOP plan := plan || line || E'\n'; END LOOP;
+  RETURN plan;
+END $$;
+SELECT 'the name of a lane group is no call', pg_temp.plan('SELECT streetgen._lane_group_text(edge_id, along_axis, number) FROM town.lane_group') !~ '_lane_group_text';
+SELECT 'a join of lanes expects no ten of them in a group', pg_temp.plan('SELECT FROM streetgen._few(ARRAY[1, 2])') ~ '_few' AND (SELECT prorows = 2 FROM pg_proc WHERE proname = '_few');
+-- Coordinates are those of PostGIS on the grid of their digits.
+CREATE TEMPORARY TABLE odd AS SELECT n, ST_MakeLine(ARRAY(SELECT ST_MakePoint(650000 + round((sin(n * 37 + k) * 90)::numeric, 2 + n % 3)::float8, 6860000 + (k - 4) * 0.0025) FROM generate_series(0, 9) k)) AS line FROM generate_series(1, 60) n
+  UNION ALL SELECT 0, 'LINESTRING(649999.998 6859999.996, 650000.002 6860000.004, 650000 6860000.1)';
+SELECT 'coordinates are as PostGIS writes them: ' || digits, bool_and(streetgen._coordinates(line, 650000, 6860000, digits, tolerance) IS NOT DISTINCT FROM
+    translate(substr(ST_AsText(ST_SnapToGrid(ST_Translate(ST_Simplify(line, tolerance, true), -650000, -6860000), 10.0 ^ -digits), digits), 12), ' ,)', ', ')) AND count(*) > 100
+  FROM odd, generate_series(2, 6) digits, unnest('{0,0.1}'::float8[]) tolerance GROUP BY digits ORDER BY digits;
+SELECT 'a line in one place has none', streetgen._coordinates('LINESTRING(1 1, 1.001 1)', 0, 0, 2, 0) IS NULL;
+SELECT 'what has no numbers is refused', test.state($$SELECT streetgen._coordinates('LINESTRING(1 1, NaN 1)', 0, 0, 2, 0)$$) = '22023';

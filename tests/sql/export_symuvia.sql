@@ -78,3 +78,8 @@ UPDATE "right".controller_editing SET start_offset = 10;
 SELECT 'an offset begins the plan a cycle before the simulation and so much later', (SELECT time '07:00' + (10 - cycle) * interval '1 second' FROM "right".controller) - (pg_temp.texts('//PLAN_DE_FEUX/@debut', pg_temp.file('right')))[1]::time BETWEEN interval '-0.5 seconds' AND interval '0.5 seconds';
 -- A ring of which a part is written is none.
 SELECT 'half a ring is no giratoire', pg_temp.found('//GIRATOIRE', f) = 0 AND pg_temp.found('//TRONCON', f) > 0 FROM pg_temp.file('right', '{"extent": [650010, 6860001, 650020, 6860012]}') f;
+-- Middles go to the even digit, as PostGIS rounds.
+SELECT 'internal points are as PostGIS writes them', bool_and(streetgen._symuvia_points(line, 0, 0, digits) = '<POINTS_INTERNES><POINT_INTERNE coordonnees="' || replace(substring(ST_AsText(line, digits) FROM '^LINESTRING\([^,]*,(.*),[^,]*\)$'), ',',
+    '"/><POINT_INTERNE coordonnees="') || '"/></POINTS_INTERNES>') FROM generate_series(2, 5) digits, unnest(ARRAY['LINESTRING(0 0, -0.0001 0.00049, 0.0005 0.0015, 0.0025 -0.0035, 1.2345 100, -2.0015 12345.6785, 0.1255 5, 9.995 99.9995, 1 1)'::geometry,
+    (SELECT ST_MakeLine(ST_MakePoint(650000 + round((sin(k) * 900)::numeric, 2 + k % 5)::float8, 6860000 + k / 16.0) ORDER BY k) FROM generate_series(1, 300) k)]) line;
+SELECT 'two points have none between', streetgen._symuvia_points('LINESTRING(0 0, 1 1)', 0, 0, 3) IS NULL;

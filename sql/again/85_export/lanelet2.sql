@@ -54,7 +54,7 @@ bound AS MATERIALIZED (
         UNION ALL SELECT 2, c.road_id, v.number, NULL, NULL, NULL, '<nd ref="'
             || CASE WHEN in_end THEN a.last ELSE a.first END || '"/>' || coalesce(p.nodes, '') || '<nd ref="'
             || CASE WHEN out_end THEN b.last ELSE b.first END || '"/>'
-        FROM connecting c JOIN drawn f ON f.road_id = road_in JOIN drawn t ON t.road_id = road_out
+        FROM way_road c JOIN drawn f ON f.road_id = road_in JOIN drawn t ON t.road_id = road_out
             CROSS JOIN (VALUES (1), (2)) v(number)
             JOIN road_bound a ON (a.road_id, a.number) = (road_in, f.lefts - number_in
                 + CASE WHEN number_in > 0 THEN 1 ELSE 0 END + CASE WHEN (v.number = 1) = in_end THEN 0 ELSE 1 END)
@@ -82,7 +82,7 @@ lanelet AS MATERIALIZED (
             JOIN bound b ON (b.source, b.key, b.number) = (1, d.road_id, i + 1)
         UNION ALL SELECT c.road_id, 1, NULL, c.type, e.speed, NULL, true, a.id, b.id, NULL, c.node_id, p.lane_id,
             c.in_end
-        FROM connecting c JOIN placed p ON (p.road_id, p.number, p.at_end) = (road_in, number_in, in_end)
+        FROM way_road c JOIN placed p ON (p.road_id, p.number, p.at_end) = (road_in, number_in, in_end)
             JOIN written_edge e ON e.edge_id = p.edge_id
             JOIN bound a ON (a.source, a.key, a.number) = (2, c.road_id, 1)
             JOIN bound b ON (b.source, b.key, b.number) = (2, c.road_id, 2)) l

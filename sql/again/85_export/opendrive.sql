@@ -111,25 +111,28 @@ placed AS MATERIALIZED (
         places[4 * i - 1] AS heading, places[4 * i] AS width
     FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
         v(at_end, places)),
-connecting AS MATERIALIZED (
+way_road AS MATERIALIZED (
     SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
         a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
         a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
-        CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, d.*
+        CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type,
+        (CASE WHEN short THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea
+            AS path,
+        ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END] AS path_from,
+        ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END] AS path_to,
+        CASE WHEN short THEN 1 ELSE o.tolerance END AS path_tolerance
     FROM origin o, junction_way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
         JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
         JOIN written_edge e ON e.edge_id = a.edge_id,
-        LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w,
-        LATERAL streetgen._path_view((CASE WHEN short
-                THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea,
-            ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END],
-            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END],
-            CASE WHEN short THEN 1 ELSE o.tolerance END) d)$part$ $$;
+        LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w),
+-- The chain of a road is longer than its path, and is read once: it is not kept.
+connecting AS NOT MATERIALIZED (
+    SELECT w.*, d.* FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance) d)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads() IS
     'Queries of a file of OpenDRIVE over a model: line_between, what parts lanes; drawn, a road '
     'for each edge with what streetgen._road_lanes gives; '
-    'placed, its lanes with their numbers and how they begin and end; connecting, a road for each way from lane to '
-    'lane.';
+    'placed, its lanes with their numbers and how they begin and end; way_road, a road for each way from lane to lane; '
+    'connecting, the same with its chain.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_heights(model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -182,24 +185,21 @@ line AS (
         AS element
     FROM origin LEFT JOIN spatial_ref_sys ON srid = %2$s
     UNION ALL
-    SELECT 2, d.road_id, streetgen._opendrive_open(xmlelement(name road, xmlattributes(
+    -- Not by ||, which copies what is there with each word.
+    SELECT 2, d.road_id, concat(streetgen._opendrive_open(xmlelement(name road, xmlattributes(
             streetgen._xml_text(a.name) AS name, streetgen._decimal(d.total, 7) AS length,
-            d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule)))
-        || CASE WHEN f.place_id IS NULL AND t.place_id IS NULL THEN '' ELSE '<link>'
-            || coalesce('<predecessor elementType="junction" elementId="' || f.place_id || '"/>', '')
-            || coalesce('<successor elementType="junction" elementId="' || t.place_id || '"/>', '') || '</link>' END
-        || '<type s="0" type="unknown"><speed max="' || streetgen._decimal(e.speed, 1)
-        || '" unit="km/h"/></type>'
-        || streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x,
-            o.y, digits)
-        || CASE WHEN h.station IS NULL THEN '' ELSE '<elevationProfile>' || streetgen._opendrive_change('elevation',
-            's', h.station, h.heights) || '</elevationProfile>' END
-        || '<lanes>' || streetgen._opendrive_change('laneOffset', 's', d.station,
-            border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)])
-        || '<laneSection s="0">' || coalesce(on_left, '') || '<center><lane id="0" type="none" level="false">'
-        || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards) || '</lane></center>' || coalesce(on_right, '')
-        || '</laneSection></lanes>' || coalesce(j.text, '') || coalesce(g.text, '') || '<userData code="edge" value="'
-        || d.edge_id || '"/></road>'
+            d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule))),
+        '<link>' || nullif(concat('<predecessor elementType="junction" elementId="' || f.place_id || '"/>',
+            '<successor elementType="junction" elementId="' || t.place_id || '"/>'), '') || '</link>',
+        '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
+        streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
+        '<elevationProfile>' || streetgen._opendrive_change('elevation', 's', h.station, h.heights)
+            || '</elevationProfile>',
+        '<lanes>', streetgen._opendrive_change('laneOffset', 's', d.station,
+            border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)]),
+        '<laneSection s="0">', on_left, '<center><lane id="0" type="none" level="false">',
+        streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards), '</lane></center>', on_right,
+        '</laneSection></lanes>', j.text, g.text, '<userData code="edge" value="', d.edge_id, '"/></road>')
     FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
@@ -207,22 +207,19 @@ line AS (
         LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
         LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL
-    SELECT 3, c.road_id, '<road length="' || streetgen._decimal(total, 7)
-        || '" id="' || c.road_id || '" junction="' || place_id || '" rule="' || rule
-        || '"><link><predecessor elementType="road" elementId="' || road_in || '" contactPoint="'
-        || CASE WHEN in_end THEN 'end' ELSE 'start' END || '"/><successor elementType="road" elementId="' || road_out
-        || '" contactPoint="' || CASE WHEN out_end THEN 'end' ELSE 'start' END || '"/></link>'
-        || streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, curvature_end, o.x,
-            o.y, digits)
-        || coalesce('<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
+    SELECT 3, c.road_id, concat('<road length="', streetgen._decimal(total, 7), '" id="', c.road_id, '" junction="',
+        place_id, '" rule="', rule, '"><link><predecessor elementType="road" elementId="', road_in, '" contactPoint="',
+        CASE WHEN in_end THEN 'end' ELSE 'start' END, '"/><successor elementType="road" elementId="', road_out,
+        '" contactPoint="', CASE WHEN out_end THEN 'end' ELSE 'start' END, '"/></link>',
+        streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
+        '<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
             a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
-            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>', '')
-        || '<lanes>' || streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out)
-        || '<laneSection s="0">' || CASE WHEN right_hand THEN '' ELSE '<left>' || lane || '</left>' END
-        || '<center><lane id="0" type="none" level="false"/></center>'
-        || CASE WHEN right_hand THEN '<right>' || lane || '</right>' ELSE '' END
-        || '</laneSection></lanes>' || coalesce(j.text, '')
-        || '<userData code="interconnection" value="' || ways || '"/></road>'
+            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>',
+        '<lanes>', streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out),
+        '<laneSection s="0">', CASE WHEN NOT right_hand THEN '<left>' || lane || '</left>' END,
+        '<center><lane id="0" type="none" level="false"/></center>',
+        CASE WHEN right_hand THEN '<right>' || lane || '</right>' END, '</laneSection></lanes>', j.text,
+        '<userData code="interconnection" value="', ways, '"/></road>')
     FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN object_text j USING (road_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT s[cardinality(s)] + length[cardinality(s)] AS total,
@@ -238,7 +235,7 @@ line AS (
         || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
         || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
         ORDER BY road_id) || coalesce(min(c.text), '') || '</junction>'
-    FROM side, connecting JOIN joined_node USING (node_id) LEFT JOIN junction_controller c USING (place_id)
+    FROM side, way_road JOIN joined_node USING (node_id) LEFT JOIN junction_controller c USING (place_id)
     GROUP BY place_id
     UNION ALL SELECT * FROM ring_line)$part$ $$;
 COMMENT ON FUNCTION streetgen._opendrive_lines() IS
@@ -266,7 +263,7 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_beside(model name) RETURNS text
         || streetgen._opendrive_signals('signal' = ANY (subjects)) || $part$,
 crossroads AS MATERIALIZED (
     SELECT node_id, place_id FROM joined_node
-    WHERE place_id IN (SELECT place_id FROM connecting c JOIN joined_node n USING (node_id)))$part$
+    WHERE place_id IN (SELECT place_id FROM way_road JOIN joined_node n USING (node_id)))$part$
         || streetgen._opendrive_rings('roundabout' = ANY (subjects))
     FROM streetgen._subjects(model) subjects $$;
 COMMENT ON FUNCTION streetgen._opendrive_beside(name) IS

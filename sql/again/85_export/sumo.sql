@@ -55,7 +55,8 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_edge(subjects text[], line text, loop
     AS $$ SELECT streetgen._export_sidewalks('sidewalk' = ANY (subjects)) || $part$,
 -- A sidewalk is a lane of the edge at whose kerb it lies; beside no lane of its direction it is an edge by itself.
 grouped AS MATERIALIZED (
-    SELECT g.lane_group_id, g.edge_id, g.along_axis, g.from_node, g.to_node, g.lanes, g.lane_count, g.geom,
+    SELECT g.lane_group_id, g.edge_id, g.along_axis, g.from_node, g.to_node, g.lanes, g.lane_count,
+        $part$ || CASE line WHEN 'NULL' THEN 'NULL::geometry' ELSE 'g.geom' END || $part$ AS geom,
         streetgen._lane_group_text(g.edge_id, g.along_axis, number) AS text, (w.lane_id IS NOT NULL)::integer AS walk
     FROM %1$I.lane_group g LEFT JOIN sidewalk_beside w
         ON (w.edge_id, w.along_axis, w.lane_id) = (g.edge_id, g.along_axis, g.lanes[1])
@@ -78,18 +79,21 @@ sumo_edge AS MATERIALIZED (
     FROM (SELECT c.*, f.place_id AS from_place, t.place_id AS to_place
         FROM carried c JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node) g,
     LATERAL ($part$ || CASE WHEN 'ramp' = ANY (subjects) THEN streetgen._sumo_parts() ELSE $part$
-        SELECT text AS name, from_place::text AS comes_from, to_place::text AS goes_to, 0.0::float8 AS since,
-            1.0::float8 AS until, lanes, lane_count WHERE from_place <> to_place
-        UNION ALL SELECT text, from_place::text, 'middle.' || text, 0, 0.5, lanes, lane_count
-            WHERE from_place = to_place
-        UNION ALL SELECT text || '.end', 'middle.' || text, to_place::text, 0.5, 1, lanes, lane_count
-            WHERE from_place = to_place$part$ END || $part$) v
+        SELECT CASE k WHEN 1 THEN text ELSE text || '.end' END AS name,
+            CASE k WHEN 1 THEN from_place::text ELSE 'middle.' || text END AS comes_from,
+            CASE WHEN k = 1 AND loop THEN 'middle.' || text ELSE to_place::text END AS goes_to,
+            CASE k WHEN 1 THEN 0.0 ELSE 0.5 END::float8 AS since,
+            CASE WHEN k = 1 AND loop THEN 0.5 ELSE 1 END::float8 AS until, lanes, lane_count
+        -- Written so that the planner counts one part a lane group.
+        FROM (VALUES (1), (2)) part(k), LATERAL (SELECT from_place = to_place AS loop) l
+        WHERE CASE k WHEN 1 THEN true ELSE loop END$part$ END || $part$) v
     WHERE $part$ || CASE WHEN loops AND 'ramp' <> ALL (subjects) THEN 'from_place = to_place' ELSE 'true' END
         || $part$)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_edge(text[], text, boolean) IS
     'Query sumo_edge of the files of SUMO over a model that computes these subjects: the edges that lane groups and '
     'sidewalks are. Each has the nodes that traffic comes from and goes to. It begins and ends at shares of the length '
-    'of its group, and walk counts its sidewalks (0 or 1). line is SQL. loops: of edges in parts alone.';
+    'of its group, and walk counts its sidewalks (0 or 1). line is SQL, NULL where none is needed. loops: of edges in '
+    'parts alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -173,10 +177,10 @@ lane_line AS MATERIALIZED (
             start_abscissa IS NOT NULL OR end_abscissa IS NOT NULL AS within,
             CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven,
             -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
-            CASE WHEN kind = 'bus' AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i)
-                AND bool_or(kind = 'general') OVER (PARTITION BY name ORDER BY i DESC) THEN 'general' ELSE kind END
-                AS kind
-        FROM sumo_edge e, unnest(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)
+            CASE WHEN l.kind = 'bus' AND (SELECT bool_or(j < i) AND bool_or(j > i)
+                FROM unnest(e.lanes) WITH ORDINALITY o(lane_id, j) JOIN %1$I.lane USING (lane_id)
+                WHERE lane.kind = 'general') THEN 'general' ELSE l.kind END AS kind
+        FROM sumo_edge e, streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN %1$I.lane l USING (lane_id)
         UNION ALL SELECT name, 0, since, until, w.width, false,
             CASE WHEN e.along_axis THEN w.line ELSE ST_Reverse(w.line) END, 'sidewalk'
         FROM sumo_edge e JOIN sidewalk_beside w USING (edge_id, along_axis) WHERE walk = 1) l
@@ -207,15 +211,16 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(subjects text[]) RETURNS tex
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._sumo_edge(subjects, 'NULL', false) || $part$,
 placed AS MATERIALIZED (
-    SELECT lane_id, along_axis, name, goes_to, since, until, i - 1 + walk AS index
-    FROM sumo_edge, unnest(lanes) WITH ORDINALITY m(lane_id, i)),
+    SELECT lane_id, along_axis, name, goes_to, since, until, since = 0 AS begins, until = 1 AS ends,
+        i - 1 + walk AS index
+    FROM sumo_edge, streetgen._few(lanes) WITH ORDINALITY m(lane_id, i)),
 going_on AS MATERIALIZED (
     SELECT way_id AS id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out,
         k.geom, a.goes_to, k.turn, k.lane_in, k.lane_out, k.along_in, k.along_out
-    FROM way k JOIN placed a ON (a.lane_id, a.along_axis, a.until) = (k.lane_in, k.along_in, 1)
-    JOIN placed b ON (b.lane_id, b.along_axis, b.since) = (k.lane_out, k.along_out, 0)
+    FROM way k JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in) AND a.ends
+    JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out) AND b.begins
     UNION ALL SELECT 0, a.name, b.name, a.index, b.index, NULL, a.goes_to, NULL, NULL, NULL, NULL, NULL
-    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE a.until = b.since)$part$ $$;
+    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE NOT a.ends AND a.until = b.since)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(text[]) IS
     'Query going_on of the files of SUMO over a model: which lane of an edge goes on to which lane of another.';
 

@@ -16,13 +16,10 @@ CREATE OR REPLACE FUNCTION streetgen._symuvia_place(place geometry, x float8, y 
 COMMENT ON FUNCTION streetgen._symuvia_place(geometry, float8, float8, integer) IS
     'A POINT as SymuVia writes it, from an origin.';
 
-CREATE OR REPLACE FUNCTION streetgen._symuvia_points(line geometry, x float8, y float8, digits integer) RETURNS xml
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN xmlparse(content '<POINTS_INTERNES><POINT_INTERNE coordonnees="' || replace(substring(ST_AsText(
-        ST_Translate(line, -x, -y), digits) FROM '^LINESTRING\([^,]*,(.*),[^,]*\)$'), ',',
-        '"/><POINT_INTERNE coordonnees="') || '"/></POINTS_INTERNES>');
+CREATE OR REPLACE FUNCTION streetgen._symuvia_points(line geometry, x float8, y float8, digits integer) RETURNS text
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_symuvia_points';
 COMMENT ON FUNCTION streetgen._symuvia_points(geometry, float8, float8, integer) IS
-    'The points of a line between its ends as SymuVia lists them; NULL where there are none.';
+    'The points of a line between its ends as SymuVia lists them, from an origin; NULL where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._symuvia_network(rings boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -40,7 +37,7 @@ troncon AS MATERIALIZED (
     WHERE s.name = 'driving_side'),
 in_group AS MATERIALIZED (
     SELECT name, lane_id, along_axis, i, edge_id, kind, lane_position, to_place
-    FROM troncon, unnest(lanes) WITH ORDINALITY u(lane_id, i)
+    FROM troncon, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
         JOIN (SELECT lane_id, kind, lane_position FROM %1$I.lane) l USING (lane_id)),
 -- Whoever merges drives on the lane beside the merging one, which SymuVia does not know.
 placed AS MATERIALIZED (
@@ -106,7 +103,8 @@ troncon_line AS (
         streetgen._symuvia_place(ST_EndPoint(line), x, y, digits) AS extremite_aval, t.lane_count AS nb_voie,
         round(greatest(lane_width, 0.001)::numeric, 3) AS largeur_voie, round(e.speed::numeric / 3.6, 4) AS vit_reg,
         round(ST_Length(line)::numeric, 2) AS longueur, streetgen._xml_text(a.name) AS nom_axe,
-        opposed AS id_troncon_oppose), streetgen._symuvia_points(line, x, y, digits), one, none) AS element
+        opposed AS id_troncon_oppose)) AS element,
+        concat(streetgen._symuvia_points(line, x, y, digits), one, none) AS content
     FROM origin, ended t JOIN (SELECT edge_id, axis_id, level, speed FROM written_edge) e USING (edge_id)
     LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
     LEFT JOIN reserved r ON r.name = t.name
@@ -118,40 +116,42 @@ COMMENT ON FUNCTION streetgen._symuvia_troncon() IS
 CREATE OR REPLACE FUNCTION streetgen._symuvia_connexion() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
+-- Movements are written as text: their names need no escape, and each level of xmlagg would copy what lies within.
 allowed AS (
-    SELECT place_id, xmlelement(name "MOUVEMENTS_AUTORISES", xmlagg(xmlelement(name "MOUVEMENT_AUTORISE", xmlattributes(
-        name_in AS id_troncon_amont, lane_in AS num_voie_amont), xmlelement(name "MOUVEMENT_SORTIES", ways))
-        ORDER BY name_in COLLATE "C", lane_in)) AS element
-    FROM (SELECT place_id, name_in, lane_in, xmlagg(xmlelement(name "MOUVEMENT_SORTIE", xmlattributes(
-            name_out AS id_troncon_aval, lane_out AS num_voie_aval,
-            round(1.0 / ways, 4) AS taux_utilisation)) ORDER BY way_id) AS ways
+    SELECT place_id, '<MOUVEMENTS_AUTORISES>' || string_agg('<MOUVEMENT_AUTORISE id_troncon_amont="' || name_in
+        || '" num_voie_amont="' || lane_in || '"><MOUVEMENT_SORTIES>' || ways
+        || '</MOUVEMENT_SORTIES></MOUVEMENT_AUTORISE>', '' ORDER BY name_in COLLATE "C", lane_in)
+        || '</MOUVEMENTS_AUTORISES>' AS text
+    FROM (SELECT place_id, name_in, lane_in, string_agg('<MOUVEMENT_SORTIE id_troncon_aval="' || name_out
+            || '" num_voie_aval="' || lane_out || '" taux_utilisation="' || round(1.0 / ways, 4) || '"/>', ''
+            ORDER BY way_id) AS ways
         FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out) AS ways FROM movement) m
         GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
 entered AS (
-    SELECT place_id, xmlelement(name "ENTREES_CAF", xmlagg(xmlelement(name "ENTREE_CAF", xmlattributes(
-        name_in AS id_troncon_amont, lane_in AS num_voie_amont, CASE sign WHEN 'stop' THEN 'stop' WHEN 'yield'
-            THEN 'cedez_le_passage' ELSE 'defaut' END AS priorite), xmlelement(name "MOUVEMENTS", ways))
-        ORDER BY name_in COLLATE "C", lane_in)) AS element
-    FROM (SELECT place_id, name_in, lane_in, max(sign) AS sign, xmlagg(xmlelement(name "MOUVEMENT", xmlattributes(
-            name_out AS id_troncon_aval, lane_out AS num_voie_aval), streetgen._symuvia_points(line, x, y, digits))
-            ORDER BY way_id) AS ways
+    SELECT place_id, '<ENTREES_CAF>' || string_agg('<ENTREE_CAF id_troncon_amont="' || name_in || '" num_voie_amont="'
+        || lane_in || '" priorite="' || CASE sign WHEN 'stop' THEN 'stop' WHEN 'yield' THEN 'cedez_le_passage'
+            ELSE 'defaut' END || '"><MOUVEMENTS>' || ways || '</MOUVEMENTS></ENTREE_CAF>', ''
+        ORDER BY name_in COLLATE "C", lane_in) || '</ENTREES_CAF>' AS text
+    FROM (SELECT place_id, name_in, lane_in, max(sign) AS sign, string_agg('<MOUVEMENT id_troncon_aval="' || name_out
+            || '" num_voie_aval="' || lane_out || coalesce('">' || streetgen._symuvia_points(line, x, y, digits)
+            || '</MOUVEMENT>', '"/>'), '' ORDER BY way_id) AS ways
         FROM origin, movement JOIN connexion USING (place_id) WHERE connexion.kind = 'carrefour'
         GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
 connexion_line AS (
-    SELECT 20 AS turn, lane_group_id AS id, xmlelement(name "EXTREMITE", xmlattributes(v.name AS id)) AS element
+    SELECT 20 AS turn, lane_group_id AS id, '<EXTREMITE id="' || v.name || '"/>' AS element
     FROM ended t, LATERAL (VALUES (amont, 'E_'), (aval, 'S_')) v(name, mark) WHERE v.name = mark || t.name
     UNION ALL
-    SELECT 30, place_id, xmlelement(name "REPARTITEUR", xmlattributes(name AS id, controller AS controleur_de_feux),
-        a.element)
+    SELECT 30, place_id, '<REPARTITEUR id="' || name || '"'
+        || coalesce(' controleur_de_feux="' || controller || '"', '') || '>' || a.text || '</REPARTITEUR>'
     FROM connexion JOIN allowed a USING (place_id) LEFT JOIN controlled USING (place_id) WHERE kind = 'repartiteur'
     UNION ALL
     SELECT 35, place_id, xmlelement(name "GIRATOIRE", xmlattributes(name AS id, troncons, lanes AS nb_voie,
         round(greatest(lane_width, 0.001)::numeric, 3) AS "LargeurVoie", round(speed::numeric / 3.6, 4) AS vit_max),
-        a.element, xmlelement(name "TRONCONS_INTERNES", inside))
+        a.text::xml, xmlelement(name "TRONCONS_INTERNES", inside))::text
     FROM ring_element LEFT JOIN allowed a USING (place_id)
     UNION ALL
-    SELECT 40, place_id, xmlelement(name "CARREFOURAFEUX", xmlattributes(name AS id, controller AS controleur_de_feux),
-        a.element, c.element)
+    SELECT 40, place_id, '<CARREFOURAFEUX id="' || name || '"'
+        || coalesce(' controleur_de_feux="' || controller || '"', '') || '>' || a.text || c.text || '</CARREFOURAFEUX>'
     FROM connexion JOIN allowed a USING (place_id) JOIN entered c USING (place_id)
         LEFT JOIN controlled USING (place_id))$part$ $$;
 COMMENT ON FUNCTION streetgen._symuvia_connexion() IS
@@ -174,8 +174,9 @@ BEGIN
         streetgen._symuvia_network('roundabout' = ANY (subjects)) || streetgen._symuvia_signals('signal'
             = ANY (subjects)) || streetgen._symuvia_troncon() || streetgen._symuvia_connexion() || $part$,
 line AS (
-    SELECT 3 AS turn, id, element::text AS element FROM troncon_line UNION ALL SELECT turn, id, element::text
-    FROM connexion_line UNION ALL SELECT turn, id, element::text FROM controller_line UNION ALL
+    SELECT 3 AS turn, id, CASE content WHEN '' THEN element::text
+        ELSE left(element::text, -2) || '>' || content || '</TRONCON>' END AS element FROM troncon_line
+    UNION ALL TABLE connexion_line UNION ALL SELECT turn, id, element::text FROM controller_line UNION ALL
     VALUES (2, 0, '</CONTROLEURS_DE_FEUX></TRAFIC></TRAFICS><RESEAUX><RESEAU id="reseau"><TRONCONS>'),
         (4, 0, '</TRONCONS><CONNEXIONS><EXTREMITES>'), (29, 0, '</EXTREMITES><REPARTITEURS>'),
         (34, 0, '</REPARTITEURS><GIRATOIRES>'), (39, 0, '</GIRATOIRES><CARREFOURSAFEUX>'),

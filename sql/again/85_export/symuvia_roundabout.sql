@@ -72,7 +72,7 @@ ring_inside AS (
         b.name AS troncon_aval, round(ST_Length(line)::numeric, 2) AS longueur,
         streetgen._symuvia_place(ST_StartPoint(line), x, y, digits) AS extremite_amont,
         streetgen._symuvia_place(ST_EndPoint(line), x, y, digits) AS extremite_aval),
-        streetgen._symuvia_points(line, x, y, digits)) ORDER BY p.piece) AS inside
+        streetgen._symuvia_points(line, x, y, digits)::xml) ORDER BY p.piece) AS inside
     FROM origin, ring_piece p
         JOIN (SELECT DISTINCT ON (ring, node_id) * FROM ring_end ORDER BY ring, node_id, turn DESC) a
             ON (a.ring, a.node_id) = (p.ring, p.from_node)

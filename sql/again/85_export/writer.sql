@@ -169,25 +169,31 @@ CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, qu
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT 'WITH ' || streetgen._export_edges(model, options)
         || format(query, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) || format($part$
-SELECT row_number() OVER (ORDER BY turn, id, text COLLATE "C"), text
-FROM (SELECT turn, id, '    ' || element::text AS text FROM line
+-- The text has its collation here, since a sort by another one would carry it twice.
+SELECT row_number() OVER (ORDER BY turn, id, text), text
+FROM (SELECT turn, id, ('    ' || element::text) COLLATE "C" AS text FROM line
     UNION ALL SELECT -1, 0, '<?xml version="1.0" encoding="UTF-8"?>' UNION ALL SELECT 0, 0, %1$L
     UNION ALL SELECT 1000, 0, %2$L) l
-ORDER BY turn, id, text COLLATE "C"$part$, opening, closing) $$;
+ORDER BY turn, id, text$part$, opening, closing) $$;
 COMMENT ON FUNCTION streetgen._export_lines(name, jsonb, text, text, text) IS
     'The statement that gives the lines of a file of XML, over the options $1: what opens and closes its root, and '
     'between them the elements of query line (turn from 1 to 999, id, element), which stands last among the queries '
     'over a model %1$I of SRID %2$s, after those of streetgen._export_edges.';
 
 -- Functions of each value that is written: bound when made, and thus inlined.
+CREATE OR REPLACE FUNCTION streetgen._rounded_coordinates(line geometry, x float8, y float8, digits integer)
+    RETURNS text
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_rounded_coordinates';
+COMMENT ON FUNCTION streetgen._rounded_coordinates(geometry, float8, float8, integer) IS
+    'The points of a LINESTRING as x,y x,y … from an origin, with so many digits and none twice in a row. NULL where '
+    'one point is left.';
+
 CREATE OR REPLACE FUNCTION streetgen._coordinates(line geometry, x float8, y float8, digits integer,
     tolerance float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN translate(substr(ST_AsText(ST_SnapToGrid(ST_Translate(ST_Simplify(line, tolerance, true), -x, -y),
-        10.0 ^ -digits), digits), 12), ' ,)', ', ');
+    RETURN streetgen._rounded_coordinates(ST_Simplify(line, tolerance, true), x, y, digits);
 COMMENT ON FUNCTION streetgen._coordinates(geometry, float8, float8, integer, float8) IS
-    'The points of a LINESTRING as x,y x,y … from an origin, with so many digits and none twice in a row, simplified '
-    'by a tolerance in metres. NULL where one point is left.';
+    'The same of a line that is simplified by a tolerance in metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._stretched(line geometry, metres float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
@@ -207,9 +213,17 @@ COMMENT ON FUNCTION streetgen._at_least_long(geometry, float8) IS
     'A line; a shorter one is stretched about its middle to that length, metres. netconvert draws lanes of less than '
     '0.1 m anew, which moves them by metres.';
 
+CREATE OR REPLACE FUNCTION streetgen._few(ids bigint[]) RETURNS SETOF bigint
+    LANGUAGE internal IMMUTABLE STRICT PARALLEL SAFE ROWS 2 AS 'array_unnest';
+COMMENT ON FUNCTION streetgen._few(bigint[]) IS
+    'unnest of an array of which the planner expects two elements, as of the lanes of a group. With the usual ten it '
+    'parts a join of the lanes of a city into hundreds of files.';
+
 CREATE OR REPLACE FUNCTION streetgen._lane_group_text(edge_id bigint, along_axis boolean, number integer) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN along_axis THEN '' ELSE '-' END || edge_id || CASE WHEN number > 1 THEN '.' || number ELSE '' END;
+    -- A number beside || makes a call of each row: its text is not immutable there, and the function is not inlined.
+    RETURN CASE WHEN along_axis THEN '' ELSE '-' END || edge_id::text
+        || CASE WHEN number > 1 THEN '.' || number::text ELSE '' END;
 COMMENT ON FUNCTION streetgen._lane_group_text(bigint, boolean, integer) IS
     'The name of a lane group in files: the id of its edge, -id against the axis, with .2 for the second of a '
     'direction.';

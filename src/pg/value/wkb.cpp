@@ -216,6 +216,14 @@ ReadLine read_line(std::string_view wkb, const std::string& what) {
   return read;
 }
 
+Line read_vertices(std::string_view wkb, const std::string& what) {
+  Reader reader(wkb, what);
+  const Head head = read_head(reader);
+  if (head.type != line_type)
+    reader.refuse(std::string("is a ") + type_name(head.type) + ", expected a LINESTRING");
+  return read_points(reader, head.has_z);
+}
+
 MultiPolygon read_surface(std::string_view wkb, const std::string& what) {
   Reader reader(wkb, what);
   const Head head = read_head(reader);

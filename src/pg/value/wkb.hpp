@@ -20,6 +20,9 @@ struct ReadLine {
 // and two distinct points; M is refused.  `what` opens the message of each Error{invalid_input}.
 ReadLine read_line(std::string_view wkb, const std::string& what);
 
+// The vertices of a LINESTRING, which may be none or all in one place.
+Line read_vertices(std::string_view wkb, const std::string& what);
+
 struct ReadPoint {
   Point point;
   int srid = 0;
