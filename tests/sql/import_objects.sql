@@ -25,7 +25,7 @@ SELECT 'they follow their street', count(*) = 1 FROM (SELECT FROM town.street_ob
 UPDATE town.axis SET width = 10 WHERE axis_id = 1;
 SELECT 'as it widens', abs(ST_Y(geom) - 6860006) < 1e-6 FROM town.street_object WHERE source_ref = '1';
 -- Of OpenStreetMap.
-CREATE TABLE osm_object (node_id bigint, class text, direction text, geom geometry(Point, 2154));
+CREATE TABLE osm_object (node_id bigint, class varchar(30), direction varchar(10), geom geometry(Point, 2154));
 INSERT INTO osm_object VALUES (10, 'crossing', NULL, 'SRID=2154;POINT(650050 6860000)'), (11, 'tree', 'north', 'SRID=2154;POINT(650050 6860007)'), (12, 'bench', '180', 'SRID=2154;POINT(650055 6860007)'), (13, 'stop', NULL, 'SRID=2154;POINT(650090 6859994)');
 SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
 SELECT 'of OpenStreetMap', string_agg(type || ' ' || round(angle), ', ' ORDER BY source_ref) = 'crossing 90, tree 90, bench 180, sign 90' FROM town.street_object WHERE source = 'osm_object';

@@ -165,7 +165,7 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_objects(model, points::text, format($sql$
 SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' THEN 'traffic_light'
-        WHEN 'stop' THEN 'sign' WHEN 'give_way' THEN 'sign' ELSE class END AS type,
+        WHEN 'stop' THEN 'sign' WHEN 'give_way' THEN 'sign' ELSE class::text END AS type,
     CASE WHEN direction ~ '^\d{1,3}(\.\d+)?$' AND direction::numeric <= 360 THEN direction END AS orientation,
     NULL::text AS name, node_id::text AS source_ref FROM %s$sql$, points));
 END $$;

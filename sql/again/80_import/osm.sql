@@ -125,8 +125,8 @@ BEGIN
 WITH line AS MATERIALIZED (
     SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel,
         maxspeed, %5$s)::text COLLATE "C" AS wording
-    FROM (SELECT geom, way_id, name, class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer,
-        bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
+    FROM (SELECT geom, way_id, name::text, class::text, lanes, lanes_forward, lanes_backward, width, oneway, junction,
+        layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
 meaning AS MATERIALIZED (
 SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end,
     coalesce(offset_forward, -offset_backward) AS roadway_offset,
