@@ -156,6 +156,16 @@ SELECT 'an object goes with its crossing', count(*) = 0 FROM ruled.street_object
 SELECT 'a rule every 0 m', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0)$$) = '22023 the new rule cannot place an object every 0 m';
 SELECT 'a rule of a million a metre', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0.000001)$$) = '22023 the new rule cannot place an object every 1e-06 m';
 SELECT 'a crossing wider than its street is long', pg_temp.said($$INSERT INTO ruled.pedestrian_crossing_editing (geom, width) VALUES (pg_temp.line('POINT(20 0)'), 500)$$) = '22023 the width of the new crossing cannot be 500';
+-- An arm whose way is cut in two before its section begins, and one that ends there.
+SELECT streetgen.create_model('cut', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(0 0, 100 0)'), 8), (pg_temp.line('LINESTRING(100 0, 200 0)'), 8), (pg_temp.line('LINESTRING(100 0, 100 6)'), 6), (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);
+INSERT INTO cut.placement_rule (type, along, distance_from_limit) VALUES ('crossing', 'arm', 1);
+SELECT 'an arm that is cut in two has its crossing too', array_agg(axis_id ORDER BY axis_id) = '{1,2,3}' AND every(ST_Area(surface) > 20) FROM cut.street_object JOIN cut.pedestrian_crossing USING (street_object_id);
+DELETE FROM cut.axis WHERE axis_id = 4;
+SELECT 'one that ends there has none', array_agg(axis_id ORDER BY axis_id) = '{1,2}' FROM cut.street_object;
+INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);
+SELECT 'until it goes on', array_agg(axis_id ORDER BY axis_id) = '{1,2,3}' FROM cut.street_object;
+SELECT 'a run over all places the same', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('cut', wait => true);
 -- A first run takes keys off and puts them back.
 SELECT streetgen.create_model('first', 2154, subjects => '{object}') \g /dev/null
 SELECT streetgen.live('first', false) \g /dev/null

@@ -12,7 +12,7 @@ BEGIN
             'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
             '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
             '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
-            '%1$I._has_rules(), %1$I._is_junction(bigint), %1$I._take_from_rules(bigint[]), '
+            '%1$I._has_rules(), %1$I._arms_at(bigint), %1$I._take_from_rules(bigint[]), '
             '%1$I._renew_rules_beside(geometry[]), %1$I._lock_beside(geometry[], boolean), '
             '%1$I._begin_ruled_edit(), '
             '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '

@@ -68,10 +68,10 @@ CREATE OR REPLACE FUNCTION %1$I._has_rules() RETURNS boolean
     AS $body$
     SELECT EXISTS (SELECT FROM %1$I.placement_rule WHERE active)
         OR EXISTS (SELECT FROM %1$I.setting WHERE name = 'placement_function' AND value <> 'none') $body$;
-CREATE OR REPLACE FUNCTION %1$I._is_junction(node bigint) RETURNS boolean
+CREATE OR REPLACE FUNCTION %1$I._arms_at(node bigint) RETURNS bigint
     LANGUAGE sql STABLE SET search_path FROM CURRENT
     AS $body$
-    SELECT count(*) >= 3 FROM (SELECT FROM %1$I.edge WHERE from_node = node
+    SELECT count(*) FROM (SELECT FROM %1$I.edge WHERE from_node = node
         UNION ALL SELECT FROM %1$I.edge WHERE to_node = node) e $body$;
 CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
@@ -117,7 +117,8 @@ BEGIN
             ELSE r.side IN (v.side, 'both') END
         UNION ALL
         -- An arm is seen as one comes to its node. Its places have negative numbers, by decimetres along the axis.
-        -- Where two arms of an edge have no room, they share its middle; an arm of one end alone then has none.
+        -- Where two arms of an edge have no room, they share its middle; an arm of one end alone goes to the other end,
+        -- if the street goes on there, and else has none.
         SELECT r.*, CASE WHEN v.side <> 'middle' THEN CASE WHEN w.at_start THEN CASE v.side WHEN 'left' THEN 'right'
                 ELSE 'left' END ELSE v.side END END,
             CASE WHEN w.at_start THEN low + within ELSE high - within END,
@@ -125,14 +126,16 @@ BEGIN
                 + w.at_start::integer) - (v.side = 'right')::integer)::integer,
             r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
             CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
-        FROM ruled r, LATERAL (SELECT least(distance_from_limit, (high - low) / 2) AS within,
-                high - low > 2 * distance_from_limit AS roomy) l,
-            LATERAL (SELECT %1$I._is_junction(r.from_node) AS at_start, %1$I._is_junction(r.to_node) AS at_end) j,
-            LATERAL (VALUES (true, j.at_start), (false, j.at_end AND (l.roomy OR r.side IN ('left', 'right'))))
-                w(at_start, meets),
+        FROM ruled r, LATERAL (SELECT %1$I._arms_at(r.from_node) AS of_start, %1$I._arms_at(r.to_node) AS of_end) n,
+            LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
+                high - low > 2 * distance_from_limit AS roomy) j,
+            LATERAL (SELECT least(distance_from_limit, CASE WHEN j.goes_on THEN high - low ELSE (high - low) / 2 END)
+                AS within) l,
+            LATERAL (VALUES (true, j.at_start),
+                (false, j.at_end AND (j.roomy OR NOT j.at_start OR r.side IN ('left', 'right')))) w(at_start, meets),
             LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
         WHERE r.along = 'arm' AND w.meets
-            AND (l.roomy OR r.turn IS NULL AND high > low AND j.at_start AND j.at_end)
+            AND (j.roomy OR r.turn IS NULL AND (high > low AND j.at_start AND j.at_end OR j.goes_on))
             AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
                 ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
             -- A crossing goes from kerb to kerb.
@@ -413,7 +416,7 @@ COMMENT ON TRIGGER fill_places_%2$s ON %1$I.free_place IS 'Rules place objects w
 $sql$, model, followed.event, followed.tables);
     END LOOP;
     PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
-        streetgen._own_function(model, '_is_junction(bigint)', 'Whether three streets and more meet at a node'),
+        streetgen._own_function(model, '_arms_at(bigint)', 'How many ends of edges meet at a node'),
         streetgen._own_function(model, '_renew_rule_objects(bigint[])',
         'Brings the objects that rules place along axes (NULL: along all) up to date'),
         streetgen._own_function(model, '_take_from_rules(bigint[])',

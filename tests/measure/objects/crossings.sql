@@ -4,10 +4,11 @@ CREATE INDEX ON mapped USING gist (geom);
 CREATE TEMPORARY TABLE found (place integer, rule text, geom geometry);
 INSERT INTO :"model".placement_rule (rule_id, type, along, side, distance_from_limit) VALUES (1, 'crossing', 'arm', 'alternating', 1);
 INSERT INTO found SELECT 1, 'each arm of three, 1 m from the limit', geom FROM :"model".street_object WHERE type = 'crossing';
-UPDATE :"model".placement_rule SET kind = ARRAY(SELECT DISTINCT kind FROM :"model".axis WHERE kind NOT IN ('service', 'track'));
-INSERT INTO found SELECT 2, 'the same without service roads', geom FROM :"model".street_object WHERE type = 'crossing';
-UPDATE :"model".placement_rule SET kind = NULL, distance_from_limit = 2.5;
-INSERT INTO found SELECT 3, 'each arm of three, 2.5 m from the limit', geom FROM :"model".street_object WHERE type = 'crossing';
+UPDATE :"model".placement_rule SET distance_from_limit = 2.5;
+INSERT INTO found SELECT 2, 'each arm of three, 2.5 m from the limit', geom FROM :"model".street_object WHERE type = 'crossing';
+UPDATE :"model".placement_rule SET distance_from_limit = 1, kind = ARRAY(SELECT DISTINCT kind FROM :"model".axis);
+INSERT INTO found SELECT 3, 'the same of all classes, 1 m', geom FROM :"model".street_object WHERE type = 'crossing';
+UPDATE :"model".placement_rule SET kind = NULL;
 INSERT INTO found SELECT 4, 'netconvert''s guess', geom FROM :"guess";
 CREATE INDEX ON found USING gist (geom);
 SELECT '| ' || :'model', (SELECT count(*) FROM mapped), rule, count(*), (SELECT round(avg(EXISTS (SELECT FROM found g WHERE g.place = f.place AND ST_DWithin(g.geom, m.geom, 8))::integer), 3) FROM mapped m),
