@@ -8,12 +8,19 @@ CREATE TEMPORARY TABLE across AS
 SELECT m.*, CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out
 FROM :"model".junction_movement m JOIN :"model".lane i ON i.lane_id = lane_in JOIN :"model".lane o ON o.lane_id = lane_out WHERE m.plausible;
 CREATE TEMPORARY TABLE path AS
-SELECT a.*, ST_Length(a.geom) AS length, ST_Length(ST_Difference(a.geom, ST_Buffer(j.surface, 0.01, 2))) AS off,
+SELECT a.*, ST_Length(a.geom) AS length, ST_Difference(a.geom, ST_Buffer(j.surface, 0.01, 2)) AS beyond,
     greatest(pg_temp.turned(ST_PointN(line_in, -2), ST_PointN(line_in, -1), ST_PointN(a.geom, 1), ST_PointN(a.geom, 2)),
         pg_temp.turned(ST_PointN(a.geom, -2), ST_PointN(a.geom, -1), ST_PointN(line_out, 1), ST_PointN(line_out, 2))) AS jump,
     (SELECT min(pg_temp.circumradius(ST_LineInterpolatePoint(a.geom, t), ST_LineInterpolatePoint(a.geom, t + 0.25), ST_LineInterpolatePoint(a.geom, t + 0.5)))
         FROM unnest(ARRAY[0, 0.25, 0.5]) t) AS radius
 FROM across a JOIN :"model".junction j USING (junction_id);
+-- Off the junction a path may lie on ground that other streets of its level hold.
+CREATE TEMPORARY TABLE off AS
+SELECT p.junction_movement_id, ST_Length(p.beyond) AS beyond, CASE WHEN ST_Length(p.beyond) < 0.01 THEN 0 ELSE ST_Length(ST_Difference(p.beyond, ST_Buffer(g.ground, 0.01, 2))) END AS off
+FROM path p JOIN :"model".intersection i ON i.node_id = p.junction_id CROSS JOIN LATERAL (
+    SELECT coalesce(ST_Union(surface), ST_GeomFromText('POLYGON EMPTY', ST_SRID(p.geom))) AS ground FROM (
+        SELECT surface FROM :"model".section s WHERE s.level = i.level AND s.surface && p.beyond UNION ALL SELECT surface FROM :"model".intersection o WHERE o.level = i.level AND o.surface && p.beyond
+        UNION ALL SELECT surface FROM :"model".junction j WHERE j.junction_id = p.junction_id) s) g;
 CREATE TEMPORARY TABLE grouped AS
 SELECT junction_id, count(*) AS nodes FROM :"model".junction_node GROUP BY junction_id HAVING count(*) > 1;
 SELECT set_config('search_path', quote_ident(:'model') || ', ' || current_setting('search_path'), false) \g /dev/null
@@ -34,7 +41,7 @@ SELECT (SELECT count(*) FROM junction) AS junctions, (SELECT count(*) FROM group
     (SELECT count(*) FROM streetgen.check_model(:'model') WHERE rule = 'node of degree three and more without a junction') AS without_one,
     (SELECT count(*) FROM grouped JOIN junction j USING (junction_id) WHERE ST_NumGeometries(j.surface) > 1) AS in_parts,
     (SELECT count(*) FROM control_point) AS points, (SELECT count(*) FROM control_point p WHERE EXISTS (SELECT FROM edge e WHERE e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa - 1e-6 AND e.end_abscissa + 1e-6)) AS placed,
-    (SELECT count(*) FROM path) AS paths, (SELECT count(*) FILTER (WHERE jump > 1) FROM path) AS jumps, (SELECT 100 * sum(off) / nullif(sum(length), 0) FROM path) AS off,
+    (SELECT count(*) FROM path) AS paths, (SELECT count(*) FILTER (WHERE jump > 1) FROM path) AS jumps, (SELECT 100 * sum(o.off) / nullif(sum(length), 0) FROM path JOIN off o USING (junction_movement_id)) AS off, (SELECT 100 * sum(o.beyond) / nullif(sum(length), 0) FROM path JOIN off o USING (junction_movement_id)) AS beyond,
     (SELECT 100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0) FROM path WHERE abs(angle) > 20) AS tight,
     (SELECT lost || ' of ' || places FROM beside) AS lost, (SELECT rows FROM overlapping) AS overlapping;
 -- All that the source says is taken back in the end.
@@ -48,7 +55,7 @@ CREATE TEMPORARY TABLE guessed ON COMMIT DROP AS SELECT * FROM pg_temp.kinds();
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
-SELECT '| ' || :'model', junctions, grouped, most, without_one, in_parts, placed || ' of ' || points, paths, jumps, round(off::numeric, 3), round(tight, 1), lost, overlapping,
+SELECT '| ' || :'model', junctions, grouped, most, without_one, in_parts, placed || ' of ' || points, paths, jumps, round(off::numeric, 3), round(beyond::numeric, 3), round(tight, 1), lost, overlapping,
     (SELECT string_agg(format('%s %s/%s', w.kind, round(100.0 * hits / nullif(guesses, 0)), round(100.0 * hits / nullif(there, 0))), ', ' ORDER BY w.kind) FROM (
         SELECT k.kind, count(*) FILTER (WHERE g.kind = k.kind) AS hits, count(*) AS there, (SELECT count(*) FROM guessed o JOIN known USING (node_id) WHERE o.kind = k.kind) AS guesses
         FROM known k JOIN guessed g USING (node_id) GROUP BY k.kind) w) || ' |'
