@@ -127,6 +127,7 @@ UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 651400 6860000
 SELECT * FROM agree('a highway joined again');
 UPDATE road.ramp_editing SET length = 450;
 SELECT 'two that meet are one auxiliary lane', bool_and(auxiliary) AND (SELECT count(*) = 1 AND bool_and(start_abscissa IS NULL AND end_abscissa IS NULL) FROM merging) FROM road.ramp;
+SELECT 'each shows the length that was typed, and the lane its own', bool_and(length = 450) AND (SELECT bool_and(length > 500) FROM road.ramp) FROM road.ramp_editing;
 SELECT * FROM agree('an auxiliary lane');
 -- What somebody decided of ramps goes with a schema that is renamed and adopted.
 ALTER SCHEMA road RENAME TO moved;

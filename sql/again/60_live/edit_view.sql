@@ -109,10 +109,16 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('ramp_editing', 'Edit layer: type the tangent of a ramp or the length of its merging lanes; DELETE takes back '
         'what was decided by hand',
         ARRAY['key', 'the link', 'on or off the highway', 'metres before and behind the bend into its lane',
-            'metres that merging lanes keep their width; 0: none', 'decided by hand; false takes it back',
-            'its node'],
-        $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, r.length, r.method = 'by_hand' AS by_hand, r.geom
-        FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id)$sql$, 'ramp'),
+            'metres that merging lanes keep their width, as typed or computed; 0: none',
+            'decided by hand; false takes it back', 'its node'],
+        -- What was typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
+        $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, coalesce(d.length, r.length) AS length,
+            r.method = 'by_hand' AS by_hand, r.geom
+        FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
+            SELECT o.length FROM %1$I.ramp_override o WHERE o.axis_id = e.axis_id AND o.length IS NOT NULL
+                AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+                AND (2 * o.abscissa <= e.start_abscissa + e.end_abscissa) = (e.from_node = r.node_id)
+            ORDER BY o.ramp_override_id DESC LIMIT 1) d ON r.method = 'by_hand'$sql$, 'ramp'),
     ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
         'decided by hand',
         ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below', 'from roadway to roadway, metres',
