@@ -215,6 +215,21 @@ DO $$ BEGIN
 END $$;
 SELECT 'of two chains of paths the first by place holds', test.followed('knot', 'knot_anew');
 DO $$ BEGIN PERFORM streetgen.drop_model('knot'), streetgen.drop_model('knot_anew'); END $$;
+-- A ring that is joined by hand to one junction.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ringed', 2154, subjects => '{junction,roundabout}');
+  INSERT INTO ringed.axis (axis_id, geom, width, lane_count, direction, importance, roundabout_tag) OVERRIDING SYSTEM VALUE SELECT 1 + q, ST_SetSRID(ST_MakeLine(ARRAY(SELECT ST_MakePoint(650000 + 14 * cosd(90 * q + 11.25 * i), 6860000 + 14 * sind(90 * q + 11.25 * i)) FROM generate_series(0, 8) i)), 2154), 6, 1, 'direct', 3, 'roundabout' FROM generate_series(0, 3) q;
+  INSERT INTO ringed.axis (axis_id, geom, width, lane_count, importance) OVERRIDING SYSTEM VALUE SELECT 5 + q, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 14 * cosd(90 * q), 6860000 + 14 * sind(90 * q)), ST_MakePoint(650000 + 100 * cosd(90 * q), 6860000 + 100 * sind(90 * q))), 2154), 7, 2, 3 FROM generate_series(0, 3) q;
+  UPDATE ringed.junction_edge_editing SET inside = true WHERE edge_id IN (SELECT edge_id FROM ringed.edge WHERE axis_id <= 4);
+END $$;
+SELECT 'a ring joined to one junction is a roundabout', count(*) = 1 AND bool_and(kind = 'roundabout' AND (SELECT count(*) = 4 FROM ringed.junction_node n WHERE n.junction_id = j.junction_id)) FROM ringed.junction j WHERE method = 'grouped';
+SELECT 'who comes yields', count(*) = 12 AND bool_and(rule = 'yield') FROM ringed.right_of_way;
+SELECT 'paths go round it without a kink', count(*) = 12 AND max((SELECT max(degrees(acos(greatest(-1, least(1, cos(ST_Azimuth(p, q) - ST_Azimuth(q, r))))))) FROM (SELECT geom AS p, lead(geom) OVER w AS q, lead(geom, 2) OVER w AS r FROM ST_DumpPoints(m.geom) WINDOW w AS (ORDER BY path)) t WHERE r IS NOT NULL)) < 20
+  FROM ringed.junction_movement m WHERE plausible;
+UPDATE ringed.junction_editing SET kind = 'signals' WHERE kind = 'roundabout';
+UPDATE ringed.junction_editing SET kind = 'roundabout' WHERE kind = 'signals';
+SELECT 'and may be one by hand', count(*) = 1 FROM ringed.junction WHERE kind = 'roundabout' AND method = 'by_hand';
+DO $$ BEGIN PERFORM streetgen.drop_model('ringed'); END $$;
 -- Carriageways so near to each other that corners on both sides of a median run into each other.
 DO $$ BEGIN
   PERFORM streetgen.create_model('near', 2154, subjects => '{junction}');

@@ -83,10 +83,11 @@ DECLARE
     hint text;
 BEGIN
     EXECUTE format($sql$
-SELECT count(*) AS arms, coalesce(bool_or(%2$s), false) AS on_ring FROM %1$I.junction_node m
+SELECT count(*) FILTER (WHERE i.edge_id IS NULL) AS arms, coalesce(bool_or(%2$s), false) AS on_ring
+FROM %1$I.junction_node m
     JOIN (SELECT *, from_node AS node_id FROM %1$I.edge UNION ALL SELECT *, to_node FROM %1$I.edge) e USING (node_id)
-    LEFT JOIN %1$I.axis a USING (axis_id)
-WHERE m.junction_id = $1 AND NOT EXISTS (SELECT FROM %1$I.junction_edge i WHERE i.edge_id = e.edge_id)
+    LEFT JOIN %1$I.axis a USING (axis_id) LEFT JOIN %1$I.junction_edge i ON i.edge_id = e.edge_id
+WHERE m.junction_id = $1
 $sql$, model, streetgen._on_ring(model)) INTO found USING junction;
     hint := CASE WHEN kind = 'end' AND found.arms <> 1 THEN 'An end has one arm.'
         WHEN kind = 'continuation' AND found.arms <> 2 THEN 'A continuation has two arms.'

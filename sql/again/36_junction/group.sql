@@ -126,13 +126,19 @@ BEGIN
     RETURN ARRAY(
         WITH member AS MATERIALIZED (
             SELECT m.node_id, m.junction_id FROM unnest(members) m WHERE m.node_id IN (SELECT unnest(region))),
+        -- A ring that lies in one junction makes it a roundabout, though no arm lies on it.
+        ring AS MATERIALIZED (
+            SELECT m.junction_id FROM unnest(members) m JOIN {model}.edge e ON e.edge_id = m.edge_id
+                LEFT JOIN (SELECT axis_id, roundabout_tag FROM {model}.axis) a USING (axis_id)
+            WHERE m.role IS NOT NULL AND {on_ring}),
         arm AS MATERIALIZED (
             SELECT j.junction_id, array_agg(ROW (e.edge_id, a.kind, e.importance, e.speed,
                 CASE WHEN at_start THEN e.width ELSE e.width_end END,
                 CASE WHEN at_start THEN lanes_backward ELSE lanes_forward END + lanes_both,
                 CASE WHEN at_start THEN lanes_forward ELSE lanes_backward END + lanes_both,
                 90 - degrees(streetgen._direction_from(e.geom, CASE WHEN at_start THEN 'start' ELSE 'end' END)),
-                control, {on_ring})::streetgen.junction_arm ORDER BY e.edge_id, at_start) AS arms,
+                control, {on_ring} OR j.junction_id IN (SELECT r.junction_id FROM ring r))::streetgen.junction_arm
+                ORDER BY e.edge_id, at_start) AS arms,
                 bool_or(control IS NOT NULL) AS controlled
             FROM unnest(members) m JOIN {model}.edge e ON e.edge_id = m.edge_id CROSS JOIN LATERAL (
                 VALUES (e.from_node, true, m.control_from), (e.to_node, false, m.control_to)) v(node_id, at_start,
