@@ -59,8 +59,8 @@ struct Block {
   // covered: no ground is left; axis_bound: where a street has no roadway of the level its axis
   // bounds the block; robust_fallback: kerbs are missing, or cross.
   Method method = Method::hypothesis;
-  // False where a street beside it has no kerb among those given, where a ring of kerbs has a gap,
-  // and where axes bound it: it then depends on kerbs of any street about it.
+  // False where a ring of kerbs has a gap, and where axes bound it: it then depends on kerbs of any
+  // street about it.
   bool has_all_kerbs = true;
 };
 

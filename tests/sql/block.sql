@@ -148,3 +148,20 @@ DO $$ BEGIN
   UPDATE mixed.axis SET geom = 'SRID=2154;LINESTRING(649995.8476 6860022.532,650059.0260000001 6860062.7822)' WHERE axis_id = 6;
 END $$;
 SELECT 'and one at the end of another level is bound by axes', (SELECT array_agg(method) @> '{axis_bound}' FROM mixed.block) AND test.followed('mixed', 'mixed_anew');
+DO $$ BEGIN
+  DELETE FROM mixed.axis;
+  INSERT INTO mixed.axis (axis_id, geom, width, level) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650000 6860060)', 6, -1);
+  INSERT INTO mixed.axis (axis_id, geom, width, level) VALUES (2, 'SRID=2154;LINESTRING(650000 6860000,650060 6860000)', 6, 0);
+END $$;
+SELECT 'the first street of the ground faces the outside, though it begins at one below', count(*) = 2 AND bool_and(block_id IS NULL) FROM mixed.block_edge;
+
+-- What a run looks at: of 5 by 5 blocks of 50 m, within reach of the street in the middle lie nearly all.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('grid', 2154, subjects => '{block}');
+  INSERT INTO grid.axis (axis_id, geom, width) SELECT 100 * y + x, ST_MakeLine(ST_SetSRID(ST_MakePoint(650000 + 50 * x, 6860000 + 50 * y), 2154), ST_SetSRID(ST_MakePoint(650050 + 50 * x, 6860000 + 50 * y), 2154)), 6 FROM generate_series(0, 4) x, generate_series(0, 5) y
+    UNION ALL SELECT 1000 + 100 * y + x, ST_MakeLine(ST_SetSRID(ST_MakePoint(650000 + 50 * x, 6860000 + 50 * y), 2154), ST_SetSRID(ST_MakePoint(650000 + 50 * x, 6860050 + 50 * y), 2154)), 6 FROM generate_series(0, 5) x, generate_series(0, 4) y;
+END $$;
+SELECT 'a run over nothing changed looks at the two blocks beside its street', (SELECT count(*) = 25 FROM grid.block) AND inserted + updated + deleted = 0 AND unchanged = 2 FROM streetgen.generate('grid', '{203}') WHERE relation = 'block';
+CREATE TEMPORARY TABLE before AS SELECT block_id, xmin AS writer, ST_AsBinary(surface) AS surface FROM grid.block;
+UPDATE grid.axis SET width = 9 WHERE axis_id = 203;
+SELECT 'a width writes the blocks whose ground moved and no other', count(*) FILTER (WHERE b.xmin <> writer) BETWEEN 2 AND 6 AND bool_and((b.xmin <> writer) = (ST_AsBinary(b.surface) <> before.surface)) FROM grid.block b JOIN before USING (block_id);

@@ -14,9 +14,9 @@ COMMENT ON FUNCTION streetgen._blocks(bigint[], bytea[], bigint[], text[], boole
     'numbered from 1 in the order of their smallest places. kept: sides of the edges, or parts of these, beside faces '
     'that stay as they are; such faces do not come out. places and kinds: decided by hand. Each block has its ground '
     '(MULTIPOLYGON, EWKB) and the sides about it: edge, left or right of it, the ring (1 goes about the block), and '
-    'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, each edge about it has a '
-    'kerb, and no axis bounds it. The last row, number 0, has the sides that lie in no block. Lists of different '
-    'length: 2202E; NULL in one: 22004; bad geometry, or a number out of its range: 22023.';
+    'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, and no axis bounds '
+    'it. The last row, number 0, has the sides that lie in no block. Lists of different length: 2202E; NULL in one: '
+    '22004; bad geometry, or a number out of its range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_statement(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -36,14 +36,20 @@ street AS MATERIALIZED (
         row_number() OVER (ORDER BY e.axis_id, e.start_abscissa) AS number
     FROM ground, {model}.edge e
     WHERE e.level = ground.level AND ({whole} OR e.edge_id = ANY (ARRAY(SELECT edge_id FROM old_side
-        UNION SELECT edge_id FROM {model}.edge WHERE axis_id = ANY ($2))))),
+        UNION SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = ANY ($2)
+            AND (SELECT true FROM {model}.block_edge b WHERE b.edge_id = n.edge_id LIMIT 1) IS NULL)))),
 kept AS MATERIALIZED (
     SELECT b.edge_id, b.side, b.start_abscissa, b.end_abscissa
     FROM street s, LATERAL (SELECT * FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
     WHERE NOT {whole} AND coalesce(b.block_id, 0) <> ALL ($1)),
--- A place without its edges, where kerbs are asked for by place.
+-- Kerbs that others contest may lie beside an edge that they are not of. Those near streets that begin in one cell
+-- are looked up together.
+cell AS MATERIALIZED (
+    SELECT ST_SetSRID(ST_Expand(ST_Extent(geom)::geometry, 50), {srid}) AS box FROM street WHERE NOT $3
+    GROUP BY floor(ST_XMin(geom) / 200), floor(ST_YMin(geom) / 200)),
+-- All of a place, where a ring has a gap else.
 extent AS MATERIALIZED (
-    SELECT ST_Expand(ST_Extent(geom)::geometry, 200) AS extent FROM street WHERE $3),
+    SELECT ST_SetSRID(ST_Expand(ST_Extent(geom)::geometry, 200), {srid}) AS extent FROM street WHERE $3),
 beside AS MATERIALIZED (
     SELECT k.edge_id, k.side, k.method, k.geom
     FROM ground, street s, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = s.edge_id {by_key}) k
@@ -55,8 +61,11 @@ beside AS MATERIALIZED (
         LATERAL (SELECT level FROM {model}.edge e WHERE e.edge_id = k.edge_id {by_key}) e
     WHERE k.level = ground.level AND k.edge_id NOT IN (SELECT edge_id FROM street) AND e.level <> ground.level
         AND NOT $3
+    UNION ALL (SELECT DISTINCT ON (k.kerb_id) k.edge_id, k.side, k.method, k.geom FROM ground, cell, LATERAL (
+        SELECT * FROM {model}.kerb k WHERE k.geom && cell.box {by_key}) k
+    WHERE k.level = ground.level AND k.method = 'contested' AND k.edge_id NOT IN (SELECT edge_id FROM street))
     UNION ALL SELECT k.edge_id, k.side, k.method, k.geom FROM ground, extent, LATERAL (
-        SELECT * FROM {model}.kerb k WHERE {whole} OR k.geom && ST_SetSRID(extent, {srid}) {by_key}) k
+        SELECT * FROM {model}.kerb k WHERE {whole} OR k.geom && extent {by_key}) k
     WHERE k.level = ground.level AND $3),
 found AS MATERIALIZED (
     SELECT b.* FROM ground g,
@@ -77,8 +86,10 @@ found AS MATERIALIZED (
             FROM {model}.block_override) o,
         LATERAL streetgen._blocks(s.ids, s.lines, k.edges, k.sides, k.contested, k.change_level, k.lines, t.edges,
             t.lefts, t.starts, t.ends, o.x, o.y, o.kinds, g.island_area, g.strip_width, g.strip_elongation) b),
--- Without all kerbs nothing is written: they are then asked for by place.
-given AS MATERIALIZED (SELECT $3 OR coalesce(bool_and(has_all_kerbs), true) AS whole FROM found),
+-- Without all kerbs nothing is written: they are then asked for by place. What an axis bounds depends on blocks across.
+given AS MATERIALIZED (
+    SELECT $3 OR coalesce(bool_and(has_all_kerbs), true) AND NOT EXISTS (SELECT FROM {model}.block
+        WHERE block_id = ANY ($1) AND method = 'axis_bound') AS whole FROM found),
 found_side AS MATERIALIZED (
     SELECT f.number, s.edge_id, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, s.start_abscissa,
         s.end_abscissa, s.ring, s.ordinality::integer AS ordinality
@@ -135,9 +146,9 @@ UNION ALL SELECT 'block_edge', (SELECT count(*) FROM changed_side WHERE fresh),
 FROM given WHERE given.whole$part$, places) $$;
 COMMENT ON FUNCTION streetgen._block_statement(jsonb) IS
     'The statement that computes and writes blocks: of all of a model, or those of an array of ids ($1; 0: what lies '
-    'in no block) with new edges of an array of axes ($2); kerbs are looked up by edges, or by place ($3). A row for '
-    'each of the two tables: relation, inserted, updated, deleted, unchanged, fallbacks; none, and nothing written, '
-    'where kerbs are missing that a look by place may find.';
+    'in no block) with the edges of an array of axes ($2) that are new; kerbs are looked up by edges, or by place '
+    '($3). A row for each of the two tables: relation, inserted, updated, deleted, unchanged, fallbacks; none, and '
+    'nothing written, where kerbs are missing that a look by place may find.';
 
 CREATE OR REPLACE FUNCTION streetgen._renew_all_blocks(model name)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
@@ -188,15 +199,23 @@ SELECT DISTINCT s.axis_id, coalesce(b.block_id, 0) FROM street s LEFT JOIN LATER
         ON true
 WHERE b.there OR e.edge_id IS NULL$sql$, model);
         renewed := format($sql$
+    IF blocks = '{}' THEN
+        RETURN QUERY SELECT t::text, 0::bigint, 0::bigint, 0::bigint, 0::bigint, 0::bigint
+            FROM unnest('{block,block_edge}'::text[]) t;
+        RETURN;
+    END IF;
     FOREACH by_place IN ARRAY ARRAY[false, true] LOOP
-        FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %s LOOP
+        IF by_place THEN
+            blocks := ARRAY(SELECT unnest(blocks) UNION SELECT block_id FROM %2$I._touched_blocks(axes));
+        END IF;
+        FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %1$s LOOP
             found := true;
             RETURN NEXT;
         END LOOP;
         EXIT WHEN found;
     END LOOP;$sql$, regexp_replace(regexp_replace(regexp_replace(
             streetgen._block_statement(streetgen._upsert_places(model, 'part')),
-            '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'));
+            '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'), model);
     END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._touched_blocks(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
@@ -224,7 +243,8 @@ END $body$ $sql$, model, renewed);
         'The blocks at the edges of axes, at the nodes of these edges, and at the place of an axis that lies alone, '
         'beside the axis; 0: what lies in no block'),
         streetgen._own_function(model, '_renew_blocks(bigint[], bigint[])',
-        'Computes and writes the blocks that were touched before axes were written, a row per table');
+        'Computes and writes blocks that changed, or came with new edges of the axes that were written, a row per '
+        'table');
 END $$;
 COMMENT ON FUNCTION streetgen._make_block_functions(name) IS
     'Makes the functions of a model that tell which blocks a run may change, and renew them; in a model without '

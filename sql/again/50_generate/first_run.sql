@@ -202,8 +202,8 @@ BEGIN
             PERFORM streetgen._truncate_results(model);
         END IF;
     END IF;
-    RETURN QUERY SELECT * FROM streetgen._upsert_set(model, NULL, NULL, NULL,
-        CASE back WHEN '{}' THEN 'whole' ELSE 'empty' END);
+    RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, u.fallbacks
+        FROM streetgen._upsert_set(model, NULL, NULL, NULL, CASE back WHEN '{}' THEN 'whole' ELSE 'empty' END) u;
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;

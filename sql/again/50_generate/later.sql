@@ -32,5 +32,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._update_later(name, bigint[], bigint[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings the subjects up to date that it does not write; '
-    'a row per table. blocks: those that the axes touched before, 0 for what lies in no block. edges: those whose '
+    'a row per table. blocks: those that the statement changed, 0 for what lies in no block. edges: those whose '
     'bridges the axes could change before.';

@@ -59,6 +59,7 @@ BEGIN
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
     END LOOP;
+    parts := parts || streetgen._moved_blocks(places);
     -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be
     -- put there the planner looks through all of them.
     RETURN 'WITH RECURSIVE ' || array_to_string(parts || streetgen._upsert_report(places), ',') || E'\n'
@@ -69,11 +70,13 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS
     'whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all '
         'three '
     'are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, '
-    'updated, deleted, unchanged, fallbacks.';
+    'updated, deleted, unchanged, fallbacks, and beside kerbs the blocks that a run for some axes leaves to be '
+    'renewed.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[],
     run text, may_spread boolean DEFAULT true)
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
+        blocks bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by
     -- hash.
@@ -86,7 +89,7 @@ DECLARE
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     -- What fails within a loop's query does not show it whole, a thousand lines of CONTEXT.
-    FOR relation, inserted, updated, deleted, unchanged, fallbacks
+    FOR relation, inserted, updated, deleted, unchanged, fallbacks, blocks
         IN EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, run))
             USING written, gathered, changed, may_spread LOOP
         RETURN NEXT;
@@ -106,14 +109,15 @@ BEGIN
     -- is far; its joins stand in their order.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], may_spread boolean)
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
+        blocks bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET random_page_cost = 0.01 SET join_collapse_limit = 1
         SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
-    FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %2$s LOOP
+    FOR relation, inserted, updated, deleted, unchanged, fallbacks, blocks IN %2$s LOOP
         RETURN NEXT;
     END LOOP;
 END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, 'part')));
@@ -146,19 +150,18 @@ DECLARE
     spreads_to bigint[];
     locked record;
     blocks bigint[] := '{}';
+    moved bigint[];
     edges bigint[] := '{}';
 BEGIN
     LOOP
-        EXECUTE format('SELECT ARRAY(SELECT unnest($1) UNION SELECT block_id FROM %I._touched_blocks($2))', model)
-            INTO blocks USING blocks, written;
         edges := edges || streetgen._edges_at_bridges(model, written);
-        IF cardinality(changed) > most_planned THEN
-            RETURN QUERY SELECT * FROM streetgen._upsert_set(model, written, gathered, changed, 'part',
-                may_spread);
-        ELSE
-            RETURN QUERY EXECUTE format('SELECT * FROM %I._upsert($1, $2, $3, $4)', model) USING written, gathered,
-                changed, may_spread;
-        END IF;
+        FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN EXECUTE format('SELECT * FROM '
+                || CASE WHEN cardinality(changed) > most_planned
+                THEN 'streetgen._upsert_set(%L, $1, $2, $3, ''part'', $4)' ELSE '%I._upsert($1, $2, $3, $4)' END, model)
+                USING written, gathered, changed, may_spread LOOP
+            blocks := blocks || moved;
+            RETURN NEXT;
+        END LOOP;
         EXIT WHEN NOT may_spread;
         EXECUTE format('SELECT %I._spreads_to($1)', model) INTO spreads_to USING written;
         EXIT WHEN spreads_to = '{}';

@@ -27,13 +27,15 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, '
-        'fallbacks FROM count_%1$s', relation, gone_each, gone_with), E' UNION ALL\n' ORDER BY place)
+        'fallbacks, %4$s FROM count_%1$s', relation, gone_each, gone_with, CASE
+            WHEN relation = 'kerb' AND streetgen._moved_blocks(places) IS NOT NULL
+            THEN 'ARRAY(SELECT block_id FROM moved_block)'
+            ELSE 'NULL::bigint[]' END), E' UNION ALL\n' ORDER BY place)
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
-    (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint$part$
+    (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint, NULL$part$
     FROM streetgen._computed_table() WHERE key IS NOT NULL AND places -> 'subjects' ? subject
         AND subject <> ALL (streetgen._later_subjects()) $$;
 COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
     'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those '
-        'computed '
-    'have a method other than hypothesis.';
+    'computed have a method other than hypothesis; beside kerbs the blocks to be renewed.';

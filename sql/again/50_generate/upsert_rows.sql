@@ -73,7 +73,7 @@ gone_{relation} AS (
         AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT updated + unchanged
         FROM count_{relation})) AND {id} = ANY (ARRAY(
         SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh)))
-            RETURNING 1)$part$ END,
+            RETURNING {id})$part$ END,
         streetgen._upsert_row_places(places, relation, columns, rows, named, there, read))
     FROM (SELECT places ->> 'run' AS run) r $$;
 COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, text, boolean) IS
@@ -86,7 +86,7 @@ COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, tex
     'others. read: another part reads all columns of the rows. new_relation has all columns of the query (of a '
     'whole model only where they changed; in an empty one none but id and method, unless named or read), id,'
     ' fresh (not there yet) and changed (fresh ones too), count_relation says '
-    'how many, and of how many method is other than hypothesis (fallbacks), gone_relation has a row for each that is '
+    'how many, and of how many method is other than hypothesis (fallbacks), gone_relation has the id of each that is '
     'gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_row_places(places jsonb, relation text, columns text, rows text,

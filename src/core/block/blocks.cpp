@@ -167,10 +167,7 @@ class BlockFinder {
     int number = 0;
     for (const FaceRing& ring : found_.faces[f].rings) {
       ++number;
-      for (const EdgeSide& side : ring.sides) {
-        block.sides.push_back({side, number});
-        if (!has_kerb_[side.edge]) block.has_all_kerbs = false;
-      }
+      for (const EdgeSide& side : ring.sides) block.sides.push_back({side, number});
     }
     bool fallback = lacks_kerbs_[f];
     if (const auto divided = divided_.find(f); divided != divided_.end()) {
