@@ -43,19 +43,34 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_rows() RETURNS text
             JOIN sidewalk_kerb k ON k.number = w.number$part$ $$;
 COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of sidewalks behind the kerbs sidewalk_kerb.';
 
--- The kerbs of an edit. A sidewalk depends on kerbs as near as two sidewalks are wide, and on the widths at the ends
--- of the corners beside it.
+-- Along kerbs without a width of their own a width leads from one to the other, however many there are.
+CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format($part$
+    SELECT k.kerb_id, k.leads FROM (%2$s) p, sidewalk_reach r, LATERAL (
+        SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+        WHERE k.geom && ST_Expand(p.geom, r.metres) AND ST_DWithin(k.geom, p.geom, r.metres) OFFSET 0) k
+    UNION SELECT k.kerb_id, k.leads FROM %1$s n, LATERAL (
+        SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
+        SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+        WHERE k.geom && ST_Expand(p.geom, 1e-6) AND ST_DWithin(k.geom, p.geom, 1e-6) OFFSET 0) k
+    WHERE n.leads$part$, name, places) $$;
+COMMENT ON FUNCTION streetgen._kerbs_near(text, text) IS
+    'The query, by its own name, of the kerbs of a model before a run that lie as near to places (a query of geom) as '
+    'two sidewalks are wide, and of those that these lead on to.';
+
+-- The kerbs of an edit.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$
 sidewalk_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right
     FROM new_edge),
+-- Kerbs that moved or went, as they were.
 former_kerb AS MATERIALIZED (
-    SELECT k.* FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
-        WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k WHERE e.kerbs_affected AND NOT e.fresh
-    UNION ALL SELECT k.* FROM new_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
-    WHERE n.kerbs_affected AND NOT n.fresh AND k.edge_id IN (SELECT edge_id FROM kerb_edge)
+    SELECT k.*
+    FROM (SELECT kerb_id FROM new_kerb WHERE changed AND NOT fresh UNION ALL SELECT kerb_id FROM gone_kerb) c,
+        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = c.kerb_id OFFSET 0) k
     -- Of a node and of an edge that go. The kerb of another corner may take the row.
     UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
     UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
@@ -67,51 +82,26 @@ sidewalk_reach AS MATERIALIZED (
     FROM sidewalk_edge),
 -- Where a kerb came, went or moved, or its width is another.
 moved_kerb AS MATERIALIZED (
-    SELECT geom, node_id, edge_id FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
+    SELECT geom FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
         WHERE axis_id IN (SELECT unnest($3)))
-    UNION ALL SELECT geom, node_id, edge_id FROM former_kerb WHERE kerb_id NOT IN (SELECT kerb_id FROM new_kerb
-        WHERE NOT changed)
-    UNION ALL SELECT k.geom, k.node_id, k.edge_id FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
+    UNION ALL SELECT geom FROM former_kerb
+    UNION ALL SELECT k.geom FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
         WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
     WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
-moved_node AS MATERIALIZED (
-    SELECT node_id FROM moved_kerb WHERE node_id IS NOT NULL
-    UNION SELECT unnest(ARRAY[e.from_node, e.to_node]) FROM new_edge e WHERE e.edge_id IN (SELECT edge_id
-        FROM moved_kerb)),
 -- Kerbs that stay as they are, and whose sidewalks may be others.
-near_kerb AS MATERIALIZED (
-    SELECT DISTINCT k.kerb_id FROM moved_kerb m, sidewalk_reach r, LATERAL (SELECT kerb_id FROM {model}.kerb k
-        WHERE k.geom && ST_Expand(m.geom, r.metres) AND ST_DWithin(k.geom, m.geom, r.metres) OFFSET 0) k
-    UNION SELECT k.kerb_id FROM moved_node n, LATERAL (SELECT kerb_id FROM {model}.kerb k
-        WHERE k.node_id = n.node_id OFFSET 0) k
-    UNION SELECT k.kerb_id FROM moved_node n, LATERAL (
-        SELECT edge_id FROM {model}.edge e WHERE e.from_node = n.node_id
-        UNION SELECT edge_id FROM {model}.edge e WHERE e.to_node = n.node_id OFFSET 0) e,
-        LATERAL (SELECT kerb_id FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k),
+near_kerb AS ($part$ || streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb') || $part$),
 wanted_kerb AS MATERIALIZED (
-    SELECT NULL::bigint AS kerb_id, edge_id, node_id, level, side, part, geom, method FROM new_kerb
+    SELECT NULL::bigint AS kerb_id, edge_id, node_id, level, side, part, geom, method FROM new_kerb WHERE changed
     UNION ALL SELECT k.kerb_id, k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method FROM near_kerb n,
         LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) k
     WHERE k.kerb_id NOT IN (SELECT kerb_id FROM former_kerb)),
--- They are computed with the kerbs near them, and with the widths on both sides of the corners at their ends.
-wanted_node AS MATERIALIZED (
-    SELECT DISTINCT n.node_id FROM (SELECT DISTINCT edge_id FROM wanted_kerb) w, LATERAL (
-        SELECT unnest(ARRAY[from_node, to_node]) AS node_id FROM {model}.edge e WHERE e.edge_id = w.edge_id OFFSET 0) n
-    UNION SELECT unnest(ARRAY[from_node, to_node]) FROM new_edge),
-beside_kerb AS MATERIALIZED (
-    SELECT DISTINCT k.kerb_id FROM wanted_kerb w, sidewalk_reach r, LATERAL (SELECT kerb_id FROM {model}.kerb k
-        WHERE k.geom && ST_Expand(w.geom, r.metres) OFFSET 0) k
-    UNION SELECT k.kerb_id FROM wanted_node n, LATERAL (SELECT kerb_id FROM {model}.kerb k
-        WHERE k.node_id = n.node_id OFFSET 0) k
-    UNION SELECT k.kerb_id FROM wanted_node n, LATERAL (
-        SELECT edge_id FROM {model}.edge e WHERE e.from_node = n.node_id
-        UNION SELECT edge_id FROM {model}.edge e WHERE e.to_node = n.node_id OFFSET 0) e,
-        LATERAL (SELECT kerb_id FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
-    EXCEPT SELECT kerb_id FROM former_kerb
-    EXCEPT SELECT kerb_id FROM wanted_kerb WHERE kerb_id IS NOT NULL),
+-- They are computed with the kerbs near them.
+beside_kerb AS ($part$ || streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM wanted_kerb') || $part$),
 standing_kerb AS MATERIALIZED (
     SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM wanted_kerb
-    UNION ALL SELECT k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method, false FROM beside_kerb b,
+    UNION ALL SELECT k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method, false
+    FROM (SELECT kerb_id FROM beside_kerb EXCEPT SELECT kerb_id FROM former_kerb
+            EXCEPT SELECT kerb_id FROM wanted_kerb) b,
         LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = b.kerb_id OFFSET 0) k),
 sidewalk_kerb AS MATERIALIZED ($part$ || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
         SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM sidewalk_edge

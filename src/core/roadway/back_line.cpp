@@ -33,8 +33,7 @@ Line corner_between(const std::vector<KerbSegment>& segments, const BackSide& a,
                     const BackSide& b) {
   const KerbSegment &first = segments[a.segment], &second = segments[b.segment];
   if (same(first.to, second.from)) {
-    const Point before = unit(first.to - first.from), after = unit(second.to - second.from);
-    if (is_outer_bend(before, after)) {
+    if (is_outer_bend(first.along, second.along)) {
       Line bend{a.to};
       append_arc(bend, second.from, a.to, b.from, false, bend_quarter);
       bend.push_back(b.from);
@@ -54,8 +53,8 @@ class Corners {
       : segments_(segments) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
       if (!passed.bounds_back[i]) continue;
-      const auto& [from, to, width_from, width_to, kerb] = segments[i];
-      const Point normal = left_normal(unit(to - from));
+      const auto& [from, to, width_from, width_to, kerb, along] = segments[i];
+      const Point normal = left_normal(along);
       const Point begin = from + normal * width_from, end = to + normal * width_to;
       sides_.push_back({static_cast<int>(i), begin, end, unit(end - begin), {}});
     }
@@ -64,7 +63,8 @@ class Corners {
     for (int i = 0; i < count(); ++i) leave_out(i);
   }
 
-  void append_to(Line& line, std::vector<int>& segment_of) const {
+  void append_to(Line& line, std::vector<int>& segment_of,
+                 std::vector<std::pair<Point, Point>>& side_of) const {
     for (const BackSide& side : sides_) {
       if (!side.there) continue;
       Line places = side.start;
@@ -74,7 +74,9 @@ class Corners {
       for (const Point& place : places) {
         line.push_back(place);
         segment_of.push_back(side.segment);
+        side_of.emplace_back(place, place);
       }
+      side_of[line.size() - (side.next < 0 ? 2 : 1)] = {side.from, side.to};
     }
   }
 
@@ -115,7 +117,15 @@ class Corners {
 BackLine::BackLine(const std::vector<KerbSegment>& segments, const FrontPassed& passed,
                    bool is_closed)
     : is_closed_(is_closed) {
-  Corners(segments, passed, is_closed).append_to(line_, segment_of_);
+  Corners(segments, passed, is_closed).append_to(line_, segment_of_, side_of_);
+}
+
+// Told by the line behind the segment, which stays the same where its neighbours cut it.
+Point BackLine::crossing(const Point& from, const Point& ahead, int vertex) const {
+  auto [a, b] = side_of_[vertex];
+  if (same(a, b)) b = line_[(vertex + 1) % count()];
+  const double side_a = cross(ahead, a - from), side_b = cross(ahead, b - from);
+  return a + (b - a) * (side_a / (side_a - side_b));
 }
 
 std::optional<BackLine::Place> BackLine::meeting(const Line& way, int segment) const {
@@ -136,7 +146,7 @@ std::optional<BackLine::Place> BackLine::meeting(const Line& way, int segment) c
         const Point &a = line_[i], &b = line_[(i + 1) % count()];
         const double side_a = cross(ahead, a - way[w - 1]), side_b = cross(ahead, b - way[w - 1]);
         if ((side_a < 0) == (side_b < 0)) continue;
-        const Point place = a + (b - a) * (side_a / (side_a - side_b));
+        const Point place = crossing(way[w - 1], ahead, i);
         const double share = dot(place - way[w - 1], ahead) / dot(ahead, ahead);
         const double slack = rounding / norm(ahead);
         if (share < -slack || share > 1 + slack || (first && share >= least)) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "roadway/kerb_front.hpp"
@@ -27,9 +28,13 @@ class BackLine {
 
  private:
   int count() const { return static_cast<int>(line_.size()); }
+  // Where a way crosses what follows a vertex.
+  Point crossing(const Point& from, const Point& ahead, int vertex) const;
 
   Line line_;
-  std::vector<int> segment_of_;  // that a vertex lies behind
+  std::vector<int> segment_of_;                   // that a vertex lies behind
+  std::vector<std::pair<Point, Point>> side_of_;  // the line behind it, as long as the segment;
+                                                  // within a bend the vertex twice
   bool is_closed_;
 };
 

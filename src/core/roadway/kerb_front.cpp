@@ -42,15 +42,18 @@ class Front {
         const Point& after)
       : segments_(segments), sides_(segments.size()) {
     passed_.grounds.resize(segments.back().kerb + 1);
+    strips_.resize(passed_.grounds.size());
     passed_.bounds_back.assign(segments.size(), true);
     for (int i = 0; i < count(); ++i) {
       Side& side = sides_[i];
-      side.along = unit(segments_[i].to - segments_[i].from);
+      side.along = segments_[i].along;
       side.normal = left_normal(side.along);
       side.start = {segments_[i].from, side.normal, 0};
       side.end = {segments_[i].to, side.normal, 0};
+      ++strip(i).sides;
       widest_ = std::max({widest_, segments_[i].width_from, segments_[i].width_to});
     }
+    tell_reach(is_closed);
     for (int i = 1; i < count(); ++i) join(i - 1, i, segments_[i].from, 0);
     if (is_closed) {
       join(count() - 1, 0, segments_[0].from, 0);
@@ -69,9 +72,10 @@ class Front {
       meetings_.pop();
       if (sides_[side].there && sides_[side].version == version) meet(side, time);
     }
-    for (KerbGround& ground : passed_.grounds) ground.is_open = false;
     for (int i = 0; i < count() && !met_all_; ++i)
       if (sides_[i].there) leave_open(i);
+    for (std::size_t k = 0; k < strips_.size(); ++k)
+      passed_.grounds[k].is_open = strips_[k].sides > 0;
     return std::move(passed_);
   }
 
@@ -84,6 +88,13 @@ class Front {
     bool there = true;
     int version = 0;
   };
+  // What the front passes beyond the widths of a strip and its neighbours tells nothing of it, so
+  // that a strip is the same whichever kerbs are given farther off.
+  struct Strip {
+    double reach = 0;
+    int sides = 0;  // that the front does not lose within it
+    bool start_told = false, end_told = false;
+  };
   using Meeting = std::tuple<double, int, int>;  // time, side, its version
 
   static bool ends_aslant(const Point& before, const Point& after) {
@@ -91,6 +102,21 @@ class Front {
   }
   int count() const { return static_cast<int>(sides_.size()); }
   KerbGround& ground(int side) { return passed_.grounds[segments_[side].kerb]; }
+  Strip& strip(int side) { return strips_[segments_[side].kerb]; }
+  void tell_reach(bool is_closed) {
+    const std::size_t many = strips_.size();
+    std::vector<double> widest(many);
+    for (const KerbSegment& segment : segments_)
+      widest[segment.kerb] = std::max({widest[segment.kerb], segment.width_from, segment.width_to});
+    for (std::size_t k = 0; k < many; ++k) {
+      const std::size_t next = k + 1 < many ? k + 1 : is_closed ? 0 : k;
+      strips_[k].reach = std::max({strips_[k].reach, widest[k], widest[next]});
+      strips_[next].reach = std::max({strips_[next].reach, widest[k], widest[next]});
+    }
+  }
+  void cannot_tell(int side, double time) {
+    if (time < strip(side).reach) ground(side).whole = false;
+  }
   bool goes_round(int side) const { return side >= 0 && sides_[side].goes_round; }
   const Point& normal_before(int i) const { return sides_[(i + count() - 1) % count()].normal; }
   bool of_one_kerb(int side, int other) const {
@@ -98,8 +124,8 @@ class Front {
   }
 
   double width_at(int i, const Point& at) const {
-    const auto& [from, to, width_from, width_to, kerb] = segments_[i];
-    const double share = dot(at - from, sides_[i].along) / distance(from, to);
+    const auto& [from, to, width_from, width_to, kerb, along] = segments_[i];
+    const double share = dot(at - from, along) / distance(from, to);
     return width_from + (width_to - width_from) * std::clamp(share, 0.0, 1.0);
   }
 
@@ -111,7 +137,7 @@ class Front {
       if (time == 0)
         b.goes_round = true;
       else  // What lies between them has been passed before.
-        ground(before).whole = ground(after).whole = false;
+        for (const int each : {before, after}) cannot_tell(each, time);
     } else {
       a.end = b.start = {at, bisecting_speed(a.normal, b.normal), time};
     }
@@ -140,26 +166,30 @@ class Front {
     const Point at = slower.place(time);
     note_meeting(l, i, r, at, time);
     if (!of_one_kerb(l, i)) {
-      if (l >= 0) ground(l).end.push_back(at);
-      ground(i).start.push_back(at);
+      if (l >= 0) tell_end(l, at, time);
+      tell_start(i, at, time);
     }
     if (!of_one_kerb(i, r)) {
-      ground(i).end.push_back(at);
-      if (r >= 0) ground(r).start.push_back(at);
+      tell_end(i, at, time);
+      if (r >= 0) tell_start(r, at, time);
     }
     side.there = false;
+    if (time < strip(i).reach) --strip(i).sides;
     passed_.bounds_back[i] = time >= width_at(i, at);
     if (l >= 0 && r >= 0) {
       met_all_ = l == sides_[r].next && !goes_round(l);
-      for (const int last : {l, r})
-        if (met_all_) passed_.bounds_back[last] = time >= width_at(last, at);
+      for (const int last : {l, r}) {
+        if (!met_all_) break;
+        passed_.bounds_back[last] = time >= width_at(last, at);
+        if (time < strip(last).reach) --strip(last).sides;
+      }
       join(l, r, at, time);
     } else if (l >= 0) {
       sides_[l].next = -1;
-      sides_[l].end = {at, go_on(side.end.speed, l), time};
+      sides_[l].end = {at, go_on(side.end.speed, l, time), time};
     } else if (r >= 0) {
       sides_[r].previous = -1;
-      sides_[r].start = {at, go_on(side.start.speed, r), time};
+      sides_[r].start = {at, go_on(side.start.speed, r, time), time};
     }
     if (l >= 0) expect(l);
     if (r >= 0) expect(r);
@@ -187,25 +217,35 @@ class Front {
   }
 
   // Along the end of the chain.
-  Point go_on(const Point& speed, int side) {
+  Point go_on(const Point& speed, int side, double time) {
     const double away = dot(speed, sides_[side].normal);
     if (away * fastest > norm(speed)) return speed * (1 / away);
-    ground(side).whole = false;
+    cannot_tell(side, time);
     return sides_[side].normal;
   }
 
+  // The ways that bound the ground of a kerb lead to where the front meets, or beyond its strip.
+  void tell_start(int i, const Point& at, double time) {
+    if (strip(i).start_told) return;
+    const bool leads_beyond = time >= strip(i).reach;
+    strip(i).start_told = leads_beyond;
+    ground(i).start.push_back(!leads_beyond   ? at
+                              : goes_round(i) ? segments_[i].from + normal_before(i) * beyond
+                                              : sides_[i].start.place(beyond));
+  }
+  void tell_end(int i, const Point& at, double time) {
+    if (strip(i).end_told) return;
+    strip(i).end_told = time >= strip(i).reach;
+    ground(i).end.push_back(strip(i).end_told ? sides_[i].end.place(beyond) : at);
+  }
   void leave_open(int i) {
-    const Side& side = sides_[i];
-    KerbGround& ground = this->ground(i);
-    ground.is_open = true;
-    if (!of_one_kerb(side.previous, i))
-      ground.start.push_back(goes_round(i) ? segments_[i].from + normal_before(i) * beyond
-                                           : side.start.place(beyond));
-    if (!of_one_kerb(i, side.next)) ground.end.push_back(side.end.place(beyond));
+    if (!of_one_kerb(sides_[i].previous, i)) tell_start(i, {}, beyond);
+    if (!of_one_kerb(i, sides_[i].next)) tell_end(i, {}, beyond);
   }
 
   const std::vector<KerbSegment>& segments_;
   std::vector<Side> sides_;
+  std::vector<Strip> strips_;  // of kerbs
   FrontPassed passed_;
   double widest_ = 0;
   bool met_all_ = false;  // nothing is left before a closed front

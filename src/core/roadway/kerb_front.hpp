@@ -12,6 +12,7 @@ struct KerbSegment {
   Point from, to;  // distinct
   double width_from = 0, width_to = 0;
   int kerb = 0;  // that it belongs to: consecutive ones for consecutive segments
+  Point along;   // unit vector, of all the straight piece of kerb that it is part of
 };
 
 // What the front passes behind one kerb.
@@ -19,7 +20,7 @@ struct KerbGround {
   // What bounds it beside the kerb before and the one after: from the kerb on, to where another
   // kerb lies behind it, or farther than any strip is wide.
   Line start, end;
-  bool is_open = true;  // none lies behind it
+  bool is_open = true;  // none lies behind it, as far as its strip is wide
   bool whole = true;    // otherwise the front cannot tell
   bool narrow = false;  // it meets the front of a kerb across
 };

@@ -27,7 +27,8 @@ std::vector<double> widths_along(const Line& kerb, double width_start, double wi
 Ring ring_of_strip(const Line& kerb, const std::vector<double>& widths) {
   std::vector<KerbSegment> segments;
   for (std::size_t i = 1; i < kerb.size(); ++i)
-    segments.push_back({kerb[i - 1], kerb[i], widths[i - 1], widths[i], 0});
+    segments.push_back(
+        {kerb[i - 1], kerb[i], widths[i - 1], widths[i], 0, unit(kerb[i] - kerb[i - 1])});
   const FrontPassed passed = pass_front(segments, false, {}, {});
   if (!passed.grounds[0].whole) return {};
   Ring ring = ring_behind(kerb, passed.grounds[0], BackLine(segments, passed, false), 0,

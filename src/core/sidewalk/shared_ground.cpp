@@ -18,12 +18,10 @@ namespace {
 constexpr double sample_spacing = 0.5;  // metres along kerbs
 
 // The same order whatever kerbs are given beside the two.
-bool before(const Line& a, const Line& b) {
-  const auto key = [](const Line& line) {
-    return std::tuple(line[0].x, line[0].y, line[1].x, line[1].y);
-  };
-  return key(a) < key(b);
+bool before(const Point* a, const Point* b) {
+  return std::tie(a[0].x, a[0].y, a[1].x, a[1].y) < std::tie(b[0].x, b[0].y, b[1].x, b[1].y);
 }
+bool before(const Line& a, const Line& b) { return before(a.data(), b.data()); }
 
 void sample(const Line& line, const Box& within, double margin, bool first,
             std::vector<Site>& sites) {
@@ -134,6 +132,7 @@ bool SharedGround::left_of(const Point& place, const Side& side) const {
   return std::abs(turn) <= straight_sine * norm(before) * norm(after) ? left : turn < 0;
 }
 
+// Of two sides that meet in the nearest place the same one tells, whatever kerbs are given.
 bool SharedGround::on_roadway(const Point& place, int kerb) const {
   const Side* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -142,7 +141,8 @@ bool SharedGround::on_roadway(const Point& place, int kerb) const {
     const Line& line = kerbs_[side.kerb].line;
     if (kerbs_[side.kerb].level != kerbs_[kerb].level) return;
     const double away = distance_to_segment(place, line[side.segment - 1], line[side.segment]);
-    if (away >= least || distance(line[side.segment - 1], line[side.segment]) == 0) return;
+    if (away > least || distance(line[side.segment - 1], line[side.segment]) == 0) return;
+    if (away == least && !before(ends_of(side), ends_of(*nearest))) return;
     least = away;
     nearest = &side;
   });
@@ -160,14 +160,13 @@ std::vector<int> SharedGround::in_order_of_place(std::vector<int> kerbs) const {
 void SharedGround::append_kerbs(int kerb, std::vector<LineView>& lines) const {
   std::vector<const Point*> sides;
   side_index_.each_near(grounds_[kerb].box(), 0, [&](int i) {
-    const Point* from = &kerbs_[sides_[i].kerb].line[sides_[i].segment - 1];
+    const Point* from = ends_of(sides_[i]);
     if (kerbs_[sides_[i].kerb].level == kerbs_[kerb].level &&
         grounds_[kerb].comes_near(from[0], from[1]))
       sides.push_back(from);
   });
-  std::sort(sides.begin(), sides.end(), [](const Point* a, const Point* b) {
-    return std::tie(a[0].x, a[0].y, a[1].x, a[1].y) < std::tie(b[0].x, b[0].y, b[1].x, b[1].y);
-  });
+  std::sort(sides.begin(), sides.end(),
+            [](const Point* a, const Point* b) { return before(a, b); });
   for (const Point* side : sides) lines.emplace_back(side, 2);
 }
 

@@ -32,6 +32,7 @@ class SharedGround {
   };
   bool bounds(int kerb, int other) const;
   bool on_roadway(const Point& place, int kerb) const;
+  const Point* ends_of(const Side& side) const { return &kerbs_[side.kerb].line[side.segment - 1]; }
   bool left_of(const Point& place, const Side& side) const;
   std::vector<int> in_order_of_place(std::vector<int> kerbs) const;
   void append_kerbs(int kerb, std::vector<LineView>& lines) const;

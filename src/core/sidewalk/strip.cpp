@@ -22,11 +22,13 @@ namespace {
 struct WidthCourse {
   Line line;
   std::vector<double> widths;
+  std::vector<Point> alongs;  // that the kerb comes from, towards each
 
-  void add(const Point& point, double width) {
+  void add(const Point& point, double width, const Point& along) {
     if (!line.empty() && distance(line.back(), point) == 0 && widths.back() == width) return;
     line.push_back(planar(point));
     widths.push_back(width);
+    alongs.push_back(along);
   }
 };
 
@@ -41,16 +43,17 @@ double width_of(const std::vector<WidthKnot>& knots, double at) {
 
 WidthCourse course_of(const Line& line, const std::vector<WidthKnot>& knots) {
   WidthCourse course;
-  course.add(line[0], knots.front().width);
+  course.add(line[0], knots.front().width, {});
   double before = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double at = before + distance(line[i - 1], line[i]);
+    const Point along = at > before ? unit(line[i] - line[i - 1]) : Point{};
     for (const WidthKnot& knot : knots)
       if (knot.abscissa > before + same_place && knot.abscissa < at - same_place)
         course.add(
             line[i - 1] + (line[i] - line[i - 1]) * ((knot.abscissa - before) / (at - before)),
-            knot.width);
-    course.add(line[i], i + 1 == line.size() ? knots.back().width : width_of(knots, at));
+            knot.width, along);
+    course.add(line[i], i + 1 == line.size() ? knots.back().width : width_of(knots, at), along);
     before = at;
   }
   return course;
@@ -68,13 +71,14 @@ void append_piece(Ring ring, std::vector<MultiPolygon>& pieces) {
 
 // For any line: a piece behind each segment, and one about each outer bend.
 MultiPolygon united_pieces(const WidthCourse& course, const Point& came) {
-  const auto& [line, widths] = course;
+  const auto& [line, widths, alongs] = course;
   std::vector<MultiPolygon> pieces;
   Point before = came;
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (distance(line[i - 1], line[i]) == 0) continue;
     const Point& at = line[i - 1];
-    const Point along = unit(line[i] - at), normal = left_normal(along);
+    const Point& along = alongs[i];
+    const Point normal = left_normal(along);
     const double width = widths[i - 1];
     if (cross(before, along) < -straight_sine) {
       const Point first = at + left_normal(before) * width;
@@ -129,10 +133,11 @@ class Strips {
     for (std::size_t k = 0; k < chain.size(); ++k) {
       begins.push_back(static_cast<int>(segments.size()));
       courses.push_back(course_of(kerbs_[chain[k]].line, chains_.widths(chain[k])));
-      const auto& [line, widths] = courses.back();
+      const auto& [line, widths, alongs] = courses.back();
       for (std::size_t i = 1; i < line.size(); ++i)
         if (distance(line[i - 1], line[i]) > 0)
-          segments.push_back({line[i - 1], line[i], widths[i - 1], widths[i], static_cast<int>(k)});
+          segments.push_back(
+              {line[i - 1], line[i], widths[i - 1], widths[i], static_cast<int>(k), alongs[i]});
     }
     begins.push_back(static_cast<int>(segments.size()));
     const bool is_closed = chain.size() > 1 && chains_.next(chain.back()) == first;

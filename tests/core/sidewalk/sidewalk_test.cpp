@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -262,6 +263,45 @@ TEST(Sidewalk, OfRandomBlocksLieInsideAndOverlapNowhere) {
         << round;
     all.erase(all.begin());
     EXPECT_NEAR(area(geos.polygons(geos.unite(all).get())), sum, 1e-4 * area(ground)) << round;
+  }
+}
+
+// An edit gives the kerbs near those that it moved, a run all of them.
+TEST(Sidewalk, IsTheSameWhicheverKerbsAreGivenFartherOff) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int round = 0; round < 60; ++round) {
+    const int corners = 24;
+    Line block;
+    for (int i = 0; i <= corners; ++i) {
+      const double t = 2 * M_PI * i / corners, r = 20 + 4 * share(random);
+      block.push_back({6.5e5 + r * std::cos(t), 6.86e6 + r * std::sin(t), 0});
+    }
+    block.back() = block.front();
+    std::vector<SidewalkKerb> kerbs;
+    for (int i = 0; i < corners; ++i)
+      kerbs.push_back(kerb({block[i], block[i + 1]}, 1 + 2 * share(random)));
+    const auto all = find_sidewalks(kerbs, 5);
+    for (int i = 0; i < corners; ++i) {
+      std::vector<SidewalkKerb> near;
+      int own = -1;
+      for (int j = 0; j < corners; ++j) {
+        const Line &line = kerbs[j].line, &from = kerbs[i].line;
+        if (std::min({distance_to_line(line[0], from), distance_to_line(line[1], from),
+                      distance_to_line(from[0], line), distance_to_line(from[1], line)}) > 6.01)
+          continue;
+        if (j == i) own = static_cast<int>(near.size());
+        near.push_back(kerbs[j]);
+      }
+      const Sidewalk one = of_kerb(find_sidewalks(near, 5), own), &same = of_kerb(all, i);
+      ASSERT_EQ(one.surface.size(), same.surface.size()) << round << ' ' << i;
+      for (std::size_t p = 0; p < one.surface.size(); ++p) {
+        const Ring &ring = one.surface[p][0], &other = same.surface[p][0];
+        ASSERT_EQ(ring.size(), other.size()) << round << ' ' << i;
+        for (std::size_t v = 0; v < ring.size(); ++v)
+          EXPECT_TRUE(ring[v].x == other[v].x && ring[v].y == other[v].y) << round << ' ' << i;
+      }
+    }
   }
 }
 

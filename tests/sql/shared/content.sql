@@ -27,6 +27,9 @@ BEGIN
     || CASE WHEN to_regclass(format('%I.kerb', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
       FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.sidewalk', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'sidewalk', e.axis_id, e.start_abscissa, n.geom::text, s.side, s.part, s.width, s.method, s.surface::text)
+      FROM @.sidewalk s JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text)
       FROM @.block b JOIN @.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN @.edge e USING (edge_id)
