@@ -31,6 +31,23 @@ SELECT 'sidewalks of the left sides lie on the block, the others on none', count
 SELECT 'the interior of a block is its ground less its sidewalks', count(*) = 1 AND bool_and(abs(ST_Area(b.surface) - ST_Area(i.geom) - w.area) < 1e-6) FROM quad.block b JOIN quad.block_interior i USING (block_id)
   JOIN (SELECT block_id, sum(ST_Area(surface)) AS area FROM quad.sidewalk JOIN quad.sidewalk_block USING (sidewalk_id) GROUP BY 1) w USING (block_id);
 
+-- The island of a roundabout that the source names. Ring 1 runs with the traffic, counter-clockwise, ring 2 against it; 3 is a loop.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('rings', 2154, subjects => '{sidewalk}');
+  INSERT INTO rings.axis (axis_id, geom, width, direction, roundabout_tag)
+    SELECT i, pg_temp.line(CASE i WHEN 2 THEN 'LINESTRING(415 0,400 -15,385 0,400 15,415 0)' ELSE format('LINESTRING(%1$s 0,%2$s -15,%3$s 0,%2$s 15,%1$s 0)', 200 * i - 15, 200 * i, 200 * i + 15) END), 6,
+      CASE i WHEN 2 THEN 'reverse' ELSE 'direct' END, CASE WHEN i < 3 THEN 'roundabout' END FROM generate_series(1, 3) i;
+END $$;
+CREATE FUNCTION pg_temp.sides(axis bigint) RETURNS text LANGUAGE sql AS $$ SELECT string_agg(DISTINCT side, ' ' ORDER BY side) FROM rings.sidewalk JOIN rings.edge USING (edge_id) WHERE axis_id = axis AND side IN ('left', 'right') $$;
+SELECT 'the island of a roundabout has no sidewalk', (pg_temp.sides(1), pg_temp.sides(2), pg_temp.sides(3)) = ('right', 'left', 'left right');
+UPDATE rings.axis SET sidewalk_left = 1.5 WHERE axis_id = 1;
+SELECT 'but where its axis says so', pg_temp.sides(1) = 'left right';
+UPDATE rings.axis SET roundabout_tag = NULL WHERE axis_id = 2;
+SELECT 'a loop that is called a roundabout no more has one', pg_temp.sides(2) = 'left right';
+SELECT FROM streetgen.set('rings', 'driving_side', 'left'), streetgen.generate('rings', wait => true);
+UPDATE rings.axis SET sidewalk_left = NULL, roundabout_tag = 'circular' WHERE axis_id = 3;
+SELECT 'where one drives on the left traffic goes round the other way', pg_temp.sides(3) = 'left';
+
 -- Edits: as from scratch, and no row without need.
 CREATE FUNCTION pg_temp.sidewalks(model name) RETURNS SETOF text LANGUAGE plpgsql AS $$ BEGIN
   RETURN QUERY EXECUTE format('SELECT concat_ws('' '', axis_id, round(start_abscissa::numeric, 3), side, part, s.width, method, ST_AsText(ST_Normalize(ST_SnapToGrid(surface, 0.0001)))) FROM %1$I.sidewalk s JOIN %1$I.edge USING (edge_id)', model);
@@ -75,6 +92,10 @@ UPDATE town.axis SET kind = 'motorway', sidewalk_left = NULL, sidewalk_right = N
 SELECT 'a motorway has none', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND node_id IS NULL AND side IN ('left', 'right'));
 UPDATE town.axis SET sidewalk_left = 2 WHERE axis_id = 2;
 SELECT 'unless it says so', count(*) = 1 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
+UPDATE town.axis SET kind = 'Bretelle' WHERE axis_id = 2;
+SELECT 'nor has a ramp of BD TOPO but where it says so', count(*) FILTER (WHERE side = 'left') = 1 AND count(*) FILTER (WHERE side = 'right') = 0 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND node_id IS NULL;
+SELECT 'motorways of BD TOPO and their links have none', bool_and(streetgen.estimated_sidewalk(1, k, '{3}') = 0) AND streetgen.estimated_sidewalk(1, 'Route à 1 chaussée', '{3}') = 3
+  FROM unnest(ARRAY['Autoroute', 'Quasi-autoroute', 'Type autoroutier', 'Bretelle']) k;
 UPDATE town.axis SET sidewalk_left = 50, sidewalk_right = 50;
 SELECT 'sidewalks wider than their blocks are what the roadways leave', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error')
   AND (SELECT coalesce(sum(ST_Area(ST_Intersection(s.surface, r.surface))), 0) < 1e-3 FROM town.sidewalk s JOIN town.roadway r ON ST_Intersects(s.surface, r.surface) AND r.level = 0 JOIN town.edge e ON e.edge_id = s.edge_id AND e.level = 0);

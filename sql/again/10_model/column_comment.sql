@@ -37,7 +37,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
         'from lane_count and width'),
     ('axis', 'flow', 'vehicles an hour, of both directions; NULL: unknown'),
     ('axis', 'sidewalk_left', 'width of the sidewalk on the left of geom, metres; 0: none; NULL: estimated, by setting '
-        'sidewalk_by_importance'),
+        'sidewalk_by_importance; none on the island of a roundabout by roundabout_tag'),
     ('axis', 'sidewalk_right', 'the same on the right of geom'),
     ('axis', 'kind_forward',
         'kinds of all lanes along geom, such as general|bus|cycle|parking, from left to right; NULL: general lanes '

@@ -95,16 +95,19 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
-           -- Sidewalks, flows and lane changes are the seed, so that it stays the same where nothing is said of them.
+           -- Sidewalks, flows, lane changes and tags of roundabouts are the seed, so that it stays the same where
+           -- nothing is said of them.
            CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
+           # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END)
            AS input_hash,
-       setting_hash, coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
-       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right,
+       setting_hash,
+       coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
+       coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset
 FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
@@ -127,7 +130,8 @@ LEFT JOIN (
            streetgen._by_importance((max(value) FILTER (WHERE name = 'sidewalk_by_importance'))::jsonb)
                AS sidewalks,
            streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor,
-           bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count
+           bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count,
+           max(value) FILTER (WHERE name = 'driving_side') AS driving_side
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
 LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
@@ -185,7 +189,9 @@ LEFT JOIN LATERAL (
                    HAVING true) t ON true
 LEFT JOIN LATERAL (
     SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), kind, sidewalks)
-        AS sidewalk_usual HAVING true) f ON true
+        AS sidewalk_usual,
+        streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side)
+            AS island_side HAVING true) f ON true
 -- What these leave to the lanes of one direction.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0

@@ -80,14 +80,31 @@ COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
     'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
     'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._is_walked_along(kind text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(kind !~ '^(motorway|motorway_link|trunk_link|runway|taxiway|Autoroute|Quasi-autoroute|'
+        'Type autoroutier|Bretelle)$', true);
+COMMENT ON FUNCTION streetgen._is_walked_along(text) IS
+    'Whether people walk along streets of a class: not along motorways and their links, by the words of OpenStreetMap '
+    'or BD TOPO, nor along runways. NULL counts as a street.';
+
+CREATE OR REPLACE FUNCTION streetgen._island_side(roundabout_tag text, direction text, driving_side text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN roundabout_tag IS NOT NULL AND direction <> 'both'
+        THEN CASE WHEN (direction = 'direct') = (driving_side <> 'left') THEN 'left' ELSE 'right' END END;
+COMMENT ON FUNCTION streetgen._island_side(text, text, text) IS
+    'On which side of its axis a roundabout has its island, left or right. NULL where the source names no roundabout, '
+    'or no direction of the traffic that goes round.';
+
 CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, kind text, widths float8[]) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN kind ~ '^(motorway|motorway_link|trunk_link|runway|taxiway)$' THEN 0
+    RETURN CASE WHEN NOT streetgen._is_walked_along(kind) THEN 0
         ELSE coalesce(streetgen._of_importance(importance, widths), 0) END;
 COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, text, float8[]) IS
     'Width in metres of the sidewalk on each side of an axis that says none, from its importance (1 the highest) and '
     'the widths from importance 1 on, the last also for what is less important. 0 for the kinds motorway, '
-    'motorway_link, trunk_link, runway and taxiway, and for an importance that is NULL. An argument that is NULL is '
+    'motorway_link, trunk_link, runway, taxiway, Autoroute, Quasi-autoroute, Type autoroutier and Bretelle, and for '
+    'an importance that is NULL. An argument that is NULL is '
     'unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer

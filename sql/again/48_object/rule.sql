@@ -50,8 +50,8 @@ COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen._is_crossed_on_foot(kind text) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(kind !~ '^(motorway|motorway_link|trunk_link|runway|taxiway|service|track|path|footway|cycleway|'
-        'steps|Autoroute|Quasi-autoroute|Type autoroutier|Bretelle|Chemin|Sentier|Escalier|Piste cyclable)$', true);
+    RETURN streetgen._is_walked_along(kind) AND coalesce(kind !~ '^(service|track|path|footway|cycleway|steps|Chemin|'
+        'Sentier|Escalier|Piste cyclable)$', true);
 COMMENT ON FUNCTION streetgen._is_crossed_on_foot(text) IS
     'Whether pedestrian crossings are built on streets of a class where a rule names none: not on motorways and their '
     'links, nor on service ways and paths. NULL counts as a street.';
