@@ -109,7 +109,7 @@ placed AS MATERIALIZED (
         CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
         types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
         places[4 * i - 1] AS heading, places[4 * i] AS width
-    FROM drawn, unnest(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
+    FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
         v(at_end, places)),
 way_road AS MATERIALIZED (
     SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
@@ -164,7 +164,7 @@ lane_text AS (
                 FROM generate_series(1, stations) k)) END
         || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards, i > lefts) || '</lane>' AS text
     FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
-        CROSS JOIN generate_series(1, cardinality(lanes)) i
+        CROSS JOIN streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
         LEFT JOIN line_between m ON (m.edge_id, m.lane_position)
             = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
 lanes_text AS (
@@ -172,7 +172,7 @@ lanes_text AS (
         string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) AS on_right
     FROM lane_text GROUP BY road_id),
 -- The lane farthest to the left comes first.
-across AS (
+across AS MATERIALIZED (
     SELECT l.road_id, '<left>' || nullif(concat(a.text, l.on_left), '') || '</left>' AS on_left,
         '<right>' || nullif(concat(l.on_right, b.text), '') || '</right>' AS on_right
     FROM lanes_text l LEFT JOIN sidewalk_lane a ON (a.road_id, a.side) = (l.road_id, 'left')
