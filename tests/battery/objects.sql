@@ -75,9 +75,9 @@ DECLARE
 BEGIN
   SELECT furnish.near(ST_LineInterpolatePoint(geom, random()), 10) INTO place FROM town.axis ORDER BY random() LIMIT 1;
   SELECT street_object_id INTO standing FROM town.shelter ORDER BY random() LIMIT 1;
-  CASE floor(random() * 9)
-    WHEN 0 THEN INSERT INTO town.shelter (geom, length) VALUES (place, 2 + 4 * random());
-    WHEN 1 THEN INSERT INTO town.street_object_editing (type, geom) VALUES ('shelter', place);
+  CASE floor(random() * 12)
+    WHEN 0, 9, 10 THEN INSERT INTO town.shelter (geom, length) VALUES (place, 2 + 4 * random());
+    WHEN 1, 11 THEN INSERT INTO town.street_object_editing (type, geom) VALUES ('shelter', place);
     WHEN 2 THEN UPDATE town.shelter SET length = 2 + 4 * random() WHERE street_object_id = standing;
     WHEN 3 THEN UPDATE town.shelter SET geom = furnish.near(geom, 5) WHERE street_object_id = standing;
     WHEN 4 THEN UPDATE town.street_object_editing SET geom = furnish.near(geom, 5) WHERE street_object_id = standing;
