@@ -10,10 +10,16 @@
 // before + ramp - after lanes are missing behind the node; where one leaves, after + ramp - before
 // are missing before it, less the lanes marked for both ways on.  So many merging lanes, at most as
 // many as the ramp has, lie outside of the highway's lanes on the side of the ramp.
+//
+// They run along the highway over each node that only joins two of its edges: no other edge is
+// there, the highway bends by less than 30 degrees, and has the same lanes and the same width.  Where
+// it changes, and at any other node, they end.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,6 +44,7 @@ struct RampLanes {
 };
 
 constexpr double steepest_ramp = 0.5;  // cosine of the angle between a link and its highway
+constexpr double longest_taper = 300;  // metres, of a merging lane
 
 struct RampAxis {
   std::int64_t axis_id = 0;
@@ -72,23 +79,39 @@ struct RampRules {
 
 // Lanes that lie beside the others on a stretch of an edge only: as wide as all of them together
 // between full_from and full_to, linear from and to nothing outside.  Abscissas in metres along the
-// edge; where from and full_from are equal, or full_to and to, they end at the limit of the edge.
+// edge, beyond its ends where the lanes lie on the next edge too.  They end at the limit of the edge
+// there, and where from and full_from are equal, or full_to and to.
 struct MergingStretch {
   int side = -1;  // of the edge: +1 left, -1 right
   int lanes = 1;
   double width = 0;  // metres, of all of them
   double from = 0, full_from = 0, full_to = 0, to = 0;
+  // Before and beyond the section the width stays as it is at its limits.
+  double section_from = -std::numeric_limits<double>::infinity();
+  double section_to = std::numeric_limits<double>::infinity();
   bool along_axis = true;  // their traffic
-  // Whether traffic comes upon the highway where they begin, and whether it leaves where they end.
+  // Whether traffic comes upon the highway where they begin, and whether it leaves where they end, be
+  // that on this edge or on another one.
   bool enters = false, leaves = false;
+  // Whether they lie on the edge at the start of this one too, and on that at its end.
+  bool comes_on = false, goes_on = false;
 
-  bool begins_at_limit() const { return from == full_from; }
-  bool ends_at_limit() const { return full_to == to; }
+  bool begins_at_limit() const { return comes_on || from == full_from; }
+  bool ends_at_limit() const { return goes_on || full_to == to; }
   double width_at(double abscissa) const {
+    abscissa = std::clamp(abscissa, section_from, section_to);
     if (abscissa < from || abscissa > to) return 0;
     if (abscissa < full_from) return width * (abscissa - from) / (full_from - from);
     if (abscissa > full_to) return width * (to - abscissa) / (to - full_to);
     return width;
+  }
+  // Abscissas between which the width is linear.
+  std::vector<double> places() const {
+    std::vector<double> places{from, full_from, full_to, to};
+    for (double& place : places) place = std::clamp(place, section_from, section_to);
+    if (comes_on) places.push_back(section_from);
+    if (goes_on) places.push_back(section_to);
+    return places;
   }
   // The same, seen from the other end of an edge of that length.
   MergingStretch turned(double length) const;

@@ -125,6 +125,54 @@ UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 650780 6860000
 SELECT * FROM agree('a highway cut short');
 UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 651400 6860000)' WHERE axis_id = 2;
 SELECT * FROM agree('a highway joined again');
+-- A highway in pieces: its lanes go on over nodes of two edges.
+UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 650660 6860000)' WHERE axis_id = 2;
+INSERT INTO road.axis (axis_id, geom, width, lane_count, direction, kind, speed) VALUES
+    (7, 'SRID=2154;LINESTRING(650660 6860000, 650720 6860000)', 10.5, 3, 'direct', 'motorway', 100),
+    (8, 'SRID=2154;LINESTRING(650720 6860000, 651400 6860000)', 10.5, 3, 'direct', 'motorway', 100);
+CREATE VIEW on_lane AS SELECT axis_id, l.start_abscissa, l.end_abscissa, l.turn, l.geom FROM merging l WHERE ST_XMax(geom) < 651000;
+SELECT 'a lane goes on over nodes of two edges', (SELECT (lanes_merging, cut) = (1, false) FROM road.ramp WHERE kind = 'on') AND array_agg(axis_id ORDER BY axis_id) = '{2,7,8}'
+    AND abs(sum(ST_Length(geom)) - 60 - sqrt((30 * 3.5) ^ 2 + 1.75 ^ 2)) < 0.001 FROM on_lane;
+SELECT 'it ends once', array_agg((start_abscissa IS NULL, end_abscissa IS NULL, turn)::text ORDER BY axis_id) = '{"(t,t,merge_to_left)","(t,t,merge_to_left)","(t,f,merge_to_left)"}' FROM on_lane;
+SELECT 'the lanes lie end to end', ST_NumGeometries(ST_LineMerge(ST_Collect(geom))) = 1 AND abs(ST_Length(ST_LineMerge(ST_Collect(geom))) - 60 - sqrt((30 * 3.5) ^ 2 + 1.75 ^ 2)) < 0.001 FROM on_lane;
+SELECT 'traffic stays in its lane over a node', count(*) = 2 FROM road.interconnection i JOIN merging a ON a.lane_id = lane_in JOIN merging b ON b.lane_id = lane_out WHERE plausible;
+SELECT 'in SUMO too', count(*) = 2 FROM (SELECT (xpath('/connection/@from', line::xml))[1]::text AS f, (xpath('/connection/@to', line::xml))[1]::text AS t, (xpath('/connection/@fromLane', line::xml))[1]::text AS lane
+    FROM streetgen.export_sumo('road', 'connections') WHERE line LIKE '%<connection %') c
+    JOIN road.edge e ON f ~ ('^' || e.edge_id || '(\.|$)') WHERE axis_id IN (2, 7) AND lane = '0' AND t !~ ('^' || e.edge_id || '(\.|$)');
+SELECT streetgen.create_model('pieces', 2154, subjects => '{ramp}') \g /dev/null
+INSERT INTO pieces.axis SELECT * FROM road.axis WHERE axis_id NOT IN (3, 5);
+SELECT 'in OpenDRIVE its three pieces and what joins them are entries, and each leads to the next', count(*) FILTER (WHERE line LIKE '%type="entry"%') = 5 AND sum(cardinality(regexp_split_to_array(line, 'from="-4" to="-')) - 1) = 2
+    FROM streetgen.export_opendrive('pieces');
+SELECT 'nothing is wrong with a highway in pieces', NOT EXISTS (SELECT FROM streetgen.check_model('road') WHERE severity <> 'notice' OR rule ~ 'merging');
+SELECT * FROM agree('a highway in pieces');
+UPDATE road.ramp_editing SET length = 130 WHERE kind = 'on';
+SELECT 'a longer lane changes further edges alone', abs(sum(ST_Length(geom)) - 130 - sqrt((30 * 3.5) ^ 2 + 1.75 ^ 2)) < 0.001 FROM on_lane;
+SELECT * FROM agree('a longer lane');
+UPDATE road.axis SET lane_count = 2, width = 7 WHERE axis_id = 7;
+SELECT 'where the highway changes it ends', (cut, lanes_merging) = (true, 1) AND (SELECT array_agg(axis_id) = '{2}' FROM on_lane) FROM road.ramp WHERE kind = 'on';
+SELECT * FROM agree('a highway that changes');
+UPDATE road.axis SET lane_count = 3, width = 10.5 WHERE axis_id = 7;
+SELECT * FROM agree('a highway as before');
+UPDATE road.axis SET geom = ST_Translate(geom, 0, 9) WHERE axis_id = 4;
+SELECT 'with its link it goes from all edges', NOT EXISTS (SELECT FROM on_lane) AND NOT EXISTS (SELECT FROM road.ramp WHERE kind = 'on');
+SELECT * FROM agree('a link that is off');
+UPDATE road.axis SET geom = ST_Translate(geom, 0, -9) WHERE axis_id = 4;
+SELECT 'and comes back with it', count(*) = 3 FROM on_lane;
+SELECT * FROM agree('a link that is on');
+SET streetgen.live = 'off';
+DELETE FROM fresh.axis;
+INSERT INTO fresh.ramp_override SELECT * FROM road.ramp_override;
+INSERT INTO fresh.axis SELECT * FROM road.axis;
+RESET streetgen.live;
+SELECT 'by clusters too', streetgen.plan_clusters('fresh', 4) > 1;
+SELECT streetgen.generate_cluster('fresh') FROM generate_series(1, 4) \g /dev/null
+SELECT 'a run by clusters as one run', test.same('road', 'fresh');
+DELETE FROM fresh.ramp_override;
+DELETE FROM road.ramp_editing WHERE by_hand;
+DELETE FROM road.axis WHERE axis_id IN (7, 8);
+UPDATE road.axis SET geom = 'SRID=2154;LINESTRING(650600 6860000, 651400 6860000)' WHERE axis_id = 2;
+SELECT * FROM agree('a highway in one piece');
+
 UPDATE road.ramp_editing SET length = 450;
 SELECT 'two that meet are one auxiliary lane', bool_and(auxiliary) AND (SELECT count(*) = 1 AND bool_and(start_abscissa IS NULL AND end_abscissa IS NULL) FROM merging) FROM road.ramp;
 SELECT 'each shows the length that was typed, and the lane its own', bool_and(length = 450) AND (SELECT bool_and(length > 500) FROM road.ramp) FROM road.ramp_editing;

@@ -132,8 +132,15 @@ BEGIN
             GROUP BY axis_id) e USING (axis_id)
         WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box
             AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
+    -- Merging lanes come along a highway from afar, from links that meet it.
+    run AS MATERIALIZED (SELECT axis_id, from_node, to_node, geom FROM %4$s),
+    run_node AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM run),
     -- With what meets it farther on: that bounds its edges.
     bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own
+        UNION ALL SELECT from_node, to_node, geom FROM %1$I.edge
+            WHERE from_node = ANY ((SELECT ids FROM run_node)::bigint[])
+        UNION ALL SELECT from_node, to_node, geom FROM %1$I.edge
+            WHERE to_node = ANY ((SELECT ids FROM run_node)::bigint[])
         UNION ALL SELECT from_node, to_node, geom FROM edge_around WHERE axis_id IN (SELECT axis_id FROM beside)),
     met AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM bounded),
     met_axis AS MATERIALIZED (
@@ -153,14 +160,16 @@ BEGIN
             (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east,
                 (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
         FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(requested)) THEN reach + widest ELSE 10 END AS margin
-            FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own) l OFFSET 0) m)
+            FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own
+                UNION ALL SELECT NULL, box3d(geom) FROM run) l OFFSET 0) m)
     SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
         UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
            (SELECT array_agg(DISTINCT cell ORDER BY cell)
                FROM box, streetgen._cell(west, south, east, north, size) cell)
         INTO gathered, cells;
     chains := ARRAY(SELECT DISTINCT key FROM %1$I._chain_keys(written));
-END $body$ $sql$, model, streetgen._reach_value(), streetgen._reach_names(model));
+END $body$ $sql$, model, streetgen._reach_value(), streetgen._reach_names(model),
+        streetgen._merging_run_of(model, 'written'));
     PERFORM streetgen._own_function(model, '_reach(bigint[])',
         'Of requested axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
         'these are computed with, the cells of all that it reads or writes, ascending, and the keys of the chains that '

@@ -34,7 +34,8 @@ box AS MATERIALIZED (
     SELECT DISTINCT floor((ST_XMin(geom) - margin) / $4)::bigint AS west,
         floor((ST_YMin(geom) - margin) / $4)::bigint AS south, floor((ST_XMax(geom) + margin) / $4)::bigint AS east,
         floor((ST_YMax(geom) + margin) / $4)::bigint AS north
-    FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near) g)
+    FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near
+        UNION ALL SELECT geom, 10 FROM %2$s) g)
 SELECT (SELECT near FROM id),
        (SELECT array_agg(DISTINCT cell ORDER BY cell)
            FROM box, streetgen._cell(west * $4, south * $4, east * $4, north * $4, $4) cell),
@@ -42,7 +43,8 @@ SELECT (SELECT near FROM id),
            FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x,
            generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
             LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
-$sql$, model) INTO near, cells, blocks USING requested, written, reach + widest, size;
+$sql$, model, streetgen._merging_run_of(model, '$1 || $2')) INTO near, cells, blocks
+    USING requested, written, reach + widest, size;
     -- Of an axis that is gone without a trace nothing is to be locked.
     near := near || requested || written;
     cells := coalesce(cells, '{}');
@@ -92,12 +94,19 @@ around AS MATERIALIZED (
             FROM %1$I.axis_used u
             WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
     WHERE ST_DWithin(geom, hull, $2 + half + most)),
-beside AS MATERIALIZED (
+near AS MATERIALIZED (
     SELECT DISTINCT ON (p.axis_id) p.axis_id, p.geom FROM (
         SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line
             FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
             WHERE a.geom && ST_Expand(u.geom, $2 + u.half + most) OFFSET 0) o) p
     JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
+-- Merging lanes come along a highway from afar.
+beside AS MATERIALIZED (
+    SELECT axis_id, geom FROM near
+    UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
+        FROM %1$I.axis WHERE axis_id = ANY ($1)) h JOIN %1$I.axis a ON ST_DWithin(a.geom, hull, $5)
+    WHERE streetgen._may_be_highway(a.kind) AND a.axis_id <> ALL ($1)
+        AND a.axis_id NOT IN (SELECT axis_id FROM near)),
 -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What meets
 -- those inside lies beside them.
 met AS MATERIALIZED (
@@ -108,7 +117,8 @@ SELECT array_agg(axis_id) FROM (
     SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
     UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a
         WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
-$sql$, model) INTO gathered USING written, reach, near, widest;
+$sql$, model) INTO gathered USING written, reach, near, widest, CASE WHEN 'ramp' = ANY (streetgen._subjects(model))
+        THEN streetgen._merging_reach(model) END;
     requested := axes;
 END $$;
 COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS

@@ -272,7 +272,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._make_setting_changed(model), streetgen._make_block_functions(model),
-        streetgen._make_chain_keys(model), streetgen._make_reach(model),
+        streetgen._make_chain_keys(model), streetgen._make_merging_run(model), streetgen._make_reach(model),
         streetgen._make_upsert(model), streetgen._make_update_signals(model),
         streetgen._make_update_junctions(model), streetgen._make_renew_bridges(model),
         streetgen._make_object_triggers(model), streetgen._make_object_functions(model),

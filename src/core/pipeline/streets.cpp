@@ -9,6 +9,7 @@
 #include "roadway/find_affected.hpp"
 #include "roadway/find_ramps.hpp"
 #include "roadway/layout.hpp"
+#include "roadway/merging_lanes.hpp"
 #include "roadway/settle_limits.hpp"
 #include "roadway/solve_corners.hpp"
 #include "roadway/street_override.hpp"
@@ -36,9 +37,12 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   Layout layout(axes, settings, overrides.bends);
   check_network(layout.streets.network);
   find_ramps(layout, ramps);
-  solve_corners(layout, radii_by_hand(layout, overrides.corners));
+  give_merging_lanes(layout, ramps);
+  const RadiiByHand radii = radii_by_hand(layout, overrides.corners);
+  solve_corners(layout, radii);
   check_corners(layout.streets);
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
+  solve_joints(layout, radii);
   check_limits(layout.streets);
   const Affected moved = find_affected(layout, former);
   stay_within(layout.streets, former);

@@ -1,6 +1,8 @@
 #include "roadway/find_affected.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -84,17 +86,65 @@ class Change {
       for (const FormerEdge* edge : gone) give_up(*edge, unchanged.count(axis_id) == 0);
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
       if (kept[e] != nullptr) compare(e, *kept[e]);
-    for (const Ramp& ramp : layout_.streets.ramps)
-      if (met_[ramp.node] && ramp.missing > 0) compare_merging(ramp.merging_edge(), kept);
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      if (kept[e] != nullptr && borders_change(e, *kept[e])) move_section(e, *kept[e]);
+    compare_runs(kept);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+        if (kept[e] != nullptr && compare_borders(e, *kept[e])) changed = true;
+    }
   }
 
-  // Beyond a limit that stays, borders change with the street that goes on there.
-  bool borders_change(int e, const FormerEdge& before) const {
+  // Limits do not tell how far merging lanes go beyond them.
+  void compare_runs(const std::vector<const FormerEdge*>& kept) {
+    for (const MergingRun& run : layout_.merging_runs) {
+      const auto met = [&](int ramp) { return ramp >= 0 && met_[layout_.streets.ramps[ramp].node]; };
+      const bool moved = std::any_of(run.edges.begin(), run.edges.end(), [&](const EdgeEnd& end) {
+        return moved_.edges[end.edge];
+      });
+      if (!moved && !met(run.first_ramp) && !met(run.last_ramp)) continue;
+      for (const EdgeEnd& end : run.edges)
+        if (kept[end.edge] != nullptr) move_all(end.edge, *kept[end.edge]);
+    }
+  }
+
+  void move_all(int e, const FormerEdge& before) {
+    move_section(e, before);
+    move_end(e, edges_[e].from_node);
+    move_end(e, edges_[e].to_node);
+  }
+
+  // Beyond a limit that stays, borders change with the street that goes on there, or with a merging
+  // lane that came or went. Where they change at an end the next edge may too.
+  bool compare_borders(int e, const FormerEdge& before) {
+    const std::array nodes{edges_[e].from_node, edges_[e].to_node};
     const auto changes = [&](int node) { return met_[node] || moved_.nodes[node]; };
-    return (changes(edges_[e].from_node) || changes(edges_[e].to_node)) &&
-           section_borders(layout_, e).places != before.borders.places;
+    if (!std::any_of(nodes.begin(), nodes.end(), changes)) return false;
+    const auto &then = before.borders.places, now = section_borders(layout_, e).places;
+    if (then == now) return false;
+    const bool fresh = !moved_.edges[e];
+    move_section(e, before);
+    bool led_on = false;
+    for (const bool first : {true, false}) {
+      const int node = nodes[first ? 0 : 1];
+      if (changes(node) || as_wide_at(e, first, then, now)) continue;
+      move_end(e, node);
+      led_on = true;
+    }
+    return fresh || led_on;
+  }
+
+  // Whether two kinds of borders of an edge lie as far apart at one of its ends.
+  bool as_wide_at(int e, bool first, const std::vector<WidthProfile::Place>& then,
+                  const std::vector<WidthProfile::Place>& now) const {
+    const Arm& arm = layout_.arms[2 * e];
+    const double half = first ? arm.half_start : arm.half_end;
+    const auto at_end = [&](const std::vector<WidthProfile::Place>& places) {
+      if (places.empty())
+        return WidthProfile::Place{0, half + arm.roadway_offset, half - arm.roadway_offset};
+      return first ? places.front() : places.back();
+    };
+    const WidthProfile::Place a = at_end(then), b = at_end(now);
+    return std::abs(a.left - b.left) < rounding && std::abs(a.right - b.right) < rounding;
   }
 
   void move_section(int e, const FormerEdge& before) {
@@ -102,14 +152,6 @@ class Change {
     moved_.edges[e] = true;
     moved_.sections[e] = nullptr;
     given_up_.push_back({&before.section, false});
-  }
-
-  // Limits do not tell how far merging lanes go beyond them.
-  void compare_merging(int e, const std::vector<const FormerEdge*>& kept) {
-    if (kept[e] == nullptr) return;
-    move_section(e, *kept[e]);
-    move_end(e, edges_[e].from_node);
-    move_end(e, edges_[e].to_node);
   }
 
   // The same stretch of an axis may get another line, and the same line may be another stretch.

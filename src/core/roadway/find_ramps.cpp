@@ -5,7 +5,6 @@
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
-#include "geometry/tolerance.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/width_transition.hpp"
 
@@ -16,9 +15,7 @@ namespace {
 const double straightest = std::cos(M_PI / 6);  // of a highway past its ramp
 constexpr double look = 10;                     // metres from the node, to tell directions
 constexpr double fast = 80;                     // km/h, of a highway without a class
-constexpr double shortest = 20;                 // metres, of an edge with a merging lane
 constexpr double least_taper = 1;               // metres
-constexpr double least_taper_share = 1.0 / 3;   // of the room of a merging lane
 constexpr double friction = 0.35;               // to the side, that a driver bears on a ramp
 constexpr double gravity = 9.81;                // m/s2
 constexpr double farthest = 200;                // metres from the node where a link is beside its lane
@@ -132,9 +129,9 @@ class Finder {
     ramp.length = rules_.merging_length;
     decide(ramp);
     if (ramp.length <= 0) ramp.missing = 0, ramp.merging_width = 0;
-    ramp.taper = std::max(least_taper, taper_length(ramp.merging_width,
-                                                    std::max(before.speed, after.speed),
-                                                    layout_.settings.taper_ratio));
+    ramp.taper = std::clamp(taper_length(ramp.merging_width, std::max(before.speed, after.speed),
+                                         layout_.settings.taper_ratio),
+                            least_taper, longest_taper);
     return ramp;
   }
 
@@ -155,131 +152,6 @@ class Finder {
   const RampRules& rules_;
   std::unordered_map<std::int64_t, const RampAxis*> by_id_;
 };
-
-// The ramps that want merging lanes on one edge.
-struct Wishes {
-  Ramp *at_start = nullptr, *at_end = nullptr;
-};
-
-int side_of_edge(const Ramp& ramp) {
-  // With the traffic of the highway, which leaves the node behind an on-ramp.
-  return ramp.on == ramp.merging_at_start() ? ramp.side : -ramp.side;
-}
-
-// Two lanes that meet are one; of the others each gets its half of the room at most.
-class Room {
- public:
-  Room(Layout& layout, int edge, const Wishes& wishes, double first, double last)
-      : layout_(layout), edge_(edge), wishes_(wishes), first_(first), last_(last) {}
-
-  void give() {
-    Roadway& roadway = layout_.streets.roadways[edge_];
-    roadway.merging.clear();
-    Ramp *start = wishes_.at_start, *end = wishes_.at_end;
-    const double room = last_ - first_, total = length(layout_.arms[2 * edge_].line);
-    if (start && end && meet(*start, *end)) {
-      roadway.merging.push_back(whole(*start, *end, room, total));
-    } else {
-      const double share = start && end ? room / 2 : room;
-      if (start) roadway.merging.push_back(at_start(*start, share));
-      if (end) roadway.merging.push_back(at_end(*end, share, total));
-    }
-    layout_.arms[2 * edge_].merging = roadway.merging;
-    layout_.arms[2 * edge_ + 1].merging.clear();
-    for (const MergingStretch& stretch : roadway.merging)
-      layout_.arms[2 * edge_ + 1].merging.push_back(stretch.turned(total));
-    for (const int slot : {2 * edge_, 2 * edge_ + 1}) {
-      Arm& arm = layout_.arms[slot];
-      for (const MergingStretch& stretch : arm.merging)
-        arm.widest = std::max({arm.widest, std::max(arm.half_start, arm.half_end) + stretch.width});
-    }
-  }
-
- private:
-  // By the edge alone, so that it does not depend on limits.
-  bool meet(const Ramp& a, const Ramp& b) const {
-    return side_of_edge(a) == side_of_edge(b) && a.on != b.on &&
-           a.length + a.taper + b.length + b.taper >= length(layout_.arms[2 * edge_].line);
-  }
-
-  static MergingStretch stretch_of(Ramp& ramp) {
-    MergingStretch stretch;
-    stretch.side = side_of_edge(ramp);
-    stretch.lanes = ramp.merging = ramp.missing;
-    stretch.width = ramp.merging_width;
-    stretch.along_axis = ramp.on == ramp.merging_at_start();
-    (ramp.on ? stretch.enters : stretch.leaves) = true;
-    ramp.auxiliary = ramp.cut = false;
-    return stretch;
-  }
-
-  // The length of full width, and with the taper. Of less room the taper gives way first, down to a
-  // third of the room.
-  static std::pair<double, double> fitted(Ramp& ramp, double room) {
-    const double taper =
-        std::min(ramp.taper, std::max(room - ramp.length, room * least_taper_share));
-    const double full = std::min(ramp.length, room - taper);
-    ramp.cut = room < ramp.length + ramp.taper;
-    return {full, full + taper};
-  }
-
-  // A lane that fills its room ends at the limit itself.
-  static double ends_at(double abscissa, double limit) {
-    return std::abs(abscissa - limit) < coordinate_margin ? limit : abscissa;
-  }
-
-  // The limit beside the ramp lies within the full width.
-  MergingStretch at_start(Ramp& ramp, double room) const {
-    MergingStretch stretch = stretch_of(ramp);
-    const auto [full, all] = fitted(ramp, room);
-    stretch.full_to = first_ + full;
-    stretch.to = ends_at(first_ + all, last_);
-    ramp.full_length = full;
-    return stretch;
-  }
-
-  MergingStretch at_end(Ramp& ramp, double room, double total) const {
-    MergingStretch stretch = stretch_of(ramp);
-    const auto [full, all] = fitted(ramp, room);
-    stretch.from = ends_at(last_ - all, first_);
-    stretch.full_from = last_ - full;
-    stretch.full_to = stretch.to = total;
-    ramp.full_length = full;
-    return stretch;
-  }
-
-  static MergingStretch whole(Ramp& a, Ramp& b, double room, double total) {
-    MergingStretch stretch = stretch_of(a);
-    const MergingStretch other = stretch_of(b);
-    if (other.width > stretch.width) stretch.width = other.width;
-    stretch.lanes = std::max(stretch.lanes, other.lanes);
-    stretch.full_to = stretch.to = total;
-    stretch.enters = stretch.leaves = true;
-    for (Ramp* ramp : {&a, &b}) {
-      ramp->auxiliary = true;
-      ramp->merging = stretch.lanes;
-      ramp->full_length = room;
-    }
-    return stretch;
-  }
-
-  Layout& layout_;
-  int edge_;
-  Wishes wishes_;
-  double first_, last_;  // abscissas between which the lanes begin and end
-};
-
-// By edge, of those that are long enough.
-std::unordered_map<int, Wishes> wishes_of(Layout& layout) {
-  std::unordered_map<int, Wishes> wishes;
-  for (Ramp& ramp : layout.streets.ramps)
-    if (ramp.missing > 0 && length(layout.arms[2 * ramp.merging_edge()].line) < shortest)
-      ramp.cut = true;
-    else if (ramp.missing > 0)
-      (ramp.merging_at_start() ? wishes[ramp.merging_edge()].at_start
-                               : wishes[ramp.merging_edge()].at_end) = &ramp;
-  return wishes;
-}
 
 // Metres along the link from its node to where its middle lies beside the node as far as the
 // outermost lane of the highway, which runs straight on there; none where it does not within 200 m.
@@ -345,22 +217,9 @@ double flat_end(const Arm& link, const Arm& highway) {
 
 }  // namespace
 
-MergingStretch MergingStretch::turned(double length) const {
-  MergingStretch other = *this;
-  other.side = -side;
-  other.from = length - to;
-  other.full_from = length - full_to;
-  other.full_to = length - full_from;
-  other.to = length - from;
-  other.along_axis = !along_axis;
-  return other;
-}
-
 void find_ramps(Layout& layout, const RampRules& rules) {
   if (rules.axes.empty()) return;
   Finder(layout, rules).run();
-  for (const auto& [edge, wishes] : wishes_of(layout))
-    Room(layout, edge, wishes, 0, length(layout.arms[2 * edge].line)).give();
 }
 
 RampCorner ramp_corner(const Layout& layout, const Junction& junction, std::size_t gap) {
@@ -418,25 +277,6 @@ void extend_limits(Layout& layout) {
   for (const auto& [end, limit] : limits) {
     Arm& arm = layout.arm(end);
     arm.limit = std::max(arm.limit, limit);
-  }
-}
-
-void settle_merging_lanes(Layout& layout) {
-  for (const auto& [edge, wishes] : wishes_of(layout)) {
-    const std::vector<SectionLimit>& limits = layout.streets.limits;
-    const double first = limits[2 * edge].abscissa, last = limits[2 * edge + 1].abscissa;
-    if (limits_crossed(layout.streets, edge)) {
-      layout.streets.roadways[edge].merging.clear();
-      for (Ramp* ramp : {wishes.at_start, wishes.at_end})
-        if (ramp) ramp->cut = true, ramp->auxiliary = false, ramp->merging = 0, ramp->full_length = 0;
-      continue;
-    }
-    Room(layout, edge, wishes, first, last).give();
-    for (const bool at_start : {true, false})
-      if (at_start ? wishes.at_start : wishes.at_end) {
-        Arm& arm = layout.arm({edge, at_start});
-        arm.border = border_across(arm, arm.limit);
-      }
   }
 }
 

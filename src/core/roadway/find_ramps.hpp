@@ -5,8 +5,7 @@
 
 namespace streetgen {
 
-// Fills Streets::ramps, and gives the arms of the highways their merging lanes, as long as their
-// edges let them be.
+// Fills Streets::ramps.
 void find_ramps(Layout& layout, const RampRules& rules);
 
 // What a gap of a junction is at a ramp: the nose between the link and the highway beside it, or the
@@ -27,8 +26,5 @@ double room_on_link(const Layout& layout, const Ramp& ramp, double far_limit);
 // Once corners are known: the intersection of a ramp goes as far along link and highway as the bend
 // from the one into the other.
 void extend_limits(Layout& layout);
-
-// Once limits are known: merging lanes end before the intersection at the other end of their edge.
-void settle_merging_lanes(Layout& layout);
 
 }  // namespace streetgen

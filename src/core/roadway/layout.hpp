@@ -28,6 +28,13 @@ struct Junction {
   int transition_from() const { return ends[along].at_start ? 1 - along : along; }
 };
 
+// Edges of a highway in a row, over nodes that only join two of them, along which the merging lanes
+// of the ramps at its ends lie.
+struct MergingRun {
+  std::vector<EdgeEnd> edges;         // each by the end that comes first
+  int first_ramp = -1, last_ramp = -1;  // in Streets::ramps, at the ends of the run; -1: none
+};
+
 struct Layout {
   Layout(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
          const std::vector<RoadOverride>& overrides);
@@ -48,6 +55,7 @@ struct Layout {
   std::vector<const StreetAxis*> axes;  // by edge
   std::vector<Arm> arms;                // by slot
   std::vector<Junction> junctions;      // by node
+  std::vector<MergingRun> merging_runs;
 
  private:
   void add_arms(int edge);

@@ -109,7 +109,8 @@ class SectionTapers {
   }
 
   WidthProfile profile_of(int e) const {
-    std::set<double> abscissas{0, length(layout_.arms[2 * e].line)};
+    const double total = length(layout_.arms[2 * e].line);
+    std::set<double> abscissas{0, total};
     WidthProfile profile;
     for (const KerbTaper& taper : by_edge_[e]) {
       abscissas.insert({taper.limit, taper.until});
@@ -117,7 +118,7 @@ class SectionTapers {
           taper.beyond.edge, taper.beyond.at_start};
     }
     for (const MergingStretch& stretch : layout_.arms[2 * e].merging)
-      abscissas.insert({stretch.from, stretch.full_from, stretch.full_to, stretch.to});
+      for (const double abscissa : stretch.places()) abscissas.insert(std::clamp(abscissa, 0.0, total));
     for (const double abscissa : abscissas)
       profile.places.push_back({abscissa, half_on(e, +1, abscissa), half_on(e, -1, abscissa)});
     return profile;

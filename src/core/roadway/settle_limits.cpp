@@ -4,7 +4,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/find_ramps.hpp"
+#include "roadway/merging_lanes.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/section_taper.hpp"
 
@@ -36,6 +36,17 @@ Line border_of(const Layout& layout, int e, bool at_start) {
   return is_first ? Line{left, right} : Line{right, left};
 }
 
+void settle_borders(Layout& layout, int e, bool crossed) {
+  Arm &start = layout.arms[2 * e], &end = layout.arms[2 * e + 1];
+  start.border = border_of(layout, e, true);
+  end.border = border_of(layout, e, false);
+  // Limits that cross meet in one border line, that of a straight junction where one lies there.
+  if (crossed && end.limit > 0)
+    end.border = {start.border[1], start.border[0]};
+  else if (crossed)
+    start.border = {end.border[1], end.border[0]};
+}
+
 void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
   Arm &start = layout.arms[2 * e], &end = layout.arms[2 * e + 1];
   const auto &put_start = by_hand[2 * e], &put_end = by_hand[2 * e + 1];
@@ -62,13 +73,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
       end.limit = clear_end;
     }
   }
-  start.border = border_of(layout, e, true);
-  end.border = border_of(layout, e, false);
-  // Limits that cross meet in one border line, that of a straight junction where one lies there.
-  if (crossed && end.limit > 0)
-    end.border = {start.border[1], start.border[0]};
-  else if (crossed)
-    start.border = {end.border[1], end.border[0]};
+  settle_borders(layout, e, crossed);
   for (const bool at_start : {true, false}) {
     SectionLimit limit;
     limit.edge = e;
@@ -105,6 +110,9 @@ void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
   part_by_hand(layout, by_hand);
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
   settle_merging_lanes(layout);
+  for (const MergingRun& run : layout.merging_runs)
+    for (const EdgeEnd& end : run.edges)
+      settle_borders(layout, end.edge, limits_crossed(layout.streets, end.edge));
   taper_sections(layout);
   join_borders(layout);
   for (SectionLimit& limit : layout.streets.limits) {

@@ -164,21 +164,22 @@ void bend_ramps(const Layout& layout, SolvedCorners& solved) {
   }
 }
 
-// A corner by hand has no part in what becomes of the others.
-void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
-  for (const auto& [at, radius] : by_hand) {
-    const auto& [node, i] = at;
-    if (layout.junctions[node].dead_end()) continue;
-    SolvedCorner& corner = solved[node][i] = solve(layout, layout.junctions[node], i, radius, true);
-    if (corner.gap.corner.radius == radius) corner.method = Method::by_hand;
-  }
+SolvedCorner solved_by_hand(Layout& layout, const CornerPlace& at, double radius) {
+  SolvedCorner corner = solve(layout, layout.junctions[at.node], at.gap, radius, true);
+  if (corner.gap.corner.radius == radius) corner.method = Method::by_hand;
+  return corner;
 }
 
-void append_corner(Layout& layout, const CornerPlace& at, double radius_wanted,
-                   SolvedCorner& solved) {
-  Junction& junction = layout.junctions[at.node];
+// A corner by hand has no part in what becomes of the others.
+void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
+  for (const auto& [at, radius] : by_hand)
+    if (!layout.junctions[at.first].dead_end())
+      solved[at.first][at.second] = solved_by_hand(layout, {at.first, at.second}, radius);
+}
+
+Corner corner_of(const Junction& junction, const CornerPlace& at, double radius_wanted,
+                 const SolvedCorner& solved) {
   const EdgeEnd &a = junction.ends[at.gap], &b = junction.next(at.gap);
-  widen_limits(layout.arm(a), layout.arm(b), solved);
   Corner corner{at.node,       a.edge, a.at_start, b.edge, b.at_start,
                 radius_wanted, 0,      {},         {},     solved.method};
   if (solved.gap.corner.radius > 0) {
@@ -186,7 +187,14 @@ void append_corner(Layout& layout, const CornerPlace& at, double radius_wanted,
     corner.centre = solved.gap.corner.centre;
     corner.arc = solved.gap.corner.arc;
   }
-  layout.streets.corners.push_back(corner);
+  return corner;
+}
+
+void append_corner(Layout& layout, const CornerPlace& at, double radius_wanted,
+                   SolvedCorner& solved) {
+  Junction& junction = layout.junctions[at.node];
+  widen_limits(layout.arm(junction.ends[at.gap]), layout.arm(junction.next(at.gap)), solved);
+  layout.streets.corners.push_back(corner_of(junction, at, radius_wanted, solved));
   junction.gaps.push_back(std::move(solved.gap));
 }
 
@@ -261,7 +269,7 @@ bool goes_straight_on(const Arm& a, const Arm& b, const std::vector<Gap>& gaps) 
   const Point from = unit(a.line[1] - a.line[0]), to = unit(b.line[1] - b.line[0]);
   const double turn = std::abs(std::atan2(cross(from, to), -dot(from, to)));
   // Two wedges that end on the bisector, one on each side.
-  const double wider = a.half_start + std::abs(a.roadway_offset);
+  const double wider = std::max(a.start_to(+1), a.start_to(-1));
   return wider * wider * turn < least_intersection;
 }
 
@@ -272,6 +280,30 @@ void meet_straight(Layout& layout, Junction& junction) {
 }
 
 }  // namespace
+
+void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
+  std::vector<Corner>& corners = layout.streets.corners;
+  for (const MergingRun& run : layout.merging_runs)
+    for (std::size_t k = 1; k < run.edges.size(); ++k) {
+      const Edge& edge = layout.streets.network.edges[run.edges[k].edge];
+      const int node = run.edges[k].at_start ? edge.from_node : edge.to_node;
+      Junction& junction = layout.junctions[node];
+      if (junction.straight) continue;
+      const auto first = std::lower_bound(
+          corners.begin(), corners.end(), node,
+          [](const Corner& corner, int wanted) { return corner.node < wanted; });
+      for (std::size_t i = 0; i < 2; ++i) {
+        const CornerPlace at{node, i};
+        const auto put = by_hand.find({node, i});
+        const double wanted = put != by_hand.end() ? put->second : wanted_at(layout, at);
+        const SolvedCorner solved = put != by_hand.end()
+                                        ? solved_by_hand(layout, at, wanted)
+                                        : solve(layout, junction, i, wanted, false);
+        first[i] = corner_of(junction, at, wanted, solved);
+        junction.gaps[i] = solved.gap;
+      }
+    }
+}
 
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   choose_transitions(layout);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
@@ -223,24 +224,181 @@ TEST(FindRamps, CutsALaneAtTheNextJunction) {
   EXPECT_LE(*lanes[0].end, model.streets.limits[2 * lanes[0].edge + 1].abscissa + 1e-9);
 }
 
+// Lanes tile the section, which is as wide as they are.
+void expect_tiled(const StreetModel& model, int edge, const std::string& what) {
+  for (const Section& section : model.streets.sections) {
+    if (section.edge != edge) continue;
+    EXPECT_EQ(section.method, Method::hypothesis) << what;
+    double ground = 0;
+    for (const Lane& lane : model.lanes.lanes)
+      if (lane.edge == edge) ground += area(lane.surface);
+    EXPECT_NEAR(ground, area(section.surface), 1e-3) << what;
+  }
+}
+
+// The highway begins so near before its ramp.
 TEST(FindRamps, KeepsAShortLaneWithinItsSection) {
   for (double size = 20.5; size < 60; size += 3.7) {
     Highway highway;
     highway.on = false;
     StreetModelInput input = highway.input();
     input.axes[0].line = {{-size, 0, 0}, {0, 0, 0}};
-    highway.add(input, 4, {{-600, 0, 0}, {-size, 0, 0}}, 3, RampPart::highway, 100);
     const StreetModel model = street_model(input);
+    EXPECT_TRUE(model.streets.ramps.at(0).cut) << size;
     const std::vector<Lane> lanes = merging(model);
     ASSERT_EQ(lanes.size(), 1u) << size;
-    for (const Section& section : model.streets.sections) {
-      if (section.edge != lanes[0].edge) continue;
-      EXPECT_EQ(section.method, Method::hypothesis) << size;
-      double ground = 0;
-      for (const Lane& lane : model.lanes.lanes)
-        if (lane.edge == section.edge) ground += area(lane.surface);
-      EXPECT_NEAR(ground, area(section.surface), 1e-3) << size;
+    expect_tiled(model, lanes[0].edge, std::to_string(size));
+  }
+}
+
+// The highway before or behind its ramp in pieces from one place to the next, some drawn against
+// the traffic; bent by so many degrees at each.
+class Pieces {
+ public:
+  Highway highway;
+  std::vector<double> places;
+  double bend = 0;
+  bool one_is_turned = false;
+
+  StreetModel model() const {
+    StreetModelInput input = highway.input();
+    const std::size_t whole = highway.on ? 1 : 0;
+    Point at = {0, 0, 0};
+    double last = 0, heading = highway.on ? 0 : M_PI;
+    std::vector<double> ends = places;
+    ends.push_back(600);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const Point next = at + Point{std::cos(heading), std::sin(heading), 0} * (ends[i] - last);
+      Line line{at, next};
+      bool turned = !highway.on;
+      if (one_is_turned && i == 1) turned = !turned;
+      if (turned) std::reverse(line.begin(), line.end());
+      if (i == 0)
+        input.axes[whole].line = line;
+      else
+        highway.add(input, 10 + static_cast<int>(i), line, 3, RampPart::highway, highway.speed);
+      if (one_is_turned && i == 1)
+        std::swap(input.lanes.back().lanes.forward, input.lanes.back().lanes.backward);
+      at = next, last = ends[i], heading += bend * M_PI / 180;
     }
+    return street_model(input);
+  }
+};
+
+double ground_of(const std::vector<Lane>& lanes) {
+  double ground = 0;
+  for (const Lane& lane : lanes) ground += area(lane.surface);
+  return ground;
+}
+
+TEST(FindRamps, RunsOnOverNodesThatOnlyJoinTwoEdges) {
+  for (const bool on : {true, false})
+    for (const bool turned : {false, true}) {
+      Pieces whole;
+      whole.highway.on = on;
+      const StreetModel as_one = whole.model();
+      // At full width, in the taper, in both, and an edge as short as they may be.
+      for (const std::vector<double>& places :
+           std::vector<std::vector<double>>{{30}, {120}, {30, 70, 130}, {50, 51}, {17, 41, 320}}) {
+        Pieces pieces = whole;
+        pieces.places = places;
+        pieces.one_is_turned = turned;
+        const StreetModel model = pieces.model();
+        const Ramp& ramp = model.streets.ramps.at(0);
+        EXPECT_FALSE(ramp.cut);
+        EXPECT_NEAR(ramp.full_length, 60, 1e-9);
+        // The lanes and the roadway are those of a highway in one piece.
+        const std::vector<Lane> lanes = merging(model);
+        EXPECT_NEAR(ground_of(lanes), ground_of(merging(as_one)), 1e-6);
+        double roadway = 0, roadway_as_one = 0;
+        for (const Section& section : model.streets.sections) roadway += area(section.surface);
+        for (const Section& section : as_one.streets.sections)
+          roadway_as_one += area(section.surface);
+        EXPECT_NEAR(roadway, roadway_as_one, 1e-6);
+        for (const Lane& lane : lanes) expect_tiled(model, lane.edge, std::to_string(places[0]));
+        // One ends by its taper, the others go on to it, straight over each node.
+        const auto ends = [&](const Lane& lane) { return lane.start || lane.end; };
+        EXPECT_EQ(std::count_if(lanes.begin(), lanes.end(), ends), 1);
+        for (const Lane& lane : lanes)
+          EXPECT_EQ(lane.turns, on ? turn::merge_left : turn::slight_right);
+        int over = 0;
+        for (const Interconnection& path : model.interconnections) {
+          const Lane &in = model.lanes.lanes[path.lane_in], &out = model.lanes.lanes[path.lane_out];
+          if (in.kind != LaneKind::merging || out.kind != LaneKind::merging) continue;
+          EXPECT_TRUE(path.plausible);
+          ++over;
+        }
+        EXPECT_EQ(over, static_cast<int>(lanes.size()) - 1);
+      }
+    }
+}
+
+TEST(FindRamps, RunsOnRoundABend) {
+  for (const bool on : {true, false})
+    for (const double bend : {-12., -3., -0.4, 0.4, 3., 12.}) {
+      const std::string what = std::to_string(bend);
+      Pieces pieces;
+      pieces.highway.on = on;
+      pieces.bend = bend;
+      pieces.places = {70, 120};
+      const StreetModel model = pieces.model();
+      const Ramp& ramp = model.streets.ramps.at(0);
+      EXPECT_FALSE(ramp.cut) << what;
+      EXPECT_NEAR(ramp.full_length, 60, 1e-9) << what;
+      const std::vector<Lane> lanes = merging(model);
+      ASSERT_EQ(lanes.size(), 3u) << what;
+      // Its lanes are as long together as length and taper ask for: tapers pause at a bend.
+      double metres = 0;
+      for (const Lane& one : lanes) {
+        const auto& limits = model.streets.limits;
+        metres += one.end.value_or(limits[2 * one.edge + 1].abscissa) -
+                  one.start.value_or(limits[2 * one.edge].abscissa);
+      }
+      EXPECT_NEAR(metres, 60 + 30 * lane, 1e-6) << what;
+      // At a bend both edges are equally wide there: their border lines are.
+      for (const SectionLimit& a : model.streets.limits)
+        for (const SectionLimit& b : model.streets.limits) {
+          const auto node = [&](const SectionLimit& limit) {
+            const Edge& edge = model.streets.network.edges[limit.edge];
+            return limit.at_start ? edge.from_node : edge.to_node;
+          };
+          if (a.edge == b.edge || node(a) != node(b) || node(a) == ramp.node) continue;
+          EXPECT_NEAR(length(a.border_line), length(b.border_line), 1e-9) << what;
+        }
+    }
+}
+
+TEST(FindRamps, EndsWhereTheHighwayChanges) {
+  for (const int lanes_there : {2, 4}) {
+    Highway highway;
+    highway.length_after = 90;
+    StreetModelInput input = highway.input();
+    highway.add(input, 4, {{90, 0, 0}, {700, 0, 0}}, lanes_there, RampPart::highway, 100);
+    const StreetModel model = street_model(input);
+    EXPECT_TRUE(model.streets.ramps.at(0).cut) << lanes_there;
+    ASSERT_EQ(merging(model).size(), 1u) << lanes_there;
+  }
+}
+
+TEST(FindRamps, JoinsTwoThatMeetOverANode) {
+  for (const bool in_pieces : {false, true}) {
+    Highway highway;
+    highway.length_after = in_pieces ? 60 : 150;
+    StreetModelInput input = highway.input();
+    if (in_pieces)
+      highway.add(input, 6, {{60, 0, 0}, {150, 0, 0}}, 3, RampPart::highway, 100);
+    highway.add(input, 4, {{150, 0, 0}, {750, 0, 0}}, 3, RampPart::highway, 100);
+    highway.add(input, 5, {{150, 0, 0}, {390, -60, 0}}, 1, RampPart::link, 50);
+    const StreetModel model = street_model(input);
+    ASSERT_EQ(model.streets.ramps.size(), 2u);
+    for (const Ramp& ramp : model.streets.ramps) {
+      EXPECT_TRUE(ramp.auxiliary);
+      EXPECT_FALSE(ramp.cut);
+    }
+    const std::vector<Lane> lanes = merging(model);
+    ASSERT_EQ(lanes.size(), in_pieces ? 2u : 1u);
+    for (const Lane& lane : lanes) EXPECT_TRUE(lane.reaches(true) && lane.reaches(false));
+    for (const Lane& lane : lanes) EXPECT_EQ(lane.turns, turn::slight_right);
   }
 }
 
