@@ -97,7 +97,9 @@ class Change {
   // Limits do not tell how far merging lanes go beyond them.
   void compare_runs(const std::vector<const FormerEdge*>& kept) {
     for (const MergingRun& run : layout_.merging_runs) {
-      const auto met = [&](int ramp) { return ramp >= 0 && met_[layout_.streets.ramps[ramp].node]; };
+      const auto met = [&](int ramp) {
+        return ramp >= 0 && met_[layout_.streets.ramps[ramp].node];
+      };
       const bool moved = std::any_of(run.edges.begin(), run.edges.end(), [&](const EdgeEnd& end) {
         return moved_.edges[end.edge];
       });

@@ -189,7 +189,9 @@ class Room {
   double length_of(const EdgeEnd& end) const { return length(layout_.arm(end).line); }
   double room() const { return starts_.back(); }
   // To the start of the section at index k.
-  double from_ramp(bool first, std::size_t k) const { return first ? starts_[k] : room() - starts_[k]; }
+  double from_ramp(bool first, std::size_t k) const {
+    return first ? starts_[k] : room() - starts_[k];
+  }
 
   void measure_sections() {
     for (std::size_t k = 0; k < run_.edges.size(); ++k) {
