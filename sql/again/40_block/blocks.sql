@@ -46,7 +46,7 @@ kept AS MATERIALIZED (
 -- are looked up together.
 cell AS MATERIALIZED (
     SELECT ST_SetSRID(ST_Expand(ST_Extent(geom)::geometry, 50), {srid}) AS box FROM street WHERE NOT $3
-    GROUP BY floor(ST_XMin(geom) / 200), floor(ST_YMin(geom) / 200)),
+    GROUP BY floor(ST_XMin(geom) / 400), floor(ST_YMin(geom) / 400)),
 -- All of a place, where a ring has a gap else.
 extent AS MATERIALIZED (
     SELECT ST_SetSRID(ST_Expand(ST_Extent(geom)::geometry, 200), {srid}) AS extent FROM street WHERE $3),
@@ -62,8 +62,8 @@ beside AS MATERIALIZED (
     WHERE k.level = ground.level AND k.edge_id NOT IN (SELECT edge_id FROM street) AND e.level <> ground.level
         AND NOT $3
     UNION ALL (SELECT DISTINCT ON (k.kerb_id) k.edge_id, k.side, k.method, k.geom FROM ground, cell, LATERAL (
-        SELECT * FROM {model}.kerb k WHERE k.geom && cell.box {by_key}) k
-    WHERE k.level = ground.level AND k.method = 'contested' AND k.edge_id NOT IN (SELECT edge_id FROM street))
+        SELECT * FROM {model}.kerb k WHERE k.geom && cell.box AND k.method = 'contested' {by_key}) k
+    WHERE k.level = ground.level AND k.edge_id NOT IN (SELECT edge_id FROM street))
     UNION ALL SELECT k.edge_id, k.side, k.method, k.geom FROM ground, extent, LATERAL (
         SELECT * FROM {model}.kerb k WHERE {whole} OR k.geom && extent {by_key}) k
     WHERE k.level = ground.level AND $3),
