@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -92,8 +92,7 @@ class Runs {
     for (std::size_t r = 0; r < ramps.size(); ++r) {
       if (ramps[r].missing == 0) continue;
       courses_[r] = courses.of(ramps[r]);
-      for (const EdgeEnd& end : courses_[r])
-        by_edge_[end.edge].push_back(static_cast<int>(r));
+      for (const EdgeEnd& end : courses_[r]) by_edge_[end.edge].push_back(static_cast<int>(r));
     }
     for (int r = 0; r < static_cast<int>(ramps.size()); ++r)
       if (!courses_[r].empty()) add(layout, r);
@@ -236,8 +235,8 @@ class Room {
     return many;
   }
 
-  // The length of full width, and with the taper.  Of less room the taper gives way first, down to a
-  // third of the room.
+  // The length of full width, and with the taper.  Of less room the taper gives way first, down to
+  // a third of the room.
   static Lanes fitted(const Ramp& ramp, double room) {
     const double taper =
         std::min(ramp.taper, std::max(room - ramp.length, room * least_taper_share));
