@@ -95,3 +95,10 @@ SELECT FROM streetgen.generate('laned') \g /dev/null
 SELECT 'a model of no axes has none', NOT EXISTS (SELECT FROM laned.milestone);
 SELECT FROM streetgen.switch_subject('laned', 'milestone', false) \g /dev/null
 SELECT 'switched off nothing is left of it', to_regclass('laned.milestone') IS NULL AND NOT EXISTS (SELECT FROM streetgen.generate('laned') WHERE relation = 'milestone');
+-- What edits plan by.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('planned', 2154);
+  INSERT INTO planned.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650060 6860000)', 6), ('SRID=2154;LINESTRING(650060 6860000,650060 6860060)', 6);
+  PERFORM streetgen.switch_subject('planned', 'sidewalk', true);
+END $$;
+SELECT 'tables of a subject that is switched on have statistics, those that it needs too', count(DISTINCT tablename) = 2 FROM pg_stats WHERE schemaname = 'planned' AND tablename IN ('kerb', 'sidewalk');

@@ -117,6 +117,9 @@ BEGIN
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.edge)', model) INTO has_streets;
         IF has_streets THEN
             RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
+            -- A session that edits plans once, by the statistics that are there.
+            PERFORM streetgen._analyse(made) FROM streetgen._computed_table() t,
+                to_regclass(format('%I.%I', model, t.relation)) made WHERE made::oid <> ALL (before);
         END IF;
         RETURN;
     END IF;
