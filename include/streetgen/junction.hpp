@@ -17,14 +17,14 @@ namespace streetgen {
 struct JunctionEdge {
   std::int64_t axis_id = 0;
   double start_abscissa = 0, end_abscissa = 0;  // metres along its axis
-  int from_node = 0;  // index into JunctionNetwork::nodes
+  int from_node = 0;                            // index into JunctionNetwork::nodes
   int to_node = 0;
-  Line line;             // from its first to its last node, at least two distinct points
-  bool along = true;     // whether traffic runs from its first to its last node
+  Line line;          // from its first to its last node, at least two distinct points
+  bool along = true;  // whether traffic runs from its first to its last node
   bool against = true;
-  std::int64_t name = 0;  // equal for edges of one street; 0: unknown
-  bool crossed = false;   // its section limits crossed: its intersections touch
-  bool on_ring = false;   // of a roundabout
+  std::int64_t name = 0;          // equal for edges of one street; 0: unknown
+  bool crossed = false;           // its section limits crossed: its intersections touch
+  bool on_ring = false;           // of a roundabout
   std::optional<bool> by_hand{};  // inside its junction, or not, whatever the rules say
 };
 
@@ -36,8 +36,8 @@ struct JunctionNetwork {
 
 // Metres.
 struct JunctionRules {
-  double gap = 35;     // longest link between the two carriageways of a street
-  double extent = 80;  // a junction by such links is no wider
+  double gap = 35;               // longest link between the two carriageways of a street
+  double extent = 80;            // a junction by such links is no wider
   double control_distance = 50;  // before a node, within which its control points stand
 };
 
@@ -45,12 +45,12 @@ enum class EdgeRole { outside, inside, slip_lane };
 const char* edge_role_name(EdgeRole role) noexcept;
 
 struct JunctionGroups {
-  std::vector<int> of_node;     // by node: the first node of its junction
+  std::vector<int> of_node;  // by node: the first node of its junction
   // By node: the first node of those that the rules would join, whether the extent allows that or
   // not.  A junction is a function of the edges at these nodes.
   std::vector<int> chain_of_node;
   std::vector<EdgeRole> roles;  // by edge
-  std::vector<bool> parted;  // by edge: a rule would join its nodes, but the extent forbids that
+  std::vector<bool> parted;     // by edge: a rule would join its nodes, but the extent forbids that
   // By slot, 2 * edge and 2 * edge + 1: of the control points that speak to the traffic which comes
   // to a node by that end, the strictest.
   std::vector<std::optional<ControlKind>> controls;

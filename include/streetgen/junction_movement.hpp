@@ -39,7 +39,7 @@ struct InnerEdge {
   int edge = 0;  // tells it from other edges, as JunctionLeg::edge does
   int from_node = 0, to_node = 0;
   bool along = true, against = true;  // the directions of its traffic
-  double offset_along = 0;    // of that traffic's lanes, metres to the left of the line
+  double offset_along = 0;            // of that traffic's lanes, metres to the left of the line
   double offset_against = 0;
   Line line;
 };

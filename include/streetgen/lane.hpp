@@ -68,16 +68,17 @@ struct LaneOverride {
   Line line{};
 };
 
-// By hand: whether traffic may leave a lane for the one beside it, on the edge of the axis that holds
-// `abscissa`.
+// By hand: whether traffic may leave a lane for the one beside it, on the edge of the axis that
+// holds `abscissa`.
 struct LaneChange {
   std::int64_t axis_id = 0;
-  double abscissa = 0;     // metres along the axis
-  int from = 0, to = 0;    // ordinalities
+  double abscissa = 0;   // metres along the axis
+  int from = 0, to = 0;  // ordinalities
   bool allowed = true;
 };
 
-// What a source says of leaving a lane to its left and right in its driving direction; none: nothing.
+// What a source says of leaving a lane to its left and right in its driving direction; none:
+// nothing.
 struct LeavingLane {
   bool left = true, right = true;
 };
@@ -100,10 +101,10 @@ struct PaintRules {
 struct LaneSettings {
   LaneOrder order = LaneOrder::left_first;
   DrivingSide driving_side = DrivingSide::right;
-  double narrowest = 2;     // metres: lanes of unknown width get less only if all lanes do
-  bool edge_lines = false;  // separators along the kerbs too
+  double narrowest = 2;            // metres: lanes of unknown width get less only if all lanes do
+  bool edge_lines = false;         // separators along the kerbs too
   double kerb_radius_minimal = 0;  // metres, as the kerbs of the sections have it
-  double control_distance = 50;  // metres before a node within which its control points stand
+  double control_distance = 50;    // metres before a node within which its control points stand
 };
 
 struct Lane {
@@ -184,8 +185,8 @@ struct Circulation {
 
 // Deterministic and independent of the order of axes.  Of two overrides of one lane the later holds
 // in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
-// meet at affected nodes.  Control points decide the lines painted across the ends of lanes, kinds of
-// junctions by hand before them.  The line between two lanes is painted as it may be crossed.
+// meet at affected nodes.  Control points decide the lines painted across the ends of lanes, kinds
+// of junctions by hand before them.  The line between two lanes is painted as it may be crossed.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls = {},

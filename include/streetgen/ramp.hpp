@@ -12,8 +12,8 @@
 // many as the ramp has, lie outside of the highway's lanes on the side of the ramp.
 //
 // They run along the highway over each node that only joins two of its edges: no other edge is
-// there, the highway bends by less than 30 degrees, and has the same lanes and the same width.  Where
-// it changes, and at any other node, they end.
+// there, the highway bends by less than 30 degrees, and has the same lanes and the same width.
+// Where it changes, and at any other node, they end.
 #pragma once
 
 #include <algorithm>
@@ -62,8 +62,8 @@ struct RampEdgeLanes {
 // By hand: of the ramp at the end of an edge of the link that is nearer to `abscissa`.  One without
 // its ramp changes nothing; of two for one ramp the later holds in what it says.
 struct RampOverride {
-  std::int64_t axis_id = 0;  // the link
-  double abscissa = 0;       // metres along the axis
+  std::int64_t axis_id = 0;                   // the link
+  double abscissa = 0;                        // metres along the axis
   std::optional<double> tangent{}, length{};  // metres; length 0: no merging lane
 };
 
@@ -79,8 +79,8 @@ struct RampRules {
 
 // Lanes that lie beside the others on a stretch of an edge only: as wide as all of them together
 // between full_from and full_to, linear from and to nothing outside.  Abscissas in metres along the
-// edge, beyond its ends where the lanes lie on the next edge too.  They end at the limit of the edge
-// there, and where from and full_from are equal, or full_to and to.
+// edge, beyond its ends where the lanes lie on the next edge too.  They end at the limit of the
+// edge there, and where from and full_from are equal, or full_to and to.
 struct MergingStretch {
   int side = -1;  // of the edge: +1 left, -1 right
   int lanes = 1;
@@ -90,8 +90,8 @@ struct MergingStretch {
   double section_from = -std::numeric_limits<double>::infinity();
   double section_to = std::numeric_limits<double>::infinity();
   bool along_axis = true;  // their traffic
-  // Whether traffic comes upon the highway where they begin, and whether it leaves where they end, be
-  // that on this edge or on another one.
+  // Whether traffic comes upon the highway where they begin, and whether it leaves where they end,
+  // be that on this edge or on another one.
   bool enters = false, leaves = false;
   // Whether they lie on the edge at the start of this one too, and on that at its end.
   bool comes_on = false, goes_on = false;
@@ -119,18 +119,18 @@ struct MergingStretch {
 
 struct Ramp {
   int node = 0;
-  bool on = true;  // traffic comes upon the highway; else it leaves
-  int link = 0;    // edges
+  bool on = true;             // traffic comes upon the highway; else it leaves
+  int link = 0;               // edges
   bool link_at_start = true;  // the end of the link that touches the node
   int before = 0, after = 0;  // of the highway, in the direction of the ramp's traffic
   bool before_at_start = false, after_at_start = true;  // the ends that touch the node
   int side = -1;  // of the highway with its traffic, on which the ramp lies: +1 left, -1 right
   int lanes_before = 0, lanes_ramp = 0, lanes_after = 0;
-  int missing = 0;  // merging lanes that are due; 0 where `length` is
+  int missing = 0;           // merging lanes that are due; 0 where `length` is
   double merging_width = 0;  // metres, of all of them
-  double tangent = 0;  // metres, as wanted
-  double length = 0;   // metres of full width, as wanted
-  double taper = 0;    // metres, as the taper ratio has it
+  double tangent = 0;        // metres, as wanted
+  double length = 0;         // metres of full width, as wanted
+  double taper = 0;          // metres, as the taper ratio has it
   bool by_hand = false;
   // The merging lanes that were made, and what kept them from being as wanted.
   int merging = 0;          // lanes

@@ -17,14 +17,14 @@ namespace streetgen {
 struct SignalRequest {
   std::int64_t approach = 0, exit = 0;  // the edges that it comes from and leads to
   enum class Turn { through, left, right, u_turn } turn = Turn::through;
-  double length = 0;              // metres across the junction
-  double speed = 50;              // km/h of the approach
-  int lanes = 1;                  // of the approach
-  int importance = 5;             // of the approach, 1 the highest
-  std::optional<double> flow;     // vehicles an hour that come by the approach
-  double walk_in = 0;             // seconds that people need to cross the approach; 0: nobody does
-  double walk_out = 0;            // and the edge that it leads to
-  std::vector<int> conflicts;     // movements, from 0, that cross it, merge with it or oppose it
+  double length = 0;           // metres across the junction
+  double speed = 50;           // km/h of the approach
+  int lanes = 1;               // of the approach
+  int importance = 5;          // of the approach, 1 the highest
+  std::optional<double> flow;  // vehicles an hour that come by the approach
+  double walk_in = 0;          // seconds that people need to cross the approach; 0: nobody does
+  double walk_out = 0;         // and the edge that it leads to
+  std::vector<int> conflicts;  // movements, from 0, that cross it, merge with it or oppose it
 };
 
 enum class SignalKind { green, amber, all_red };

@@ -38,14 +38,14 @@ struct StreetAxis {
   std::int64_t axis_id = 0;
   Line line;
   int level = 0;
-  double width = 0;      // kerb to kerb at the start, metres
-  double width_end = 0;  // kerb to kerb at the end; equal to width where it does not change
-  double radius = 0;     // wanted corner radius, metres; 0: no arc
-  int importance = 99;   // 1 is the highest
-  double speed = 50;     // km/h
+  double width = 0;           // kerb to kerb at the start, metres
+  double width_end = 0;       // kerb to kerb at the end; equal to width where it does not change
+  double radius = 0;          // wanted corner radius, metres; 0: no arc
+  int importance = 99;        // 1 is the highest
+  double speed = 50;          // km/h
   double roadway_offset = 0;  // metres from the axis to the middle of the roadway, left positive
-  bool changed = true;   // false: as it was when the streets about it were computed
-  bool outer = false;    // beyond reach of the change: the others are computed with it
+  bool changed = true;        // false: as it was when the streets about it were computed
+  bool outer = false;         // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -66,9 +66,9 @@ struct StreetSettings {
   double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
   std::optional<Smoothing> smoothing{};  // none: edges are polylines
-  double max_arc_distance = 60;  // metres from the node to an arc's centre
-  double radius_minimal = 0.15;  // metres, the kerb stone's radius
-  double reach = 60;             // metres along the network: how far a corner follows its axes
+  double max_arc_distance = 60;          // metres from the node to an arc's centre
+  double radius_minimal = 0.15;          // metres, the kerb stone's radius
+  double reach = 60;  // metres along the network: how far a corner follows its axes
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.
   // Two bounds of that ground; the paper has none. The last value is the width of a median that
   // stays ground.
@@ -178,7 +178,7 @@ struct Roadway {
   double width_end = 0;
   int importance = 99;
   double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
-  WidthProfile profile{};  // where a change of width goes on within the section
+  WidthProfile profile{};     // where a change of width goes on within the section
   std::vector<MergingStretch> merging{};  // in the order of the edge; none where limits crossed
 };
 

@@ -47,8 +47,9 @@ Trajectory tangent_trajectory(const Line& lane_in, const Line& lane_out, Traject
 // straight path or one without length.
 double quarter_radius(const Line& path);
 
-// Degrees, 0 to 180: the greatest turn between two chords of the path that follow each other. A circle
-// of 3 m within a tolerance of 0.05 m has chords that turn by 21 degrees; a cusp turns by up to 180.
+// Degrees, 0 to 180: the greatest turn between two chords of the path that follow each other. A
+// circle of 3 m within a tolerance of 0.05 m has chords that turn by 21 degrees; a cusp turns by up
+// to 180.
 double sharpest_turn(const Line& path);
 
 }  // namespace streetgen

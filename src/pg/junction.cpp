@@ -65,9 +65,8 @@ void read_nodes(const EdgeRows& rows, Found& found) {
 void read_edges(const EdgeRows& rows, Found& found) {
   const auto index = [&](const Column& column, int row) {
     const std::int64_t id = DatumGetInt64(column.values[row]);
-    return static_cast<int>(
-        std::lower_bound(found.node_ids.begin(), found.node_ids.end(), id) -
-        found.node_ids.begin());
+    return static_cast<int>(std::lower_bound(found.node_ids.begin(), found.node_ids.end(), id) -
+                            found.node_ids.begin());
   };
   for (int i = 0; i < rows.count; ++i) {
     JunctionEdge edge;
@@ -139,10 +138,10 @@ STREETGEN_FUNCTION(streetgen_group_junctions) {
     read_nodes(edges, found);
     read_edges(edges, found);
     found.network.controls = read_controls(controls);
-    found.groups = group_junctions(
-        found.network, {in_range(gap, 0, 1000, "junction_gap"),
-                        in_range(extent, 0, 10000, "junction_extent"),
-                        in_range(control_distance, 0, 1000, "control_distance")});
+    found.groups =
+        group_junctions(found.network, {in_range(gap, 0, 1000, "junction_gap"),
+                                        in_range(extent, 0, 10000, "junction_extent"),
+                                        in_range(control_distance, 0, 1000, "control_distance")});
   });
   report(outcome);
   give(*slot->value, edges, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));

@@ -179,7 +179,7 @@ void read_lanes(const MovementCall& call, Places& places) {
     lane.along_axis = flag(rows.along_axis, i);
     const std::vector<LaneWish> wish =
         pg::read_lanes(1, text_of(rows.kind.values[i]), "",
-                   rows.turn.nulls[i] ? "" : text_of(rows.turn.values[i]), {}, " of a lane");
+                       rows.turn.nulls[i] ? "" : text_of(rows.turn.values[i]), {}, " of a lane");
     lane.kind = wish.front().kind;
     lane.turns = wish.front().turns;
     lane.line = line_of(rows.geom, i, "a lane");
@@ -243,7 +243,9 @@ void read_way_restrictions(const MovementCall& call, Places& places) {
     const bool goes_on = i > 0 && id(rows.junction_id, i) == id(rows.junction_id, i - 1) &&
                          id(rows.turn_restriction_id, i) == id(rows.turn_restriction_id, i - 1);
     if (!goes_on)
-      read.place.way_restrictions.push_back({id(rows.from_axis, i), id(rows.to_axis, i), {},
+      read.place.way_restrictions.push_back({id(rows.from_axis, i),
+                                             id(rows.to_axis, i),
+                                             {},
                                              text_of(rows.kind.values[i]) == "only",
                                              exceptions(rows.except_kinds, i)});
     read.place.way_restrictions.back().via.push_back(read.edge(id(rows.edge_id, i)));
@@ -257,8 +259,8 @@ struct Found {
   std::vector<std::string> lines;
 };
 
-void compute_movements(const MovementCall& call, const InterconnectionSettings& settings,
-                       int srid, Found& found) {
+void compute_movements(const MovementCall& call, const InterconnectionSettings& settings, int srid,
+                       Found& found) {
   Places places;
   read_legs(call, places);
   read_lanes(call, places);

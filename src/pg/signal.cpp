@@ -96,8 +96,7 @@ const char* kind_name(SignalKind kind) {
 // ordinality, duration, kind, lane_in, lane_out, along_in, along_out, right_of_way
 void give(const std::vector<SignalState>& states, const RequestRows& rows, ReturnSetInfo* result) {
   for (std::size_t s = 0; s < states.size(); ++s) {
-    Datum values[8] = {Int32GetDatum(static_cast<int32>(s + 1)),
-                       Float8GetDatum(states[s].duration),
+    Datum values[8] = {Int32GetDatum(static_cast<int32>(s + 1)), Float8GetDatum(states[s].duration),
                        CStringGetTextDatum(kind_name(states[s].kind))};
     bool nulls[8] = {false, false, false, true, true, true, true, true};
     if (states[s].greens.empty())
@@ -122,10 +121,9 @@ Datum answer(FunctionCallInfo fcinfo,
              std::vector<SignalState> (*program)(const std::vector<SignalRequest>&)) {
   InitMaterializedSRF(fcinfo, 0);
   const RequestRows rows = take_requests(fcinfo);
-  Slot<std::vector<SignalState>>* slot =
-      make_slot<std::vector<SignalState>>(CurrentMemoryContext);
-  report(compute(
-      [&] { slot->value = new std::vector<SignalState>(program(read_requests(rows))); }));
+  Slot<std::vector<SignalState>>* slot = make_slot<std::vector<SignalState>>(CurrentMemoryContext);
+  report(
+      compute([&] { slot->value = new std::vector<SignalState>(program(read_requests(rows))); }));
   give(*slot->value, rows, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
   PG_RETURN_NULL();
 }

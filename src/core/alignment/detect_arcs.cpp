@@ -18,11 +18,11 @@ namespace streetgen {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double short_chord = 3;               // metres
-constexpr double turn_of_point = pi / 3;        // radians, the most
-constexpr double share_of_point = 0.45;         // of an arc's turn, the most
-constexpr double share_of_height = 0.1;         // of an arc's height, the most that a point leaves it
-constexpr double vote_cell = 2;                 // metres: centres in one cell vote for one circle
+constexpr double short_chord = 3;         // metres
+constexpr double turn_of_point = pi / 3;  // radians, the most
+constexpr double share_of_point = 0.45;   // of an arc's turn, the most
+constexpr double share_of_height = 0.1;   // of an arc's height, the most that a point leaves it
+constexpr double vote_cell = 2;           // metres: centres in one cell vote for one circle
 constexpr int least_support = 4;
 
 // From the direction before the point to the one behind it, radians.

@@ -56,8 +56,7 @@ class Builder {
   Profiles build() {
     for (const ProfileLift& lift : lifts_)
       losses_.push_back(crest_loss(edges_[lift.sinks ? lift.below : lift.above]));
-    for (const ProfileHeight& height : by_hand_)
-      losses_.push_back(crest_loss(edges_[height.edge]));
+    for (const ProfileHeight& height : by_hand_) losses_.push_back(crest_loss(edges_[height.edge]));
     // An arc that ends at the next bend takes less than a whole one: the road need not lie so high.
     std::size_t off_ground = 0;
     for (int round = 0; round < most_rounds; ++round) {

@@ -33,7 +33,8 @@ std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side
   return pieces;
 }
 
-KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side) {
+KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end,
+                   int side) {
   const Line part = distinct(planar(substring(axis, std::min(u, v), std::max(u, v))));
   const double total = half_start == half_end ? 0 : length(axis);
   const auto half_at = [&](double abscissa) {

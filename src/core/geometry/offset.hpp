@@ -27,7 +27,8 @@ struct KerbLine {
 // The kerb between abscissas u and v (backwards when u > v), half widths linear from
 // `half_start` at abscissa 0 to `half_end` at the end of the axis; a negative one lies on the
 // other side.  Inner bends are mitred.
-KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end, int side);
+KerbLine kerb_line(const Line& axis, double u, double v, double half_start, double half_end,
+                   int side);
 
 // The line at a signed offset (left of the axis positive, linear from abscissa 0 to the end of the
 // axis) from abscissa u to v, u < v: mitred in inner bends, round about outer ones; where an inner

@@ -112,8 +112,7 @@ void FreeBorder::share_with_itself() {
     if (!stretch.other_level) shared[stretch.side] = true;
   for (std::size_t k = 0; k < sides_.size(); ++k)
     boxes_.any_near(boxes_[k], crack, [&](std::size_t i) {
-      if (i != k && !shared[i] && !shared[k])
-        add_shared(i, side(k).second, side(k).first, false);
+      if (i != k && !shared[i] && !shared[k]) add_shared(i, side(k).second, side(k).first, false);
       return false;
     });
 }

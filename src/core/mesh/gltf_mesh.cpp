@@ -27,7 +27,7 @@ struct VertexHash {
 
 Vertex vertex_of(const Point& place, const Point& normal, const std::array<double, 2>& texture) {
   const auto of = [](double value) { return static_cast<float>(value) + 0.0f; };  // no -0
-  return {of(place.x),   of(place.z),   of(-place.y),  of(normal.x),
+  return {of(place.x),  of(place.z),   of(-place.y),   of(normal.x),
           of(normal.z), of(-normal.y), of(texture[0]), of(-texture[1])};
 }
 

@@ -136,8 +136,7 @@ class LevelMesh {
       poll_cancel();
       const std::vector<int> near = index.near(box_of(ground(i)), 0);
       if (lies_level(i, near)) continue;
-      for (const int axis : near)
-        add_breaklines(net_, i, ground(i), axes_[axis], breaklines_[i]);
+      for (const int axis : near) add_breaklines(net_, i, ground(i), axes_[axis], breaklines_[i]);
       end_at_border(net_, i, ground(i), breaklines_[i]);
     }
   }

@@ -97,8 +97,7 @@ Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>&
   return extent;
 }
 
-Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims,
-                   double slit_width)
+Vicinity::Vicinity(std::vector<Extent> extents, const std::vector<Claim>& claims, double slit_width)
     : extents_(std::move(extents)),
       claims_(claims),
       slit_width_(slit_width),
@@ -111,7 +110,8 @@ const std::vector<int>& Vicinity::touching(int claim) {
   if (!found) {
     found.emplace();
     for (const int other : index_.near(extents_[claim].box, slit_width_))
-      if (other != claim && extents_[claim].meets(extents_[other], slit_width_)) found->push_back(other);
+      if (other != claim && extents_[claim].meets(extents_[other], slit_width_))
+        found->push_back(other);
   }
   return *found;
 }

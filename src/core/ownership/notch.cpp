@@ -13,8 +13,8 @@ namespace streetgen {
 namespace {
 
 constexpr double widest_wedge = 135 * M_PI / 180;
-constexpr double farthest = 1.5;  // metres from the place where the borders cross
-constexpr double beside = 0.01;   // metres: ground this near to that place is in the wedge
+constexpr double farthest = 1.5;      // metres from the place where the borders cross
+constexpr double beside = 0.01;       // metres: ground this near to that place is in the wedge
 constexpr double least_radius = 0.1;  // metres: kerbs that cross at a sharper angle leave a slit
 constexpr int chords = 8;
 constexpr double least_sine = 1e-6;
@@ -39,8 +39,8 @@ std::vector<Side> sides_in(const MultiPolygon& surface, const Box& box) {
   return sides;
 }
 
-// From a place on a border along it, as far as it bends by less than 45 degrees, so that no end of a
-// border line is passed.
+// From a place on a border along it, as far as it bends by less than 45 degrees, so that no end of
+// a border line is passed.
 Line smooth_part(const Side& side, const Point& start, bool forwards) {
   const Ring& ring = *side.ring;
   const std::size_t count = ring.size() - 1;  // the last point is the first
@@ -121,7 +121,8 @@ std::vector<Line> across_notches(const MultiPolygon& a, const MultiPolygon& b, d
       if (!box.meets(other.box()) || !cross_each_other(side, other)) continue;
       const auto place = crossing(side.from(), side.to(), other.from(), other.to());
       if (!place) continue;
-      if (auto line = across(side, other, *place, radius, is_free)) lines.push_back(std::move(*line));
+      if (auto line = across(side, other, *place, radius, is_free))
+        lines.push_back(std::move(*line));
     }
   }
   return lines;

@@ -323,9 +323,9 @@ class Owners {
       ask_below_moved();
       if (build(needed_by_wanted())) continue;
       std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
-      for (Hole& slit : slits_between(claims_, holes, slit_width(),
-                                      layout_.settings.kerb_radius_minimal,
-                                      layout_.settings.max_hole_area))
+      for (Hole& slit :
+           slits_between(claims_, holes, slit_width(), layout_.settings.kerb_radius_minimal,
+                         layout_.settings.max_hole_area))
         holes.push_back(std::move(slit));
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();

@@ -145,9 +145,8 @@ class Slits {
     const Point first = (ends.first.front() + ends.first.back()) * 0.5,
                 last = (ends.second.front() + ends.second.back()) * 0.5;
     const double shares[] = {0.1, 0.5, 0.9};
-    return std::any_of(std::begin(shares), std::end(shares), [&](double share) {
-      return is_free(first + (last - first) * share, i, j);
-    });
+    return std::any_of(std::begin(shares), std::end(shares),
+                       [&](double share) { return is_free(first + (last - first) * share, i, j); });
   }
 
   bool is_free(const Point& p, int i, int j) const {

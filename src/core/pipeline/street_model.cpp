@@ -32,9 +32,9 @@ StreetModel street_model(const StreetModelInput& input) {
     check_lanes(model.streets, model.lanes);
   }
   if (input.subjects.interconnection) {
-    model.interconnections = interconnections(model.streets, input.axes, model.lanes.lanes,
-                                              input.restrictions, input.interconnection_settings,
-                                              input.circulations);
+    model.interconnections =
+        interconnections(model.streets, input.axes, model.lanes.lanes, input.restrictions,
+                         input.interconnection_settings, input.circulations);
     forbid_against_rings(model.streets, model.lanes.lanes, input.circulations,
                          model.interconnections);
     check_interconnections(model);

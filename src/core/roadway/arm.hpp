@@ -16,9 +16,9 @@ struct Arm {
   Line line;              // starts at the node
   double half_start = 0;  // half widths, metres, linear along the line
   double half_end = 0;
-  double limit = 0;   // abscissa where the intersection ends
-  Line border{};      // at the limit: left and right kerb, seen from the node
-  double widest = 0;  // metres, of what a change of width adds within the section
+  double limit = 0;           // abscissa where the intersection ends
+  Line border{};              // at the limit: left and right kerb, seen from the node
+  double widest = 0;          // metres, of what a change of width adds within the section
   double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
   std::vector<MergingStretch> merging{};  // seen from the node
 

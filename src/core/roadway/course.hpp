@@ -10,7 +10,8 @@
 
 namespace streetgen {
 
-// A line with its distance from the kerb of one side; where the width changes, that kerb, with none.
+// A line with its distance from the kerb of one side; where the width changes, that kerb, with
+// none.
 struct CoursePiece {
   Line line;
   double half = 0;            // metres

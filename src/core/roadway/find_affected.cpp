@@ -100,9 +100,8 @@ class Change {
       const auto met = [&](int ramp) {
         return ramp >= 0 && met_[layout_.streets.ramps[ramp].node];
       };
-      const bool moved = std::any_of(run.edges.begin(), run.edges.end(), [&](const EdgeEnd& end) {
-        return moved_.edges[end.edge];
-      });
+      const bool moved = std::any_of(run.edges.begin(), run.edges.end(),
+                                     [&](const EdgeEnd& end) { return moved_.edges[end.edge]; });
       if (!moved && !met(run.first_ramp) && !met(run.last_ramp)) continue;
       for (const EdgeEnd& end : run.edges)
         if (kept[end.edge] != nullptr) move_all(end.edge, *kept[end.edge]);
@@ -243,11 +242,10 @@ class Change {
     // Lanes share out the width that a widening street has at its start.
     const Roadway& roadway = layout_.streets.roadways[e];
     const bool shared_anew = !same_start && roadway.width != roadway.width_end;
-    const bool tapers_on =
-        (!same_start && (tapers_at(e, end.abscissa - before_limit) ||
-                         tapered_at(e, before, before.end, -before_limit))) ||
-        (!same_end && (tapers_at(e, start.abscissa + before_limit) ||
-                       tapered_at(e, before, before.start, before_limit)));
+    const bool tapers_on = (!same_start && (tapers_at(e, end.abscissa - before_limit) ||
+                                            tapered_at(e, before, before.end, -before_limit))) ||
+                           (!same_end && (tapers_at(e, start.abscissa + before_limit) ||
+                                          tapered_at(e, before, before.start, before_limit)));
     const bool both = crossed || shared_anew || tapers_on || bends_where_limits_moved(e, before);
     if (both || !same_start) move_end(e, edge.from_node);
     if (both || !same_end) move_end(e, edge.to_node);
@@ -344,8 +342,8 @@ class Change {
 
 // Marks those whose surface lies by ground that was given up: they may get some of it, or close no
 // hole there any more.
-void mark_by(const std::vector<GivenUp>& given_up, const std::vector<const FormerSurface*>& surfaces,
-            std::vector<bool>& affected) {
+void mark_by(const std::vector<GivenUp>& given_up,
+             const std::vector<const FormerSurface*>& surfaces, std::vector<bool>& affected) {
   std::vector<Box> boxes;
   for (const FormerSurface* surface : surfaces)
     boxes.push_back(surface == nullptr ? Box{} : box_of(surface->ground));

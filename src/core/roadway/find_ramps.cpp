@@ -18,13 +18,13 @@ constexpr double fast = 80;                     // km/h, of a highway without a 
 constexpr double least_taper = 1;               // metres
 constexpr double friction = 0.35;               // to the side, that a driver bears on a ramp
 constexpr double gravity = 9.81;                // m/s2
-constexpr double farthest = 200;                // metres from the node where a link is beside its lane
-constexpr double margin = 0.01;                 // metres
-constexpr double straight = 1e-9;               // radians
-constexpr int tries = 6;                        // of radii of the outer kerb, each half of the last
-constexpr double tangent_step = 5;              // metres
-constexpr double most_of_highway = 1.0 / 3;     // of an edge, that becomes a ramp's intersection
-constexpr double least_link = 1;                // metres that stay between the limits of a link
+constexpr double farthest = 200;             // metres from the node where a link is beside its lane
+constexpr double margin = 0.01;              // metres
+constexpr double straight = 1e-9;            // radians
+constexpr int tries = 6;                     // of radii of the outer kerb, each half of the last
+constexpr double tangent_step = 5;           // metres
+constexpr double most_of_highway = 1.0 / 3;  // of an edge, that becomes a ramp's intersection
+constexpr double least_link = 1;             // metres that stay between the limits of a link
 
 // How traffic uses the end of an edge.
 struct RampLeg {
@@ -65,18 +65,18 @@ class Finder {
       if (lanes.both_ways) return std::nullopt;
       const Line& line = layout_.arm(end).line;
       const Point far = position_at(line, std::min(look, length(line))).point;
-      legs.push_back({end, found->second, lanes, unit(far - line.front()), layout_.axis_of(end.edge).speed});
+      legs.push_back(
+          {end, found->second, lanes, unit(far - line.front()), layout_.axis_of(end.edge).speed});
     }
     const int link = link_of(legs);
     if (link < 0 || !legs[link].one_way()) return std::nullopt;
     const RampLeg &one = legs[(link + 1) % 3], &other = legs[(link + 2) % 3];
     if (one.end.edge == other.end.edge || one.end.edge == legs[link].end.edge ||
-        other.end.edge == legs[link].end.edge ||
-        dot(one.direction, other.direction) > -straightest)
+        other.end.edge == legs[link].end.edge || dot(one.direction, other.direction) > -straightest)
       return std::nullopt;
     // A ramp lies beside the arm by which its traffic would come, or go, on the highway.
-    const bool one_beside = dot(legs[link].direction, one.direction) >
-                            dot(legs[link].direction, other.direction);
+    const bool one_beside =
+        dot(legs[link].direction, one.direction) > dot(legs[link].direction, other.direction);
     return ramp_of(node, legs[link], one_beside ? one : other, one_beside ? other : one);
   }
 
@@ -97,7 +97,8 @@ class Finder {
     return bend(0) < bend(1) ? (bend(0) < bend(2) ? 0 : 2) : (bend(1) < bend(2) ? 1 : 2);
   }
 
-  std::optional<Ramp> ramp_of(int node, const RampLeg& link, const RampLeg& beside, const RampLeg& away) const {
+  std::optional<Ramp> ramp_of(int node, const RampLeg& link, const RampLeg& beside,
+                              const RampLeg& away) const {
     if (dot(link.direction, beside.direction) < steepest_ramp) return std::nullopt;
     Ramp ramp;
     ramp.node = node;
@@ -120,8 +121,8 @@ class Finder {
     ramp.lanes_ramp = own.count;
     ramp.lanes_after = out.count;
     const int parting = ramp.on ? 0 : ramp.side > 0 ? in.parting_left : in.parting_right;
-    const int lacking = ramp.on ? in.count + own.count - out.count
-                                : out.count + own.count - in.count - parting;
+    const int lacking =
+        ramp.on ? in.count + own.count - out.count : out.count + own.count - in.count - parting;
     const bool counted = link.axis->counted && before.axis->counted && after.axis->counted;
     ramp.missing = counted ? std::clamp(lacking, 0, own.count) : 0;
     ramp.merging_width = ramp.missing * (ramp.on ? after : before).lanes.lane_width;
@@ -184,8 +185,8 @@ struct Bend {
 };
 
 // The tangent as wanted, and longer where the speed of the link asks for a greater radius; of those
-// that are too short for it the one of the greatest radius.  `least` is the limit of the link without
-// the bend.
+// that are too short for it the one of the greatest radius.  `least` is the limit of the link
+// without the bend.
 Bend bend_of(const Layout& layout, const Ramp& ramp, double least) {
   const Arm& link = layout.arm({ramp.link, ramp.link_at_start});
   const Arm& highway = layout.arm({ramp.merging_edge(), ramp.merging_at_start()});

@@ -12,8 +12,8 @@ namespace streetgen {
 
 // What meets at a node.
 struct Junction {
-  std::vector<EdgeEnd> ends;  // counter-clockwise
-  std::vector<Gap> gaps;      // between ends[i] and ends[i + 1]; none at a dead end
+  std::vector<EdgeEnd> ends;             // counter-clockwise
+  std::vector<Gap> gaps;                 // between ends[i] and ends[i + 1]; none at a dead end
   std::optional<Transition> transition;  // its length is known
   bool transition_yields = false;        // to the limits at the far ends of its edges
   int along = 0;              // index in ends: the axis that the transition is seen along
@@ -31,7 +31,7 @@ struct Junction {
 // Edges of a highway in a row, over nodes that only join two of them, along which the merging lanes
 // of the ramps at its ends lie.
 struct MergingRun {
-  std::vector<EdgeEnd> edges;         // each by the end that comes first
+  std::vector<EdgeEnd> edges;           // each by the end that comes first
   int first_ramp = -1, last_ramp = -1;  // in Streets::ramps, at the ends of the run; -1: none
 };
 

@@ -30,8 +30,8 @@ Line led_back(const Arm& arm, double by) {
   return line;
 }
 
-// Each as wide as at its node, on the side of the corner.  A kerb beside its axis may meet the other
-// one behind the node: the abscissa is negative there.
+// Each as wide as at its node, on the side of the corner.  A kerb beside its axis may meet the
+// other one behind the node: the abscissa is negative there.
 std::optional<CornerArc> corner_arc(const Arm& a, const Arm& b, double radius) {
   const double width_a = 2 * a.start_to(+1), width_b = 2 * b.start_to(-1);
   const auto found = corner_arc(a.line, b.line, width_a, width_b, radius);
@@ -49,8 +49,8 @@ std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radiu
 
 std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius) {
   const double by = 4 * (a.reach() + b.reach() + radius);
-  auto behind = corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1),
-                           2 * b.start_to(-1), radius);
+  auto behind =
+      corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1), 2 * b.start_to(-1), radius);
   if (!behind) return std::nullopt;
   behind->abscissa_a -= by;
   behind->abscissa_b -= by;

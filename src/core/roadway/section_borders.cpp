@@ -34,8 +34,8 @@ std::vector<WidthProfile::Place> transition_places(const Layout& layout, const J
   };
   const auto half = [&](double abscissa, int side) {
     const double own = half_at(arm, arm.limit, side), its = half_at(other, other.limit, -side);
-    const double share = steps(side) ? std::max(0.0, 0.5 - abscissa / step)
-                                     : (arm.limit - abscissa) / total;
+    const double share =
+        steps(side) ? std::max(0.0, 0.5 - abscissa / step) : (arm.limit - abscissa) / total;
     return own + (its - own) * share;
   };
   std::vector<WidthProfile::Place> places;

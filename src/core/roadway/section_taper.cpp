@@ -65,8 +65,7 @@ class SectionTapers {
   void taper(const EdgeEnd& a, const EdgeEnd& b) {
     const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
     const double speed = std::max(layout_.axis_of(a.edge).speed, layout_.axis_of(b.edge).speed);
-    const double wanted =
-        taper_length(sideways(arm_a, arm_b), speed, layout_.settings.taper_ratio);
+    const double wanted = taper_length(sideways(arm_a, arm_b), speed, layout_.settings.taper_ratio);
     if (arm_a.limit + arm_b.limit >= wanted) return;
     const double reach_a = reach(a, wanted), reach_b = reach(b, wanted);
     const double half_a = half_at(arm_a, reach_a, +1), half_b = half_at(arm_b, reach_b, -1);
@@ -91,8 +90,7 @@ class SectionTapers {
       return end.at_start ? from_node : total - from_node;
     };
     by_edge_[end.edge].push_back(
-        {end.at_start ? side : -side, along_edge(arm.limit), along_edge(reach), half, own,
-         beyond});
+        {end.at_start ? side : -side, along_edge(arm.limit), along_edge(reach), half, own, beyond});
     const Point foot = planar(position_at(arm.line, arm.limit).point);
     Point& kerb = arm.border[side > 0 ? 0 : 1];
     kerb = foot + unit(kerb - arm.border[side > 0 ? 1 : 0]) * half;
@@ -118,7 +116,8 @@ class SectionTapers {
           taper.beyond.edge, taper.beyond.at_start};
     }
     for (const MergingStretch& stretch : layout_.arms[2 * e].merging)
-      for (const double abscissa : stretch.places()) abscissas.insert(std::clamp(abscissa, 0.0, total));
+      for (const double abscissa : stretch.places())
+        abscissas.insert(std::clamp(abscissa, 0.0, total));
     for (const double abscissa : abscissas)
       profile.places.push_back({abscissa, half_on(e, +1, abscissa), half_on(e, -1, abscissa)});
     return profile;

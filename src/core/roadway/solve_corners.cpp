@@ -102,8 +102,7 @@ void keep_islands(Layout& layout, SolvedCorners& solved) {
 // Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
 bool tapers(const Arm& a, const Arm& b, double angle) {
   constexpr double nearly_straight = 20 * M_PI / 180;
-  return std::abs(angle - M_PI) < nearly_straight &&
-         sideways(a, b) > same_width;
+  return std::abs(angle - M_PI) < nearly_straight && sideways(a, b) > same_width;
 }
 
 // Where three edges and more meet, the kerb of such a street needs no arc.
@@ -217,11 +216,10 @@ void choose_transition(const Layout& layout, Junction& junction) {
   if (junction.transition->length) return;
   junction.transition_yields = true;
   const EdgeEnd &a = junction.ends[0], &b = junction.ends[1];
-  junction.transition->length =
-      taper_length(std::max(sideways(layout.arm(a), layout.arm(b)),
-                            sideways(layout.arm(b), layout.arm(a))),
-                   std::max(layout.axis_of(a.edge).speed, layout.axis_of(b.edge).speed),
-                   layout.settings.taper_ratio);
+  junction.transition->length = taper_length(
+      std::max(sideways(layout.arm(a), layout.arm(b)), sideways(layout.arm(b), layout.arm(a))),
+      std::max(layout.axis_of(a.edge).speed, layout.axis_of(b.edge).speed),
+      layout.settings.taper_ratio);
 }
 
 void choose_transitions(Layout& layout) {
@@ -246,8 +244,8 @@ void make_transition(Layout& layout, const Junction& junction) {
   }
 }
 
-// A taper as long as its speed wants begins no nearer to the corners at the other end of an edge than
-// these reach: the roadway of their fillets keeps its width.
+// A taper as long as its speed wants begins no nearer to the corners at the other end of an edge
+// than these reach: the roadway of their fillets keeps its width.
 void yield_to_corners(Layout& layout) {
   for (const Junction& junction : layout.junctions) {
     if (!junction.transition_yields) continue;
@@ -289,9 +287,9 @@ void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
       const int node = run.edges[k].at_start ? edge.from_node : edge.to_node;
       Junction& junction = layout.junctions[node];
       if (junction.straight) continue;
-      const auto first = std::lower_bound(
-          corners.begin(), corners.end(), node,
-          [](const Corner& corner, int wanted) { return corner.node < wanted; });
+      const auto first =
+          std::lower_bound(corners.begin(), corners.end(), node,
+                           [](const Corner& corner, int wanted) { return corner.node < wanted; });
       for (std::size_t i = 0; i < 2; ++i) {
         const CornerPlace at{node, i};
         const auto put = by_hand.find({node, i});

@@ -64,7 +64,8 @@ MultiPolygon section_surface(const Line& axis, double width, double start_abscis
   const double end = std::clamp(end_abscissa, 0.0, total);
   if (start >= end) return {};
   Geos geos;
-  return build_section(geos, arm, {}, start, end, border_across(arm, start), border_across(arm, end))
+  return build_section(geos, arm, {}, start, end, border_across(arm, start),
+                       border_across(arm, end))
       .surface;
 }
 

@@ -205,7 +205,8 @@ MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double star
   double abscissa = start;
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (i > 0) abscissa += distance(part[i - 1], part[i]);
-    const WidthProfile::Place wide = profile.empty() ? place_at(arm, abscissa) : profile.at(abscissa);
+    const WidthProfile::Place wide =
+        profile.empty() ? place_at(arm, abscissa) : profile.at(abscissa);
     left[i] = wide.left;
     right[i] = wide.right;
   }
@@ -393,10 +394,8 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
     limit.*side = half;
     node.*side = half + (other_half - half) * arm.limit / (arm.limit + other.limit);
   };
-  if (on_left)
-    taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
-  if (on_right)
-    taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
+  if (on_left) taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
+  if (on_right) taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
   WidthProfile profile;
   profile.places = {node, limit};
   return profile;

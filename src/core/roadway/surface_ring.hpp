@@ -24,8 +24,8 @@ struct Built {
 
 // The part of one axis between two abscissas; its ends are the given borders (left, right). As wide
 // as the profile says, or where that is empty as the arm.
-Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start, double end, const Line& start_border,
-                    const Line& end_border);
+Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start,
+                    double end, const Line& start_border, const Line& end_border);
 
 // gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps);

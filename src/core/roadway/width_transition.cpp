@@ -14,9 +14,7 @@ bool changes_width(const Arm& a, const Arm& b) {
   return !as_wide(a, b) && std::abs(angle_between(a, b) - M_PI) < widest_bend;
 }
 
-double sideways(const Arm& a, const Arm& b) {
-  return std::abs(a.start_to(+1) - b.start_to(-1));
-}
+double sideways(const Arm& a, const Arm& b) { return std::abs(a.start_to(+1) - b.start_to(-1)); }
 
 double taper_length(double sideways, double speed, const TaperRatio& ratio) {
   if (ratio.empty()) return 10 * sideways;

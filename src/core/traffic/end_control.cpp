@@ -43,7 +43,9 @@ class Controls {
   void decide(const JunctionDecision& decision, const std::vector<Node>& nodes) {
     const auto found = of_axis_.find(decision.axis_id);
     if (found == of_axis_.end()) return;
-    const auto off = [&](int slot) { return distance(planar(nodes[node_of(slot)].point), decision.place); };
+    const auto off = [&](int slot) {
+      return distance(planar(nodes[node_of(slot)].point), decision.place);
+    };
     int nearest = 2 * found->second.front();
     for (const int e : found->second)
       for (const int slot : {2 * e, 2 * e + 1})
@@ -56,8 +58,7 @@ class Controls {
     for (const std::vector<int>& slots : slots_) {
       std::optional<ControlKind> highest;
       for (const int slot : slots)
-        if (ends_[slot].own && (!highest || *ends_[slot].own < *highest))
-          highest = ends_[slot].own;
+        if (ends_[slot].own && (!highest || *ends_[slot].own < *highest)) highest = ends_[slot].own;
       for (const int slot : slots) ends_[slot].at_node = highest;
     }
     return std::move(ends_);
@@ -143,8 +144,7 @@ const char* control_kind_name(ControlKind kind) noexcept {
 std::vector<EndControl> end_controls(const Network& network, const std::vector<LanesOfAxis>& lanes,
                                      const std::vector<ControlPoint>& points, double farthest,
                                      const std::vector<JunctionDecision>& decisions) {
-  if (points.empty() && decisions.empty())
-    return std::vector<EndControl>(2 * network.edges.size());
+  if (points.empty() && decisions.empty()) return std::vector<EndControl>(2 * network.edges.size());
   Controls controls(network, lanes, farthest);
   for (const ControlPoint& point : points) controls.put(point);
   for (const JunctionDecision& decision : decisions) controls.decide(decision, network.nodes);

@@ -12,17 +12,17 @@ namespace streetgen {
 
 // Traffic that comes to a node by one end of an edge.
 struct EndControl {
-  std::optional<ControlKind> own;      // of its control points, that of the highest rank
-  std::optional<ControlKind> at_node;  // the highest of all ends at the node
+  std::optional<ControlKind> own;         // of its control points, that of the highest rank
+  std::optional<ControlKind> at_node;     // the highest of all ends at the node
   std::optional<JunctionKind> decided{};  // what the node is by hand
 };
 
 // Each control point belongs to the next node of three and more edges ahead of it on its edge, as
 // far as `farthest` metres before the node; one farther off stands in the middle of its block.  Of
 // several for one end signals come first, then stop, yield, pedestrian crossing.  One on a node of
-// two edges belongs to that node.  One beyond its axis, or on an axis without an edge there, changes
-// nothing.  A decision holds for the nearest node of its axis, as far as `farthest` metres off; of two
-// for one node the later.  By slot: 2 * edge, 2 * edge + 1.
+// two edges belongs to that node.  One beyond its axis, or on an axis without an edge there,
+// changes nothing.  A decision holds for the nearest node of its axis, as far as `farthest` metres
+// off; of two for one node the later.  By slot: 2 * edge, 2 * edge + 1.
 std::vector<EndControl> end_controls(const Network& network, const std::vector<LanesOfAxis>& lanes,
                                      const std::vector<ControlPoint>& points, double farthest,
                                      const std::vector<JunctionDecision>& decisions = {});

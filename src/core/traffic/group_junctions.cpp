@@ -15,16 +15,24 @@ namespace {
 const double opposite = std::cos(M_PI / 6);  // of the directions of two carriageways
 constexpr double across = 0.5;               // sine of the angle of a link and a carriageway
 
-constexpr double heading_reach = 10;         // metres, over which an edge's end has its direction
+constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
 
 RuleEdge rule_edge(const JunctionEdge& edge) {
   const auto leaves = [](const Line& line) {
     const double reach = std::min(heading_reach, length(line));
     return unit(planar(position_at(line, reach).point) - planar(line.front()));
   };
-  return {edge.from_node, edge.to_node, length(edge.line), leaves(edge.line),
-          leaves(reversed(edge.line)), edge.along, edge.against, edge.name, edge.crossed,
-          edge.on_ring, edge.by_hand};
+  return {edge.from_node,
+          edge.to_node,
+          length(edge.line),
+          leaves(edge.line),
+          leaves(reversed(edge.line)),
+          edge.along,
+          edge.against,
+          edge.name,
+          edge.crossed,
+          edge.on_ring,
+          edge.by_hand};
 }
 
 // Nodes that a rule would join, by some edges.
@@ -146,7 +154,8 @@ class Grouping {
 
   // Of the street that the link crosses.
   bool are_carriageways(int a, int b, const Chain& link) const {
-    if (!edge(a).one_way() || !edge(b).one_way() || edge(a).on_ring || edge(b).on_ring) return false;
+    if (!edge(a).one_way() || !edge(b).one_way() || edge(a).on_ring || edge(b).on_ring)
+      return false;
     const int from = link.nodes.front(), to = link.nodes.back();
     const Point first = heading(a, from), second = heading(b, to);
     if (std::abs(cross(first, course_from(link.edges.front(), from))) < across ||
@@ -175,9 +184,7 @@ class Grouping {
   bool leaves(int e, int node) const { return (edge(e).from_node == node) == edge(e).along; }
 
   // Of the traffic of a one-way edge at a node.
-  Point heading(int e, int node) const {
-    return course_from(e, node) * (leaves(e, node) ? 1 : -1);
-  }
+  Point heading(int e, int node) const { return course_from(e, node) * (leaves(e, node) ? 1 : -1); }
 
   // From the shortest on, as far as the extent allows.
   void join_links(const std::vector<Link>& gaps, const std::vector<SlipLane>& slips) {
@@ -251,8 +258,13 @@ class Grouping {
     network.nodes.resize(network_.nodes.size());
     std::vector<LanesOfAxis> directions;
     for (const JunctionEdge& edge : network_.edges) {
-      network.edges.push_back({edge.axis_id, edge.from_node, edge.to_node, 0, edge.start_abscissa,
-                               edge.end_abscissa, {}});
+      network.edges.push_back({edge.axis_id,
+                               edge.from_node,
+                               edge.to_node,
+                               0,
+                               edge.start_abscissa,
+                               edge.end_abscissa,
+                               {}});
       LanesOfAxis lanes{edge.axis_id, {}};
       if (edge.along) lanes.lanes.forward.resize(1);
       if (edge.against) lanes.lanes.backward.resize(1);

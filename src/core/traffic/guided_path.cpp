@@ -14,7 +14,7 @@ constexpr double farthest_aside = 30;  // metres from a node at which two pieces
 constexpr double straight = 1e-6;      // sine of an angle that is none
 constexpr double shortest = 1e-3;      // metres
 constexpr double shift_ratio = 3;      // metres along for each metre that a path moves aside
-constexpr double slight = 0.3;  // metres aside that no driver follows
+constexpr double slight = 0.3;         // metres aside that no driver follows
 constexpr double lead = 0.5;           // metres that a path stays on the course of its lanes
 
 // A straight piece of the guide, endless.
@@ -28,8 +28,8 @@ std::optional<Point> meeting(const Guide& a, const Guide& b) {
   return a.place + a.direction * (cross(b.place - a.place, b.direction) / sine);
 }
 
-// Where two pieces that follow each other at a node meet; where they are nearly parallel, a way from
-// the one to the other about the node.
+// Where two pieces that follow each other at a node meet; where they are nearly parallel, a way
+// from the one to the other about the node.
 void append_corner(Line& guide, const Guide& a, const Guide& b, const Point& node) {
   const std::optional<Point> place = meeting(a, b);
   if (place && distance(*place, node) <= farthest_aside) {

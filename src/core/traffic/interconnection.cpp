@@ -20,7 +20,7 @@ namespace streetgen {
 namespace {
 
 constexpr double same_direction = 1e-3;  // radians
-constexpr double finest_turn = 0.1;     // degrees between chords of a ramp
+constexpr double finest_turn = 0.1;      // degrees between chords of a ramp
 
 // From the place of the first point to the next place; zero where there is none.
 template <class At>
@@ -274,8 +274,8 @@ class Builder {
 
   // The widest path that the rule gives, clear of the kerbs and without a corner; else a path that
   // turns later, or one of arcs.
-  Trajectory path_between(int node, const LaneToNode& in, const LaneToNode& out,
-                          const Kerbs& kerbs, bool on_ramp) const {
+  Trajectory path_between(int node, const LaneToNode& in, const LaneToNode& out, const Kerbs& kerbs,
+                          bool on_ramp) const {
     const TrajectoryRule rule = settings_.rule, arcs = TrajectoryRule::arcs;
     const auto direct = [&](TrajectoryRule by, double radius) {
       return trajectory({in.end.place - in.end.direction, in.end.place},
@@ -289,7 +289,8 @@ class Builder {
     PathChoice choice(kerbs, in.border, out.border, papers);
     // Both directions lead to the node.
     if (on_ramp && dot(in.end.direction, out.end.direction) < -steepest_ramp &&
-        choice.offer(ramp_path(in, out))) return choice.best();
+        choice.offer(ramp_path(in, out)))
+      return choice.best();
     if (papers) {
       if (!choice.offer(direct(rule, 0))) choice.offer(late(rule));
       return choice.best();

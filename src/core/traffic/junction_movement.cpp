@@ -21,7 +21,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double lead_length = 0.1;  // metres
+constexpr double lead_length = 0.1;   // metres
 constexpr double widest_guided = 40;  // metres, of the arcs of a path that follows edges inside
 
 // The lanes of a leg, indices into JunctionPlace::lanes.
@@ -159,7 +159,8 @@ class Across {
   // ever closer, arcs; else the first that is clear, else the first.
   Line path_between(const JunctionRoute& route, const LaneEnd& in, const LaneEnd& out, int from,
                     int to) const {
-    const Line lane_in{in.place - in.direction, in.place}, lane_out{out.place, out.place + out.direction};
+    const Line lane_in{in.place - in.direction, in.place},
+        lane_out{out.place, out.place + out.direction};
     const auto curve = [&](TrajectoryRule rule) {
       Trajectory path = tangent_trajectory(lane_in, lane_out, rule, settings_.tolerance);
       lead(path.line, in, out);
@@ -182,8 +183,8 @@ class Across {
     const std::size_t outs = ends[to].out.size();
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (!movement.verdicts[p].plausible || !kerbs_.stop(pairs[p].line, from, to)) continue;
-      auto path = taut_path(place_, kerbs_, from, to, ends[from].in[p / outs], ends[to].out[p % outs],
-                            settings_.tolerance);
+      auto path = taut_path(place_, kerbs_, from, to, ends[from].in[p / outs],
+                            ends[to].out[p % outs], settings_.tolerance);
       if (path) pairs[p].line = std::move(*path);
     }
   }

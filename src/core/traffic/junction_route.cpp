@@ -93,8 +93,8 @@ bool JunctionRoutes::turn_allowed(int node, const Arm& from, const Arm& to) cons
       continue;
     // Its turn tells the edges of an axis that goes on beyond the node apart.
     const bool named_here = r.to_axis == to.axis_id &&
-        (!r.turn || *r.turn == turn_of(turn_angle(from.heading, to.heading)) ||
-         (ends_at(node, r.from_axis) == 1 && ends_at(node, r.to_axis) == 1));
+                            (!r.turn || *r.turn == turn_of(turn_angle(from.heading, to.heading)) ||
+                             (ends_at(node, r.from_axis) == 1 && ends_at(node, r.to_axis) == 1));
     if (!r.only && named_here) return false;
     only = only || r.only;
     named = named || (r.only && named_here);

@@ -64,10 +64,12 @@ std::vector<Point> Kerbs::bulges(double clearance) const {
     const Piece& next = pieces_[piece.next];
     const Point along = unit(piece.end - piece.start), beyond = unit(next.end - next.start);
     if ((piece.border >= 0 && next.border >= 0) || cross(along, beyond) > -same_place) continue;
-    const Point left = left_normal(along) * clearance, left_beyond = left_normal(beyond) * clearance;
+    const Point left = left_normal(along) * clearance,
+                left_beyond = left_normal(beyond) * clearance;
     offer(piece.end + left);
     // A sharp bulge is gone round at its tip.
-    if (dot(along, beyond) < 0) offer(piece.end + (along - beyond) * (clearance / norm(along - beyond)));
+    if (dot(along, beyond) < 0)
+      offer(piece.end + (along - beyond) * (clearance / norm(along - beyond)));
     offer(piece.end + left_beyond);
   }
   return places;

@@ -27,7 +27,7 @@ class Kerbs {
   struct Piece {
     Point start, end;
     Box box;
-    int border = -1;  // the border line that it runs along; -1: it is a kerb
+    int border = -1;       // the border line that it runs along; -1: it is a kerb
     std::size_t next = 0;  // the piece that follows, the intersection on the left of both
   };
   std::vector<Piece> pieces_;

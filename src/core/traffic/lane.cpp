@@ -46,9 +46,10 @@ LaneStrip strip_of(const Streets& streets, int e) {
     strip.from = std::max(0.0, (strip.from + strip.to - least_length) / 2);
     strip.to = std::min(total, strip.from + least_length);
   }
-  strip.from_border = border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from),
-                                  strip.roadway_offset);
-  strip.to_border = border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to), strip.roadway_offset);
+  strip.from_border =
+      border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from), strip.roadway_offset);
+  strip.to_border =
+      border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to), strip.roadway_offset);
   return strip;
 }
 
@@ -108,8 +109,8 @@ std::vector<PlacedLane> placed_lanes(const LaneStrip& strip, const std::vector<L
   const auto add_merging = [&](int side) {
     for (const MergingStretch& stretch : strip.merging)
       for (int i = 0; stretch.side == side && i < stretch.lanes; ++i)
-        placed.push_back({merging_wish(stretch), ++last,
-                          side > 0 ? LaneSide::left : LaneSide::right, &stretch});
+        placed.push_back(
+            {merging_wish(stretch), ++last, side > 0 ? LaneSide::left : LaneSide::right, &stretch});
   };
   add_merging(+1);
   for (int p = 1; p <= count; ++p)
@@ -277,8 +278,8 @@ class Builder {
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       changes_.paint(streets_.network.edges[e], made.lanes, made.separators);
       if (!crossed) {
-        append_end_markings(streets_, ranks, controls_, strip, made.lanes,
-                            settings_.driving_side, out.markings);
+        append_end_markings(streets_, ranks, controls_, strip, made.lanes, settings_.driving_side,
+                            out.markings);
         append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       }
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
@@ -318,8 +319,8 @@ class Builder {
 
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
-            const std::vector<ControlPoint>& controls,
-            const std::vector<Circulation>& circulations, const PaintRules& paint) {
+            const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
+            const PaintRules& paint) {
   return Builder(streets, std::move(axes), std::move(overrides), settings, controls, circulations,
                  paint)
       .run();

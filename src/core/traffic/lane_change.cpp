@@ -61,8 +61,9 @@ void LaneChanges::paint(const Edge& edge, const std::vector<Lane>& lanes,
     const Change leftwards = change(edge, lanes, right, left, separator.dashed);
     if (!rightwards.said && !leftwards.said) continue;
     separator.dashed = rightwards.allowed || leftwards.allowed;
-    separator.solid_side =
-        rightwards.allowed == leftwards.allowed ? 0 : leftwards.allowed ? +1 : -1;
+    separator.solid_side = rightwards.allowed == leftwards.allowed ? 0
+                           : leftwards.allowed                     ? +1
+                                                                   : -1;
   }
 }
 

@@ -12,8 +12,8 @@ class LaneChanges {
   LaneChanges(std::vector<LaneChange> by_hand, std::vector<LeavingOfAxis> leaving);
 
   // `lanes` and `separators` are all of one edge.  A change is as decided by hand; else it is
-  // forbidden to and from parking, and between cycle lanes and others; else it is as the source says
-  // of lanes of one direction, merging ones apart; else as the separator was.  A line between
+  // forbidden to and from parking, and between cycle lanes and others; else it is as the source
+  // says of lanes of one direction, merging ones apart; else as the separator was.  A line between
   // opposite directions, and one of which nothing is said, stays as it is.
   void paint(const Edge& edge, const std::vector<Lane>& lanes,
              std::vector<LaneSeparator>& separators) const;
@@ -27,7 +27,7 @@ class LaneChanges {
   Change by_source(const Edge& edge, const std::vector<Lane>& lanes, const Lane& from,
                    const Lane& to) const;
 
-  std::vector<LaneChange> by_hand_;      // by axis_id
+  std::vector<LaneChange> by_hand_;     // by axis_id
   std::vector<LeavingOfAxis> leaving_;  // by axis_id
 };
 

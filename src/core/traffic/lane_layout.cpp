@@ -16,15 +16,15 @@ double LaneStrip::half_at(double abscissa) const {
 double LaneStrip::share_at(double abscissa, const LaneShares& shares) const {
   if (shares.size() == 1) return shares.front();
   const auto& places = profile.places;
-  const auto next = std::find_if(places.begin(), places.end(), [&](const WidthProfile::Place& place) {
-    return place.abscissa >= abscissa;
-  });
+  const auto next =
+      std::find_if(places.begin(), places.end(),
+                   [&](const WidthProfile::Place& place) { return place.abscissa >= abscissa; });
   if (next == places.begin()) return shares.front();
   if (next == places.end()) return shares.back();
   const std::size_t i = next - places.begin();
   const double from_place = places[i - 1].abscissa;
-  return shares[i - 1] + (shares[i] - shares[i - 1]) * (abscissa - from_place) /
-                             (next->abscissa - from_place);
+  return shares[i - 1] +
+         (shares[i] - shares[i - 1]) * (abscissa - from_place) / (next->abscissa - from_place);
 }
 
 double LaneStrip::offset_at(double abscissa, const LaneShares& shares) const {

@@ -51,8 +51,8 @@ Split split(const std::vector<LaneWish>& all, const std::vector<int>& lanes, int
     return (turns & sideways) != 0 && (turns & ~sideways) == 0;
   };
   const auto count = [&](auto from, auto to, unsigned sideways) {
-    return static_cast<int>(
-        std::find_if(from, to, [&](int i) { return !marked(i, sideways); }) - from);
+    return static_cast<int>(std::find_if(from, to, [&](int i) { return !marked(i, sideways); }) -
+                            from);
   };
   const int left = count(lanes.begin(), lanes.end(), leftwards);
   const int right = count(lanes.rbegin(), lanes.rend(), rightwards);
@@ -143,8 +143,7 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     const std::vector<int>& lanes = left + right < 0 ? end.ending : end.beside;
     std::vector<double> widths = widths_at(own, 2 * half);
     std::vector<int> on_left, on_right;
-    for (const int i : lanes)
-      (own[i] + own[i + 1] < 1 ? on_left : on_right).push_back(i);
+    for (const int i : lanes) (own[i] + own[i + 1] < 1 ? on_left : on_right).push_back(i);
     if (on_left.empty() || on_right.empty()) {
       add(widths, lanes, left + right);
     } else {

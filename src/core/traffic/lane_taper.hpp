@@ -23,9 +23,9 @@ struct LanesAtNode {
   bool at_start = true;
 };
 
-// Of the lanes of `here`, beyond which the street goes on as `there`. Lanes are counted by direction
-// and by kind, general and bus lanes together. Of lanes too many those change that are marked for a
-// turn or a merge alone, on their side; beyond these the outer ones.
+// Of the lanes of `here`, beyond which the street goes on as `there`. Lanes are counted by
+// direction and by kind, general and bus lanes together. Of lanes too many those change that are
+// marked for a turn or a merge alone, on their side; beyond these the outer ones.
 ChangingLanes changing_lanes(const LanesAtNode& here, const LanesAtNode& there, DrivingSide side);
 
 // The lines between lanes, kerbs included. What a kerb departs from the edge's own width goes to

@@ -18,7 +18,7 @@ class LaneWishes {
     const Line* line = nullptr;  // null: it follows the axis
   };
   struct OfEdge {
-    std::vector<LaneWish> lanes;  // from the left kerb to the right one
+    std::vector<LaneWish> lanes;      // from the left kerb to the right one
     std::vector<Decision> decisions;  // of each lane
   };
   // What the source says of the axis, then roundabouts, then overrides.

@@ -17,7 +17,7 @@ constexpr double stripe = 0.1, dash = 1.5, gap = 5;
 constexpr double longest_dashed = 1e5;  // beyond it dashes would be without number
 constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a section, for the line
 constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
-constexpr double arrow_lane = 2.5;  // the lane width that an arrow of full size asks for
+constexpr double arrow_lane = 2.5;      // the lane width that an arrow of full size asks for
 constexpr double arrow_before_end = 5;  // a crossing before the line has its room
 constexpr double shortest_band = 1e-9;
 constexpr double least_paint = 0.5;  // lanes narrower than this bear none
@@ -226,8 +226,8 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const LaneStrip& strip,
-                         const std::vector<Lane>& lanes,
-                         DrivingSide driving_side, std::vector<Marking>& out) {
+                         const std::vector<Lane>& lanes, DrivingSide driving_side,
+                         std::vector<Marking>& out) {
   if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
   const Edge& edge = streets.network.edges[lanes.front().edge];
   for (const bool at_start : {true, false}) {

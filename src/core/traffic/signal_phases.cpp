@@ -13,10 +13,10 @@ namespace streetgen {
 
 namespace {
 
-constexpr double reaction = 1;             // seconds
-constexpr double braking = 3;              // m/s2
-constexpr double car_length = 5;           // metres
-constexpr double turning_speed = 30 / 3.6; // m/s at most in a turn
+constexpr double reaction = 1;                                              // seconds
+constexpr double braking = 3;                                               // m/s2
+constexpr double car_length = 5;                                            // metres
+constexpr double turning_speed = 30 / 3.6;                                  // m/s at most in a turn
 constexpr double shortest_amber = 3, shortest_green = 7, usual_green = 30;  // seconds
 constexpr double shortest_cycle = 30, longest_cycle = 120;                  // seconds, by Webster
 constexpr double saturation_flow = 1800;  // vehicles an hour of a lane that has green all the time
@@ -42,9 +42,9 @@ void check(const std::vector<SignalRequest>& movements) {
     require(within(m.walk_in, 0, 600) && within(m.walk_out, 0, 600), i,
             "a time to walk beyond 0 to 600 s");
     for (const int other : m.conflicts)
-      require(other >= 0 && other < static_cast<int>(movements.size()) &&
-                  other != static_cast<int>(i),
-              i, "a conflict with a movement that is not there");
+      require(
+          other >= 0 && other < static_cast<int>(movements.size()) && other != static_cast<int>(i),
+          i, "a conflict with a movement that is not there");
   }
 }
 
@@ -71,7 +71,8 @@ double all_red_of(const SignalRequest& m) {
 
 // The ends of a green state: amber and all red for all that have green in it.
 void append_change(const std::vector<SignalRequest>& movements,
-                   const std::vector<SignalState::Green>& greens, std::vector<SignalState>& states) {
+                   const std::vector<SignalState::Green>& greens,
+                   std::vector<SignalState>& states) {
   double amber = 0, all_red = 0;
   for (const SignalState::Green& green : greens) {
     amber = std::max(amber, amber_of(movements[green.movement]));
@@ -185,8 +186,7 @@ class Phases {
   // What people need to cross the widest street.
   double longest_walk() const {
     double longest = 0;
-    for (const SignalRequest& m : movements_)
-      longest = std::max({longest, m.walk_in, m.walk_out});
+    for (const SignalRequest& m : movements_) longest = std::max({longest, m.walk_in, m.walk_out});
     return std::ceil(longest);
   }
 
@@ -204,7 +204,8 @@ class Phases {
     double most = 0;
     for (const std::int64_t approach : phase) {
       const SignalRequest& m = movements_[approaches_.at(approach).front()];
-      most = std::max(most, std::sqrt(m.lanes) * std::pow(1.25, 5 - std::clamp(m.importance, 1, 9)));
+      most =
+          std::max(most, std::sqrt(m.lanes) * std::pow(1.25, 5 - std::clamp(m.importance, 1, 9)));
     }
     return most;
   }
@@ -223,10 +224,9 @@ class Phases {
         unknown += weight(phase);
     }
     const bool by_flow = unknown == 0 && loads > 0;
-    const double cycle =
-        by_flow ? std::clamp((1.5 * lost + 5) / (1 - std::min(loads, 0.9)), shortest_cycle,
-                             longest_cycle)
-                : lost + usual_green * phases.size();
+    const double cycle = by_flow ? std::clamp((1.5 * lost + 5) / (1 - std::min(loads, 0.9)),
+                                              shortest_cycle, longest_cycle)
+                                 : lost + usual_green * phases.size();
     for (std::size_t k = 0; k < phases.size(); ++k) {
       const double share = by_flow ? *load(phases[k]) / loads : weight(phases[k]) / weights;
       states[3 * k].duration =

@@ -8,9 +8,9 @@ namespace streetgen {
 
 namespace {
 
-const double flattest = std::cos(M_PI / 3);       // of a street and the slip lane that leaves it
-const double least_turn = std::cos(M_PI / 6);     // of a slip lane between its ends
-constexpr std::size_t most_pieces = 8;            // edges of a slip lane
+const double flattest = std::cos(M_PI / 3);    // of a street and the slip lane that leaves it
+const double least_turn = std::cos(M_PI / 6);  // of a slip lane between its ends
+constexpr std::size_t most_pieces = 8;         // edges of a slip lane
 
 class Finder {
  public:
@@ -113,7 +113,8 @@ class Finder {
 
 }  // namespace
 
-std::vector<SlipLane> find_slip_lanes(const std::vector<RuleEdge>& edges, const JunctionRules& rules,
+std::vector<SlipLane> find_slip_lanes(const std::vector<RuleEdge>& edges,
+                                      const JunctionRules& rules,
                                       const std::vector<std::vector<int>>& ends, Groups& groups) {
   return Finder(edges, rules, ends, groups).run();
 }

@@ -11,7 +11,7 @@ namespace streetgen {
 // What the rules ask of an edge.
 struct RuleEdge {
   int from_node = 0, to_node = 0;
-  double length = 0;                // metres
+  double length = 0;                 // metres
   Point leaves_from{}, leaves_to{};  // unit directions in which it leaves its nodes
   bool along = true, against = true;
   std::int64_t name = 0;
@@ -21,7 +21,8 @@ struct RuleEdge {
   bool one_way() const { return along != against; }
 };
 
-// A slip lane, its edges in the direction of its traffic, and the edges from its ends to the corner.
+// A slip lane, its edges in the direction of its traffic, and the edges from its ends to the
+// corner.
 struct SlipLane {
   std::vector<int> edges;
   int from_node = 0, to_node = 0;
@@ -31,7 +32,8 @@ struct SlipLane {
 };
 
 // `ends`: by node, its edges.  `groups`: nodes that are one corner whatever slip lanes say.
-std::vector<SlipLane> find_slip_lanes(const std::vector<RuleEdge>& edges, const JunctionRules& rules,
+std::vector<SlipLane> find_slip_lanes(const std::vector<RuleEdge>& edges,
+                                      const JunctionRules& rules,
                                       const std::vector<std::vector<int>>& ends, Groups& groups);
 
 }  // namespace streetgen

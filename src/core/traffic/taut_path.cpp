@@ -115,8 +115,8 @@ std::optional<Line> taut_path(const JunctionPlace& place, const Kerbs& kerbs, in
   for (const double clearance : {half_car, half_car / 3}) {
     const Search search(place, kerbs, from, to, clearance);
     for (const double lead : leads) {
-      const std::optional<Line> way = search.between(in.place + in.direction * lead,
-                                                     out.place - out.direction * lead);
+      const std::optional<Line> way =
+          search.between(in.place + in.direction * lead, out.place - out.direction * lead);
       if (!way) continue;
       Line guide{in.place};
       guide.insert(guide.end(), way->begin(), way->end());

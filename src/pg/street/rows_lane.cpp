@@ -44,12 +44,11 @@ bool fill_lane(const ComputedStreets& computed, const Named& named, std::size_t 
   const auto along = [&](const std::optional<double>& place) {
     return place ? Value(of.start_abscissa + *place) : Value();
   };
-  return put(row, edge, of.axis_id, lane.ordinality,
-             lane.position, name(lane_side_name(lane.side)), lane.along_axis, lane.both_ways,
-             name(lane_kind_name(lane.kind)), lane.width, lane.axis_offset, std::move(turn),
-             Geometry{stored_line(lane.line, flat(computed))},
-             Geometry{stored_surface(lane.surface, flat(computed))},
-             name(method_name(lane.method)), along(lane.start), along(lane.end));
+  return put(row, edge, of.axis_id, lane.ordinality, lane.position, name(lane_side_name(lane.side)),
+             lane.along_axis, lane.both_ways, name(lane_kind_name(lane.kind)), lane.width,
+             lane.axis_offset, std::move(turn), Geometry{stored_line(lane.line, flat(computed))},
+             Geometry{stored_surface(lane.surface, flat(computed))}, name(method_name(lane.method)),
+             along(lane.start), along(lane.end));
 }
 
 bool fill_lane_separator(const ComputedStreets& computed, const Named& named, std::size_t i,

@@ -31,10 +31,10 @@ Value borders_of(const Section& section) {
 bool fill_section(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
   const std::int64_t edge = named.edges[section.edge];
-  return edge > 0 && put(row, edge, computed.streets.network.edges[section.edge].level,
-                         Geometry{stored_surface(section.surface, flat(computed))},
-                         name(method_name(section.method)), section.contested_area,
-                         borders_of(section));
+  return edge > 0 &&
+         put(row, edge, computed.streets.network.edges[section.edge].level,
+             Geometry{stored_surface(section.surface, flat(computed))},
+             name(method_name(section.method)), section.contested_area, borders_of(section));
 }
 
 bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {

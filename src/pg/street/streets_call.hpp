@@ -43,8 +43,8 @@ struct StreetsCall {
   struct {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
-    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested, level,
-        borders;
+    Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested,
+        level, borders;
   } former_edges;
   struct {
     int count;

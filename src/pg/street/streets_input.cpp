@@ -399,7 +399,8 @@ WidthProfile borders_of(std::string_view bytes) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < 8; ++i) bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
+    for (std::size_t i = 0; i < 8; ++i)
+      bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
     double number = 0;
     std::memcpy(&number, &bits, sizeof number);
     numbers.push_back(number);

@@ -23,18 +23,19 @@ std::vector<ControlPoint> read_controls(const ControlRows& rows) {
     control.axis_id = DatumGetInt64(rows.axis_id.values[i]);
     control.abscissa =
         finite(DatumGetFloat8(rows.abscissa.values[i]), "abscissa of a control point");
-    control.kind = word_of<ControlKind>(text_of(rows.kind.values[i]), "kind of a control point",
-                                        {{"signals", ControlKind::signals},
-                                         {"stop", ControlKind::stop},
-                                         {"yield", ControlKind::yield},
-                                         {"mini_roundabout", ControlKind::mini_roundabout},
-                                         {"pedestrian_crossing", ControlKind::pedestrian_crossing}});
+    control.kind =
+        word_of<ControlKind>(text_of(rows.kind.values[i]), "kind of a control point",
+                             {{"signals", ControlKind::signals},
+                              {"stop", ControlKind::stop},
+                              {"yield", ControlKind::yield},
+                              {"mini_roundabout", ControlKind::mini_roundabout},
+                              {"pedestrian_crossing", ControlKind::pedestrian_crossing}});
     if (!rows.direction.nulls[i])
-      control.direction = word_of<Direction>(text_of(rows.direction.values[i]),
-                                             "direction of a control point",
-                                             {{"direct", Direction::along},
-                                              {"reverse", Direction::against},
-                                              {"both", Direction::both}});
+      control.direction =
+          word_of<Direction>(text_of(rows.direction.values[i]), "direction of a control point",
+                             {{"direct", Direction::along},
+                              {"reverse", Direction::against},
+                              {"both", Direction::both}});
     controls.push_back(control);
   }
   return controls;

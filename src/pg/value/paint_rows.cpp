@@ -19,8 +19,8 @@ PaintRows take_paint(FunctionCallInfo fcinfo, int junctions, int changes, int le
           {beside.count, column(beside, "axis_id", INT8OID), column(beside, "abscissa", FLOAT8OID),
            column(beside, "lane_from", INT4OID), column(beside, "lane_to", INT4OID),
            column(beside, "change", TEXTOID)},
-          {words.count, column(words, "axis_id", INT8OID), column_or_null(words, "forward", TEXTOID),
-           column_or_null(words, "backward", TEXTOID)}};
+          {words.count, column(words, "axis_id", INT8OID),
+           column_or_null(words, "forward", TEXTOID), column_or_null(words, "backward", TEXTOID)}};
 }
 
 namespace {
@@ -75,8 +75,8 @@ PaintRules read_paint(const PaintRows& rows) {
                        {{"allowed", true}, {"forbidden", false}})});
   for (int i = 0; i < rows.leaving.count; ++i)
     rules.leaving.push_back({DatumGetInt64(rows.leaving.axis_id.values[i]),
-                                 leaving_of(rows.leaving.forward, i),
-                                 leaving_of(rows.leaving.backward, i)});
+                             leaving_of(rows.leaving.forward, i),
+                             leaving_of(rows.leaving.backward, i)});
   return rules;
 }
 

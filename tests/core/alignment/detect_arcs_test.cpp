@@ -30,8 +30,10 @@ Drawn random_arc(std::mt19937_64& random, double noise) {
   const double turn = drawn.turn * pi / 180, start = between(random, 0, 2 * pi);
   const double spacing = between(random, 0.5, 3);
   // Four points and more, and no arc that noise alone could make.
-  drawn.radius = between(random, std::max({2.0, spacing / (pi / 4), 3 * spacing / turn,
-                                           20 * noise / (1 - std::cos(turn / 2))}), 80);
+  drawn.radius = between(random,
+                         std::max({2.0, spacing / (pi / 4), 3 * spacing / turn,
+                                   20 * noise / (1 - std::cos(turn / 2))}),
+                         80);
   const int sides = std::max(3, static_cast<int>(std::ceil(turn * drawn.radius / spacing)));
   const double way = random() % 2 == 0 ? 1 : -1;
   for (int i = 0; i <= sides; ++i) {

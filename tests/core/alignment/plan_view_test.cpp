@@ -159,8 +159,8 @@ TEST(CourseBeside, IsNoneOfALineThatGoesElsewhere) {
 
 TEST(ChainStation, IsWhereAPointLiesBesideAClothoid) {
   const std::vector<AlignmentElement> elements = two_bends();
-  const std::vector<PlanPiece> chain = course_beside(
-      elements, {elements.front().start, alignment_place(elements, 1e9).point}, 1e3);
+  const std::vector<PlanPiece> chain =
+      course_beside(elements, {elements.front().start, alignment_place(elements, 1e9).point}, 1e3);
   ASSERT_FALSE(chain.empty());
   for (double s = 1; s < length(chain) - 1; s += 3.7) {
     const ChainPlace place = place_at(chain, s);
@@ -186,11 +186,13 @@ TEST(ChainStation, IsWhereThePointWasPut) {
     for (const PlanPiece& piece : chain)
       aside = std::clamp(aside, -0.4 / std::max(std::abs(piece.curvature), 1e-9),
                          0.4 / std::max(std::abs(piece.curvature), 1e-9));
-    const Point beside = place.point + Point{-std::sin(place.heading), std::cos(place.heading), 0} * aside;
+    const Point beside =
+        place.point + Point{-std::sin(place.heading), std::cos(place.heading), 0} * aside;
     const ChainStation found = station_of(chain, beside);
     const ChainPlace nearest = place_at(chain, found.s);
     // Another part of the chain may come nearer; the way back leads to the point in any case.
-    const Point back = nearest.point + Point{-std::sin(found.heading), std::cos(found.heading), 0} * found.aside +
+    const Point back = nearest.point +
+                       Point{-std::sin(found.heading), std::cos(found.heading), 0} * found.aside +
                        Point{std::cos(found.heading), std::sin(found.heading), 0} * found.beyond;
     ASSERT_LT(distance(back, beside), 1e-6);
     ASSERT_LE(std::hypot(found.aside, found.beyond), std::abs(aside) + 1e-6);
@@ -265,8 +267,7 @@ TEST(RoadLanes, WithoutASurfaceLieAboutTheirLine) {
 // The normal of a place before a right angle runs along the lane behind it.
 TEST(RoadLanes, DoNotLookAlongTheLaneBehindABend) {
   const Line axis{{0, 0}, {30, 0}, {30, 30}};
-  const MultiPolygon corner{
-      {{{0, -2}, {32, -2}, {32, 30}, {28, 30}, {28, 2}, {0, 2}, {0, -2}}}};
+  const MultiPolygon corner{{{{0, -2}, {32, -2}, {32, 30}, {28, 30}, {28, 2}, {0, 2}, {0, -2}}}};
   const RoadLanes road = road_lanes(axis, {{corner, axis, 4}}, 0.05);
   for (std::size_t i = 0; i < road.stations.size(); ++i)
     EXPECT_LT(road.borders[0][i] - road.borders[1][i], 4 * std::sqrt(2) + 0.01) << i;

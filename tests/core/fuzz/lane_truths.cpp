@@ -75,8 +75,7 @@ void find_unsound(const Lanes& lanes, Faults& faults) {
 double width_at_start(const Streets& town, int e) {
   const Roadway& roadway = town.roadways[e];
   const double total = length(planar(town.network.edges[e].line));
-  return roadway.width +
-         (roadway.width_end - roadway.width) * town.limits[2 * e].abscissa / total;
+  return roadway.width + (roadway.width_end - roadway.width) * town.limits[2 * e].abscissa / total;
 }
 
 // Numbers, widths and places of the lanes of each edge.

@@ -30,7 +30,8 @@ Faults town_faults(const Made& made);
 // The same with limits and corners by hand; each edge's limits lie on it, in order.
 Faults override_faults(const Made& made);
 
-// Ground of one owner each, edges covered.  Not reached yet in every such town: docs/development/quality.md.
+// Ground of one owner each, edges covered.  Not reached yet in every such town:
+// docs/development/quality.md.
 Faults tiling_faults(const Made& made);
 
 // Lanes of random wishes and overrides on such towns: sound, numbered, filling the roadway, inside

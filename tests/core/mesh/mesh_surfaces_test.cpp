@@ -56,7 +56,8 @@ TEST(MeshSurfaces, LeavesHolesOpenAndMeshesEveryPart) {
   MultiPolygon ring = rectangle(0, 0, 10, 10);
   ring[0].push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}, {4, 4}});
   ring.push_back(rectangle(20, 0, 21, 1)[0]);
-  const auto meshes = mesh_surfaces({{ring, 0, east}, {rectangle(4, 4, 6, 6), 0, east, 0, false}}, {}, 0.05);
+  const auto meshes =
+      mesh_surfaces({{ring, 0, east}, {rectangle(4, 4, 6, 6), 0, east, 0, false}}, {}, 0.05);
   EXPECT_NEAR(area_of(meshes[0]), 97, 1e-9);
   EXPECT_TRUE(meshes[1].ground.triangles.empty());
 }

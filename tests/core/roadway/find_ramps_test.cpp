@@ -111,9 +111,11 @@ TEST(FindRamps, KeepsTheWidthOverTheLengthAndThenTapers) {
     double ground = 0;
     for (const Lane& one : model.lanes.lanes)
       if (one.edge == lanes[0].edge) ground += area(one.surface);
-    for (const Section& section : model.streets.sections)
-      if (section.edge == lanes[0].edge)
+    for (const Section& section : model.streets.sections) {
+      if (section.edge == lanes[0].edge) {
         EXPECT_NEAR(ground, area(section.surface), 1e-3);
+      }
+    }
   }
 }
 
@@ -385,8 +387,7 @@ TEST(FindRamps, JoinsTwoThatMeetOverANode) {
     Highway highway;
     highway.length_after = in_pieces ? 60 : 150;
     StreetModelInput input = highway.input();
-    if (in_pieces)
-      highway.add(input, 6, {{60, 0, 0}, {150, 0, 0}}, 3, RampPart::highway, 100);
+    if (in_pieces) highway.add(input, 6, {{60, 0, 0}, {150, 0, 0}}, 3, RampPart::highway, 100);
     highway.add(input, 4, {{150, 0, 0}, {750, 0, 0}}, 3, RampPart::highway, 100);
     highway.add(input, 5, {{150, 0, 0}, {390, -60, 0}}, 1, RampPart::link, 50);
     const StreetModel model = street_model(input);
@@ -459,11 +460,14 @@ TEST(FindRamps, DecidesByHand) {
   highway.rules.overrides = {{link, 240, {}, 0.}};
   EXPECT_TRUE(merging(street_model(highway.input())).empty());
   highway.rules.overrides = {{link, 10, 40., 100.}};
-  EXPECT_FALSE(street_model(highway.input()).streets.ramps.at(0).by_hand) << "the other end is meant";
+  EXPECT_FALSE(street_model(highway.input()).streets.ramps.at(0).by_hand)
+      << "the other end is meant";
 }
 
 TEST(FindRamps, TakesNoOtherNode) {
-  const auto ramps = [](StreetModelInput input) { return street_model(input).streets.ramps.size(); };
+  const auto ramps = [](StreetModelInput input) {
+    return street_model(input).streets.ramps.size();
+  };
   Highway highway;
   EXPECT_EQ(ramps(highway.input()), 1u);
   StreetModelInput input = highway.input();

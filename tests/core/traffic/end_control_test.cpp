@@ -106,7 +106,8 @@ TEST(EndControl, AKindByHandHoldsForTheNearestNodeOfItsAxis) {
 }
 
 TEST(EndControl, OfTwoKindsByHandTheLaterHolds) {
-  const auto ends = decided({{1, {200, 0}, JunctionKind::stop}, {5, {200, 4}, JunctionKind::priority}});
+  const auto ends =
+      decided({{1, {200, 0}, JunctionKind::stop}, {5, {200, 4}, JunctionKind::priority}});
   EXPECT_EQ(ends[7].decided, JunctionKind::priority);
 }
 

@@ -29,8 +29,8 @@ void add(JunctionNetwork& network, int from, int to, bool along = true, bool aga
 // A two-way street that crosses two carriageways `apart` metres from each other, nodes 0 and 1.
 JunctionNetwork dual_carriageway(double apart) {
   JunctionNetwork network;
-  network.nodes = {{0, 0}, {0, apart}, {-100, 0}, {100, 0}, {-100, apart}, {100, apart},
-                   {0, -100}, {0, apart + 100}};
+  network.nodes = {{0, 0},        {0, apart},   {-100, 0}, {100, 0},
+                   {-100, apart}, {100, apart}, {0, -100}, {0, apart + 100}};
   add(network, 0, 1);
   add(network, 2, 0, true, false);
   add(network, 0, 3, true, false);

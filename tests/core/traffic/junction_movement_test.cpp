@@ -34,9 +34,9 @@ class DualCarriageway : public ::testing::Test {
     lane(5, true, {{-2, 70}, {-2, 32}});
     lane(5, false, {{2, 32}, {2, 70}});
     place.inner.push_back({7, inside, 0, 1, true, true, -2, 2, {{0, 0}, {0, 20}}});
-    place.surface = {{{{-12, -4}, {-4, -4}, {-4, -12}, {4, -12}, {4, -4}, {12, -4}, {12, 4}, {4, 4},
-                       {4, 16}, {12, 16}, {12, 24}, {4, 24}, {4, 32}, {-4, 32}, {-4, 24},
-                       {-12, 24}, {-12, 16}, {-4, 16}, {-4, 4}, {-12, 4}, {-12, -4}}}};
+    place.surface = {{{{-12, -4}, {-4, -4},  {-4, -12}, {4, -12}, {4, -4}, {12, -4}, {12, 4},
+                       {4, 4},    {4, 16},   {12, 16},  {12, 24}, {4, 24}, {4, 32},  {-4, 32},
+                       {-4, 24},  {-12, 24}, {-12, 16}, {-4, 16}, {-4, 4}, {-12, 4}, {-12, -4}}}};
   }
 
   void leg(std::int64_t axis, int node, Line border) {
@@ -170,8 +170,8 @@ TEST_F(DualCarriageway, WhatLeadsThereByAnotherEdgeHolds) {
 
 TEST_F(DualCarriageway, StepsAtSingleNodesLeadTheSameWay) {
   // Lane 100 lies inside.
-  place.steps = {{11, 1, 100, true, true, true}, {12, 100, 8, true, true, true},
-                 {13, 1, 2, true, true, true}};
+  place.steps = {
+      {11, 1, 100, true, true, true}, {12, 100, 8, true, true, true}, {13, 1, 2, true, true, true}};
   const auto all = junction_movements(place, settings);
   EXPECT_EQ(between(all, 0, 7)->interconnections, (std::vector<std::int64_t>{11, 12}));
   EXPECT_EQ(between(all, 0, 1)->interconnections, (std::vector<std::int64_t>{13}));

@@ -28,8 +28,7 @@ using Paint = std::pair<bool, int>;
 
 // Four lanes along the axis have the ordinalities 3, 1, 2, 4 from left to right.
 TEST(LaneChange, ForbiddenBothWaysIsASolidLine) {
-  const Lanes made =
-      on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}, {1, 50, 2, 1, false}}});
+  const Lanes made = on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}, {1, 50, 2, 1, false}}});
   EXPECT_EQ(line(made, 1), (Paint{true, 0}));
   EXPECT_EQ(line(made, 2), (Paint{false, 0}));
   EXPECT_EQ(line(made, 3), (Paint{true, 0}));
@@ -46,15 +45,15 @@ TEST(LaneChange, OfTwoDecisionsTheLaterHolds) {
 }
 
 TEST(LaneChange, DecidedElsewhereChangesNothing) {
-  for (const LaneChange& change :
-       {LaneChange{1, 100, 1, 2, false}, LaneChange{2, 50, 1, 2, false},
-        LaneChange{1, 50, 3, 2, false}})
+  for (const LaneChange& change : {LaneChange{1, 100, 1, 2, false}, LaneChange{2, 50, 1, 2, false},
+                                   LaneChange{1, 50, 3, 2, false}})
     EXPECT_EQ(line(on_street(general(4, 0), {{}, {change}}), 2), (Paint{true, 0}));
 }
 
 TEST(LaneChange, AcrossTheMiddleIsNoChange) {
   const AxisLanes wanted = general(2, 2);
-  const Lanes plain = on_street(wanted, {}), decided = on_street(wanted, {{}, {{1, 50, 1, 2, true}}});
+  const Lanes plain = on_street(wanted, {}),
+              decided = on_street(wanted, {{}, {{1, 50, 1, 2, true}}});
   EXPECT_EQ(line(decided, 2), line(plain, 2));
 }
 
@@ -77,10 +76,9 @@ TEST(LaneChange, FollowsTheWordsOfItsSource) {
 
 TEST(LaneChange, ByHandGoesBeforeTheSource) {
   const LeavingLane nowhere{false, false};
-  EXPECT_EQ(line(on_street(general(2, 0),
-                           {{}, {{1, 50, 1, 2, true}}, {{1, {nowhere, nowhere}, {}}}}),
-                 1),
-            (Paint{true, -1}));
+  EXPECT_EQ(
+      line(on_street(general(2, 0), {{}, {{1, 50, 1, 2, true}}, {{1, {nowhere, nowhere}, {}}}}), 1),
+      (Paint{true, -1}));
 }
 
 TEST(LaneChange, AMixedLineIsTwoStripesAsFarApartAsTheyAreWide) {

@@ -28,10 +28,10 @@ Lines lines(int importance_of_south, std::optional<JunctionKind> by_hand,
   if (by_hand) paint.junctions.push_back({3, {1, 1, 0}, *by_hand});
   const AxisLanes two_way{std::vector<LaneWish>(1), std::vector<LaneWish>(1)};
   Lines found;
-  for (const Marking& marking : lanes(tee(importance_of_south),
-                                      {{1, two_way}, {2, two_way}, {3, two_way}}, {}, {}, signs, {},
-                                      paint)
-                                    .markings) {
+  for (const Marking& marking :
+       lanes(tee(importance_of_south), {{1, two_way}, {2, two_way}, {3, two_way}}, {}, {}, signs,
+             {}, paint)
+           .markings) {
     found.stop += marking.kind == MarkingKind::stop;
     found.yield += marking.kind == MarkingKind::yield;
   }

@@ -32,9 +32,7 @@ std::vector<SignalRequest> crossing(int arms) {
       movements.push_back(m);
       ends.push_back({2 * from, 2 * static_cast<int>(m.exit) + 1});
     }
-  const auto between = [&](int x, int a, int b) {
-    return a < b ? a < x && x < b : x > a || x < b;
-  };
+  const auto between = [&](int x, int a, int b) { return a < b ? a < x && x < b : x > a || x < b; };
   for (std::size_t i = 0; i < movements.size(); ++i)
     for (std::size_t j = 0; j < movements.size(); ++j) {
       const Ends &a = ends[i], &b = ends[j];

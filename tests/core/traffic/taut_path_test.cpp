@@ -23,7 +23,8 @@ class TautPath : public ::testing::Test {
 
   std::optional<Line> path() const {
     const Kerbs kerbs(place.surface, {{{-30, 12}, {-30, -12}}, {{30, 12}, {30, -12}}});
-    const LaneEnd in{LaneKind::general, 0, {-30, 0.5}, {1, 0}}, out{LaneKind::general, 0, {30, 0}, {1, 0}};
+    const LaneEnd in{LaneKind::general, 0, {-30, 0.5}, {1, 0}},
+        out{LaneKind::general, 0, {30, 0}, {1, 0}};
     const auto found = taut_path(place, kerbs, 0, 1, in, out, 0.05);
     if (found) {
       EXPECT_FALSE(kerbs.stop(*found, 0, 1));
@@ -46,7 +47,8 @@ class TautPath : public ::testing::Test {
   }
 
   static double highest(const Line& line) {
-    return std::max_element(line.begin(), line.end(), [](auto& a, auto& b) { return a.y < b.y; })->y;
+    return std::max_element(line.begin(), line.end(), [](auto& a, auto& b) { return a.y < b.y; })
+        ->y;
   }
 
   JunctionPlace place;
