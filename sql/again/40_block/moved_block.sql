@@ -43,10 +43,13 @@ near_place AS MATERIALIZED (
     WHERE method IN ('contested', 'level_change')),
 near_edge AS MATERIALIZED (
     SELECT p.moved, e.edge_id FROM block_ground g, near_place p, LATERAL (
-        SELECT e.geom FROM {model}.edge e WHERE e.level = g.level AND e.edge_id <> ALL (p.beside)
-        ORDER BY e.geom <-> p.geom LIMIT 1) nearest, LATERAL (
-        SELECT e.edge_id FROM {model}.edge e WHERE e.level = g.level AND e.edge_id <> ALL (p.beside)
-            AND ST_DWithin(e.geom, p.geom, ST_Distance(nearest.geom, p.geom) + 0.001) OFFSET 0) e),
+        -- The nearest box bounds the distance, as in _nearest_axis.
+        SELECT ST_Distance(b.geom, p.geom) AS away FROM (SELECT e.geom FROM {model}.edge e
+            WHERE e.level = g.level AND e.edge_id <> ALL (p.beside) ORDER BY e.geom <#> p.geom LIMIT 1) b) bound,
+        LATERAL (SELECT e.edge_id, e.away, min(e.away) OVER () AS least FROM (
+            SELECT e.edge_id, ST_Distance(e.geom, p.geom) AS away FROM {model}.edge e WHERE e.level = g.level
+                AND e.edge_id <> ALL (p.beside) AND ST_DWithin(e.geom, p.geom, bound.away + 0.001) OFFSET 0) e) e
+    WHERE e.away <= e.least + 0.001),
 -- Sides of the outside (block 0) change with edges alone.
 block_beside AS MATERIALIZED (
     SELECT edge_id, true AS moved FROM moved_end

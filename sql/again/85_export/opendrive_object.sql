@@ -46,7 +46,7 @@ standing AS MATERIALIZED (
                     OR g.edge_id IN (SELECT edge_id FROM written_edge) THEN (
                 SELECT e.edge_id FROM %1$I.edge e WHERE ST_DWithin(e.geom, o.geom, 50)
                     AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
-                ORDER BY e.geom <-> o.geom, e.edge_id LIMIT 1) END AS edge_id) n
+                ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
         JOIN written_edge e ON e.edge_id = n.edge_id JOIN road_of_edge r ON r.edge_id = n.edge_id,
         LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom
             ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
