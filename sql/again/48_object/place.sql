@@ -163,7 +163,7 @@ BEGIN
                 RAISE;
             END IF;
         END;
-        FOREACH held IN ARRAY ARRAY[hold_axes, hold_borders] LOOP
+        FOREACH held IN ARRAY array_remove(ARRAY[hold_axes, hold_borders], NULL) LOOP
             BEGIN
                 EXECUTE held USING axes, true;
                 RAISE SQLSTATE 'SG001';
