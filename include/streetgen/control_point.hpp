@@ -22,7 +22,7 @@ struct ControlPoint {
   enum class Direction { unknown, along, against, both } direction = Direction::unknown;
 };
 
-// What a place where traffic meets is.
+// The kinds of junctions.
 enum class JunctionKind {
   ramp,
   signals,

@@ -68,8 +68,8 @@ struct LaneOverride {
   Line line{};
 };
 
-// By hand: whether traffic may leave a lane for the one beside it, on the edge of the axis that
-// holds `abscissa`.
+// A decision by hand: whether traffic may leave a lane for the lane beside it. The decision holds
+// on the edge of the axis that has `abscissa`.
 struct LaneChange {
   std::int64_t axis_id = 0;
   double abscissa = 0;   // metres along the axis
@@ -77,21 +77,21 @@ struct LaneChange {
   bool allowed = true;
 };
 
-// What a source says of leaving a lane to its left and right in its driving direction; none:
-// nothing.
+// Whether traffic may leave a lane to its left and to its right, in its driving direction, by a
+// source. A lane of which the source says nothing has none.
 struct LeavingLane {
   bool left = true, right = true;
 };
 using LeavingLanes = std::vector<std::optional<LeavingLane>>;
 
-// Of the lanes of one axis that drive, each list from left to right in its driving direction.
+// The lanes of one axis for driving: each list goes from left to right in its driving direction.
 struct LeavingOfAxis {
   std::int64_t axis_id = 0;
   LeavingLanes forward, backward;
 };
 
-// What is known of paint alone.  Decisions by hand go before what sources say; of two of one thing
-// the later holds.
+// Decisions and sources that change paint alone.  A decision by hand goes before a source.  Of two
+// decisions on one thing the later one holds.
 struct PaintRules {
   std::vector<JunctionDecision> junctions;
   std::vector<LaneChange> changes;

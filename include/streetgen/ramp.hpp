@@ -11,9 +11,9 @@
 // are missing before it, less the lanes marked for both ways on.  So many merging lanes, at most as
 // many as the ramp has, lie outside of the highway's lanes on the side of the ramp.
 //
-// They run along the highway over each node that only joins two of its edges: no other edge is
-// there, the highway bends by less than 30 degrees, and has the same lanes and the same width.
-// Where it changes, and at any other node, they end.
+// Merging lanes run along the highway over each node that only joins two of its edges: no other
+// edge is there, and the highway bends by less than 30 degrees. Merging lanes end at any other
+// node, and where the lanes or the width of the highway change.
 #pragma once
 
 #include <algorithm>

@@ -36,8 +36,8 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis bytea, borders float8
     angle float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_ground';
 COMMENT ON FUNCTION streetgen._crossing_ground(bytea, float8[], float8, float8, float8) IS
-    'The roadway (POLYGON) under a crossing at an abscissa of an axis, between its borders, which go straight on beyond '
-    'its ends; NULL where it meets none.';
+    'The roadway (POLYGON) under a crossing at an abscissa of an axis, between its borders. Axis and borders go '
+    'straight on beyond their ends. NULL where the crossing meets no border.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis bytea, borders float8[], abscissa float8, width float8,
     angle float8) RETURNS bytea

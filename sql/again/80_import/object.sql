@@ -97,7 +97,8 @@ SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry
     ELSE 'absolute' END, 'import', $1, source_ref, source_hash, CASE WHEN axis_id IS NULL THEN 'absolute'
     ELSE 'relative' END
 FROM stood ORDER BY source_ref, label
-ON CONFLICT (source, source_ref) WHERE source_ref IS NOT NULL DO UPDATE SET (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
+ON CONFLICT (source, source_ref) WHERE source_ref IS NOT NULL
+DO UPDATE SET (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
     orientation, orientation_kind, source_hash, method) = ROW (excluded.type, excluded.geom, excluded.angle,
     excluded.placement, excluded.axis_id, excluded.abscissa, excluded.side, excluded.axis_offset,
     excluded.orientation, excluded.orientation_kind, excluded.source_hash, excluded.method)
