@@ -90,32 +90,10 @@ CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
             LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
         WHERE b.street_object_id = ANY (objects))
     UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
-    WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
-CREATE OR REPLACE FUNCTION %1$I.redraw_bays() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF TG_OP = 'DELETE' THEN
-        DELETE FROM %1$I.street_object o USING old_bay b WHERE o.street_object_id = b.street_object_id;
-    ELSE
-        PERFORM %1$I._take_from_rules(ARRAY(SELECT street_object_id FROM new_bay)),
-            %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_bay)),
-            %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_bay JOIN %1$I.street_object
-                USING (street_object_id)));
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON %1$I.parking_bay REFERENCING NEW TABLE AS new_bay
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.redraw_bays();
-CREATE OR REPLACE TRIGGER redraw_delete AFTER DELETE ON %1$I.parking_bay REFERENCING OLD TABLE AS old_bay
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.redraw_bays();
-COMMENT ON TRIGGER redraw_update ON %1$I.parking_bay IS 'Draws the ground anew';
-COMMENT ON TRIGGER redraw_delete ON %1$I.parking_bay IS 'The object goes with its bay'
+    WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$
 $sql$, model);
     PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew'),
-        streetgen._own_function(model, 'redraw_bays()', 'After an edit of parking bays: their ground follows');
+        streetgen._make_redraw(model, 'parking_bay', 'bays');
 END $$;
 COMMENT ON FUNCTION streetgen._make_bay_functions(name) IS
     'Makes the functions and triggers of a model by which parking bays follow their objects.';

@@ -65,32 +65,10 @@ CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
             FROM ST_Dump(stripes) s) END AS stripes FROM clipped)
     UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
     WHERE n.street_object_id = c.street_object_id
-        AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
-CREATE OR REPLACE FUNCTION %1$I.redraw_crossings() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF TG_OP = 'DELETE' THEN
-        DELETE FROM %1$I.street_object o USING old_crossing c WHERE o.street_object_id = c.street_object_id;
-    ELSE
-        PERFORM %1$I._take_from_rules(ARRAY(SELECT street_object_id FROM new_crossing)),
-            %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_crossing)),
-            %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_crossing JOIN %1$I.street_object
-                USING (street_object_id)));
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON %1$I.pedestrian_crossing REFERENCING NEW TABLE AS new_crossing
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.redraw_crossings();
-CREATE OR REPLACE TRIGGER redraw_delete AFTER DELETE ON %1$I.pedestrian_crossing REFERENCING OLD TABLE AS old_crossing
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.redraw_crossings();
-COMMENT ON TRIGGER redraw_update ON %1$I.pedestrian_crossing IS 'Draws ground and stripes anew';
-COMMENT ON TRIGGER redraw_delete ON %1$I.pedestrian_crossing IS 'The object goes with its crossing'
+        AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$
 $sql$, model);
     PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
-        streetgen._own_function(model, 'redraw_crossings()', 'After an edit of crossings: their ground follows');
+        streetgen._make_redraw(model, 'pedestrian_crossing', 'crossings');
 END $$;
 COMMENT ON FUNCTION streetgen._make_crossing_functions(name) IS
     'Makes the functions and triggers of a model by which crossings follow their objects.';

@@ -258,32 +258,8 @@ CREATE OR REPLACE TRIGGER join_objects_%2$s AFTER %2$s ON %1$I.street_object REF
 COMMENT ON TRIGGER join_objects_%2$s ON %1$I.street_object IS 'Finds the edges at which objects stand'
 $sql$, model, followed.event);
     END LOOP;
-    FOR followed IN SELECT * FROM (VALUES
-        ('insert', 'REFERENCING NEW TABLE AS after',
-            'SELECT axis_id, NULL::geometry AS was, geom AS now FROM after'),
-        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
-            'SELECT axis_id, b.geom AS was, a.geom AS now FROM before b FULL JOIN after a USING (axis_id) WHERE '
-                'b.geom IS DISTINCT FROM a.geom'),
-        ('delete', 'REFERENCING OLD TABLE AS before',
-            'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, tables, changed)
-    LOOP
-        EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF EXISTS (SELECT FROM %1$I.street_object) THEN
-        PERFORM %1$I._carry_objects(array_agg(axis_id ORDER BY axis_id), array_agg(was ORDER BY axis_id),
-            array_agg(now ORDER BY axis_id)) FROM (%3$s) c HAVING count(*) > 0;
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER %2$I AFTER %4$s ON %1$I.axis %5$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I();
-COMMENT ON TRIGGER %2$I ON %1$I.axis IS 'Objects stay at the piece of road where they stand'
-$sql$, model, 'carry_objects_' || followed.event, followed.changed, upper(followed.event), followed.tables);
-        PERFORM streetgen._own_function(model, format('%I()', 'carry_objects_' || followed.event),
-            'After an edit of axes: objects stay at the piece of road where they stand');
-    END LOOP;
+    PERFORM streetgen._follow_axes(model, 'carry_objects', 'street_object', '_carry_objects',
+        'objects stay at the piece of road where they stand');
     PERFORM streetgen._tie_specialised(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_functions(name) IS

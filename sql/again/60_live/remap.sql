@@ -339,7 +339,6 @@ DECLARE
         'corner_override,'
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
         'controller_override,road_override,ramp_override,height_override,lane_adjacency_override}';
-    followed record;
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.override_place WITH (security_invoker = true) AS
@@ -452,31 +451,8 @@ END $body$ $sql$, model,
     PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])',
         'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and '
         'after, NULL where there was or is none');
-    FOR followed IN SELECT * FROM (VALUES
-        ('insert', 'REFERENCING NEW TABLE AS after',
-            'SELECT axis_id, NULL::geometry AS before, geom AS after FROM after'),
-        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
-            'SELECT axis_id, b.geom AS before, a.geom AS after FROM before b FULL JOIN after a USING (axis_id) WHERE '
-                'b.geom IS DISTINCT FROM a.geom'),
-        ('delete', 'REFERENCING OLD TABLE AS before',
-            'SELECT axis_id, geom AS before, NULL::geometry AS after FROM before')) f(event, tables, changed)
-    LOOP
-        EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF EXISTS (SELECT FROM %1$I.override_place) THEN
-        PERFORM %1$I._remap(array_agg(axis_id), array_agg(before), array_agg(after)) FROM (%3$s) c HAVING count(*) > 0;
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER %2$I AFTER %4$s ON %1$I.axis %5$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I();
-COMMENT ON TRIGGER %2$I ON %1$I.axis IS 'Overrides find their axes again'
-$sql$, model, 'remap_' || followed.event, followed.changed, upper(followed.event), followed.tables);
-        PERFORM streetgen._own_function(model, format('%I()', 'remap_' || followed.event),
-            'After an edit of axes: overrides stay on the piece of road where they lie');
-    END LOOP;
+    PERFORM streetgen._follow_axes(model, 'remap', 'override_place', '_remap',
+        'overrides stay on the piece of road where they lie');
 END $$;
 COMMENT ON FUNCTION streetgen._make_remap(name) IS
     'Makes the view override_place of a model and the triggers on its axes that keep overrides where they lie.';

@@ -1,0 +1,37 @@
+-- What stands at axes and is no row computed from them follows their edits.
+
+CREATE OR REPLACE FUNCTION streetgen._follow_axes(model name, trigger_name text, relation name, follower name,
+    purpose text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    followed record;
+BEGIN
+    FOR followed IN SELECT format('%s_%s', trigger_name, event) AS name, f.* FROM (VALUES
+        ('insert', 'REFERENCING NEW TABLE AS after', 'SELECT axis_id, NULL::geometry AS was, geom AS now FROM after'),
+        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
+            'SELECT axis_id, b.geom AS was, a.geom AS now FROM before b FULL JOIN after a USING (axis_id) '
+            'WHERE b.geom IS DISTINCT FROM a.geom'),
+        ('delete', 'REFERENCING OLD TABLE AS before',
+            'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, tables, changed)
+    LOOP
+        EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF EXISTS (SELECT FROM %1$I.%3$I) THEN
+        PERFORM %1$I.%4$I(array_agg(axis_id ORDER BY axis_id), array_agg(was ORDER BY axis_id),
+            array_agg(now ORDER BY axis_id)) FROM (%5$s) c HAVING count(*) > 0;
+    END IF;
+    RETURN NULL;
+END $body$;
+CREATE OR REPLACE TRIGGER %2$I AFTER %6$s ON %1$I.axis %7$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I()
+$sql$, model, followed.name, relation, follower, followed.changed, upper(followed.event), followed.tables);
+        EXECUTE format('COMMENT ON TRIGGER %I ON %I.axis IS %L', followed.name, model, 'After an edit: ' || purpose);
+        PERFORM streetgen._own_function(model, format('%I()', followed.name), 'After an edit of axes: ' || purpose);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._follow_axes(name, text, name, name, text) IS
+    'Makes the triggers on the axes of a model that call a function of the model after each edit, unless a table is '
+    'empty. The function gets the changed axes with their lines before and after, NULL where there was or is none.';
