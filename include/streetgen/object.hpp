@@ -28,6 +28,17 @@ StandingPlace place_beside(const Line& axis, const PlaceBeside& beside);
 // these come to lie on the normal there, as far from the axis.
 PlaceBeside beside_axis(const Line& axis, const Point& point);
 
+// A stretch of the border of a roadway, or of the line so far beside this border.
+struct BorderStretch {
+  double from = 0, to = 0;  // metres along the axis, from below to
+  int side = +1;            // +1: left of the axis, -1: right
+  double beside = 0;        // metres from the border, positive away from the roadway
+};
+
+// The stretch as a line in the direction of the axis, between borders that run as far from the axis
+// as the profile says. Empty where the stretch is no longer than a micrometre.
+Line roadway_border(const Line& axis, const WidthProfile& borders, const BorderStretch& stretch);
+
 // A pedestrian crossing of a street.
 struct StreetCrossing {
   double abscissa = 0;  // metres along the axis, of its middle

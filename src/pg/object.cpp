@@ -31,6 +31,8 @@ WidthProfile read_borders(const NumberArray& borders) {
   return profile;
 }
 
+int side_of(const char* side) { return word_of<int>(side, "side", {{"left", +1}, {"right", -1}}); }
+
 // Of an axis, its borders, and abscissa, width and angle (degrees) of a crossing.
 template <class Draw>
 Datum crossing_result(FunctionCallInfo fcinfo, Draw draw) {
@@ -77,13 +79,25 @@ STREETGEN_FUNCTION(streetgen_border_at) {
   const double abscissa = PG_GETARG_FLOAT8(1);
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   double away = 0;
-  const Outcome outcome = compute([&] {
-    away = read_borders(borders)
-               .at(finite(abscissa, "abscissa"))
-               .on(word_of<int>(side, "side", {{"left", +1}, {"right", -1}}));
-  });
+  const Outcome outcome = compute(
+      [&] { away = read_borders(borders).at(finite(abscissa, "abscissa")).on(side_of(side)); });
   report(outcome);
   PG_RETURN_FLOAT8(away);
+}
+
+STREETGEN_FUNCTION(streetgen_roadway_border) {
+  const std::string_view axis = take_bytes(fcinfo, 0);
+  const NumberArray borders = take_numbers(fcinfo, 1);
+  const double from = PG_GETARG_FLOAT8(2), to = PG_GETARG_FLOAT8(3);
+  const char* side = text_to_cstring(PG_GETARG_TEXT_PP(4));
+  const double beside = PG_GETARG_FLOAT8(5);
+  return geometry_result(fcinfo, [&](GivenGeometry& result) {
+    const ReadLine read = read_line(axis, "axis");
+    const Line line = roadway_border(read.line, read_borders(borders),
+                                     {finite(from, "abscissa"), finite(to, "abscissa_end"),
+                                      side_of(side), in_range(beside, -1000, 1000, "axis_offset")});
+    if (line.size() > 1) result = {true, write_line(line, {read.srid, false})};
+  });
 }
 
 STREETGEN_FUNCTION(streetgen_crossing_ground) {

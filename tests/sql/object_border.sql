@@ -11,7 +11,7 @@ INSERT INTO road.axis (axis_id, geom, width, lane_count, direction, kind, speed)
 SELECT 'a roadway with merging lanes says where its borders run', (SELECT borders IS NOT NULL FROM road.section JOIN road.edge USING (edge_id) WHERE axis_id = 2);
 SELECT 'beside the first lane 8.75 m from the axis, past its taper 5.25 m', abs(streetgen._border_at(borders, 50, 'right') - 8.75) < 1e-6 AND abs(streetgen._border_at(borders, 400, 'right') - 5.25) < 1e-6
   AND abs(streetgen._border_at(borders, 50, 'left') - 5.25) < 1e-6 FROM streetgen._axis_borders('road', '{2}');
-SELECT 'borders that rounding parts where two edges meet are one place', every(ST_AsText(streetgen._border_line('LINESTRING(0 0,100 0)', 100, 8, 8, 0, ARRAY[0, 4, 4, x, 4, 4, x + 8e-15, 4, 4, 100, 4, 4], 30, 90, 'left', 0), 9) = format('LINESTRING(30 4,%s 4,90 4)', x))
+SELECT 'borders that rounding parts where two edges meet are one place', every(ST_AsText(streetgen._roadway_border('LINESTRING(0 0,100 0)'::geometry::bytea, ARRAY[0, 4, 4, x, 4, 4, x + 8e-15, 4, 4, 100, 4, 4], 30, 90, 'left', 0)::geometry, 9) = format('LINESTRING(30 4,%s 4,90 4)', x))
   FROM generate_series(40, 80) n, LATERAL (SELECT n::float8 AS x) p;
 INSERT INTO road.placement_rule (type, side, every, axis_offset, distance_from_limit) VALUES ('lamp', 'both', 10, 1, 1);
 CREATE VIEW off AS SELECT o.*, ST_Distance(o.geom, (SELECT ST_Collect(k.geom) FROM road.kerb k WHERE ST_DWithin(k.geom, o.geom, 5))) AS from_kerb, EXISTS (SELECT FROM road.roadway r WHERE ST_Intersects(r.surface, o.geom)) AS on_roadway FROM road.street_object o;

@@ -32,6 +32,13 @@ CREATE OR REPLACE FUNCTION streetgen._even_borders(width float8, width_end float
 COMMENT ON FUNCTION streetgen._even_borders(float8, float8, float8, float8) IS
     'Borders as column borders of a section has them, of a street of a length (m) that is as wide as its axis says.';
 
+CREATE OR REPLACE FUNCTION streetgen._roadway_border(axis bytea, borders float8[], abscissa float8,
+    abscissa_end float8, side text, axis_offset float8) RETURNS bytea
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_roadway_border';
+COMMENT ON FUNCTION streetgen._roadway_border(bytea, float8[], float8, float8, text, float8) IS
+    'The line (LINESTRING) from one abscissa of an axis to another one, so many metres away from the border of its '
+    'roadway on a side. NULL where both abscissas are the same.';
+
 CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis bytea, borders float8[], abscissa float8, width float8,
     angle float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_ground';

@@ -63,30 +63,15 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_street_function(name) IS
     'Makes the functions of a model that tell and hold the streets of objects.';
 
-CREATE OR REPLACE FUNCTION streetgen._border_line(axis geometry, length float8, width float8, width_end float8,
-    roadway_offset float8, borders float8[], abscissa float8, abscissa_end float8, side text, axis_offset float8)
-    RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._stretch_beside(axis geometry, abscissa float8, abscissa_end float8,
+    axis_offset float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN count(*) = 1 THEN (array_agg(piece))[1] ELSE ST_RemoveRepeatedPoints(ST_MakeLine(array_agg(piece
-        ORDER BY low)), 1e-9) END
-    FROM (SELECT at AS low, lead(at) OVER (ORDER BY at) AS high FROM (
-            SELECT unnest(ARRAY[abscissa, abscissa_end]) AS at UNION SELECT borders[3 * n + 1]
-            FROM generate_series(0, cardinality(borders) / 3 - 1) n
-            WHERE borders[3 * n + 1] > abscissa AND borders[3 * n + 1] < abscissa_end) p) r,
-        LATERAL (SELECT ST_LineSubstring(axis, least(low / length, 1), least(high / length, 1)) AS stretch,
-            streetgen._border_offset(streetgen._to_border(width, width_end, length, roadway_offset, borders, low, side),
-                axis_offset, side) AS at_start,
-            streetgen._border_offset(streetgen._to_border(width, width_end, length, roadway_offset, borders, high,
-                side), axis_offset, side) AS at_end) s,
-        LATERAL (SELECT CASE WHEN abs(at_start) + abs(at_end) = 0 THEN stretch
-            ELSE streetgen.offset_line(stretch, at_start, at_end) END AS piece) o
-    -- Where two edges of an axis meet, rounding parts their borders.
-    WHERE high - low > 1e-9 $$;
-COMMENT ON FUNCTION streetgen._border_line(geometry, float8, float8, float8, float8, float8[], float8, float8, text,
-    float8) IS
-    'The line (LINESTRING) from one abscissa of an axis of a length (m) to another one, so many metres from a border '
-    'of the roadway, or with side NULL from the axis. Widths as _to_border has them.';
+    SELECT CASE axis_offset WHEN 0 THEN stretch ELSE streetgen.offset_line(stretch, axis_offset, axis_offset) END
+    FROM (SELECT ST_LineSubstring(axis, least(abscissa / length, 1), least(abscissa_end / length, 1)) AS stretch
+        FROM ST_Length2D(axis) length) s $$;
+COMMENT ON FUNCTION streetgen._stretch_beside(geometry, float8, float8, float8) IS
+    'The line (LINESTRING) from one abscissa of an axis to another one, so many metres to the left of the axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float8, width_end float8,
     roadway_offset float8, borders float8[], abscissa float8, abscissa_end float8, side text, axis_offset float8)
@@ -97,8 +82,9 @@ CREATE OR REPLACE FUNCTION streetgen._object_geometry(axis geometry, width float
         SELECT CASE WHEN abscissa_end IS NULL THEN streetgen._place_on(axis::bytea, abscissa,
                 streetgen._border_offset(streetgen._to_border(width, width_end, ST_Length2D(axis), roadway_offset,
                     borders, abscissa, side), axis_offset, side))::geometry
-            ELSE streetgen._border_line(axis, ST_Length2D(axis), width, width_end, roadway_offset, borders, abscissa,
-                abscissa_end, side, axis_offset) END;
+            WHEN side IS NULL THEN streetgen._stretch_beside(axis, abscissa, abscissa_end, axis_offset)
+            ELSE streetgen._roadway_border(axis::bytea, coalesce(borders, streetgen._even_borders(width, width_end,
+                ST_Length2D(axis), roadway_offset)), abscissa, abscissa_end, side, axis_offset)::geometry END;
     END;
 COMMENT ON FUNCTION streetgen._object_geometry(geometry, float8, float8, float8, float8[], float8, float8, text,
     float8) IS
@@ -294,6 +280,9 @@ BEGIN
         RAISE EXCEPTION 'the abscissa of % cannot be %', subject, coalesce(greatest(NEW.abscissa,
             NEW.abscissa_end)::text, 'NULL') USING ERRCODE = '22023', DETAIL = format('Axis %s is %s m long.',
             NEW.axis_id, round(ST_Length2D(axis.line)::numeric, 3)), HINT = 'Drag it instead.';
+    ELSIF NEW.abscissa_end - NEW.abscissa BETWEEN 0 AND 0.001 THEN
+        RAISE EXCEPTION 'the end of % lies at its start', subject USING ERRCODE = '22023',
+            DETAIL = 'A stretch is longer than a millimetre.', HINT = 'Leave abscissa_end empty for a point.';
     ELSIF NEW.placement = 'border' AND NEW.side IS NULL THEN
         RAISE EXCEPTION 'the side of % is missing', subject USING ERRCODE = '22023',
             DETAIL = 'It is placed by a border of the roadway.', HINT = 'It is left or right.';

@@ -38,19 +38,6 @@ Line drawn_on(const Line& line, double run) {
   return out;
 }
 
-// From one abscissa of the axis to another one; side +1: the left border, -1: the right one.
-Line border_along(const Line& axis, const WidthProfile& borders, double from, double to, int side) {
-  using Place = WidthProfile::Place;
-  Line line;
-  borders.each_stretch(from, to, [&](const Place& start, const Place& end) {
-    if (end.abscissa - start.abscissa <= same_place) return;
-    const Line part = substring(axis, start.abscissa, end.abscissa);
-    const Line piece = offset_line(part, side * start.on(side), side * end.on(side));
-    line.insert(line.end(), piece.begin(), piece.end());
-  });
-  return line;
-}
-
 // The part of the axis about a crossing: a long axis has many bends elsewhere.
 struct Surroundings {
   double low, high;  // metres along the whole axis
@@ -80,7 +67,7 @@ std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& bor
   const Surroundings near(line, borders, crossing);
   if (near.axis.empty()) return std::nullopt;
   const auto border = [&](int side) {
-    return drawn_on(border_along(line, borders, near.low, near.high, side), near.reach);
+    return drawn_on(roadway_border(line, borders, {near.low, near.high, side}), near.reach);
   };
   const Line left = border(+1), right = border(-1);
   if (left.empty() || right.empty()) return std::nullopt;
