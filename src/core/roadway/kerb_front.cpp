@@ -235,7 +235,8 @@ class Front {
   }
   void tell_end(int i, const Point& at, double time) {
     if (strip(i).end_told) return;
-    strip(i).end_told = time >= strip(i).reach;
+    // Where the next one goes round, its ground begins behind the end of this one.
+    strip(i).end_told = time >= strip(i).reach || goes_round(sides_[i].next);
     ground(i).end.push_back(strip(i).end_told ? sides_[i].end.place(beyond) : at);
   }
   void leave_open(int i) {

@@ -70,11 +70,16 @@ bool SharedGround::bounds(int kerb, int other) const {
   return false;
 }
 
+// Of two kerbs that follow each other a plain strip ends where the front parts them.
+bool SharedGround::parted_before(int kerb, int other) const {
+  return strips_[kerb].plain && (chains_.next(kerb) == other || chains_.previous(kerb) == other);
+}
+
 std::vector<int> SharedGround::rivals(int kerb) const {
   std::vector<int> found;
   const Box& box = grounds_[kerb].box();
   for (const int other : ground_index_.near(box, -sides_touch))
-    if (other != kerb && kerbs_[other].level == kerbs_[kerb].level &&
+    if (other != kerb && kerbs_[other].level == kerbs_[kerb].level && !parted_before(kerb, other) &&
         overlap(grounds_[kerb], grounds_[other]))
       found.push_back(other);
   side_index_.each_near(box, -sides_touch, [&](int side) {
@@ -181,7 +186,7 @@ MultiPolygon SharedGround::ground_of(int kerb, const std::vector<int>& rivals) {
   for (const int other : ordered) append_stretches(strips_[other].surface, near, lines);
   append_kerbs(kerb, lines);
   for (const int other : ordered)
-    if (!strips_[other].surface.empty())
+    if (!strips_[other].surface.empty() && !parted_before(other, kerb))
       for (const auto& [from, to] : border_between(kerb, other).border())
         if (near(from, to)) held.push_back({from, to});
   lines.insert(lines.end(), held.begin(), held.end());
@@ -194,7 +199,7 @@ MultiPolygon SharedGround::ground_of(int kerb, const std::vector<int>& rivals) {
       if (!owned) break;
       if (!grounds_[other].holds(place)) continue;
       const bool first = before(kerbs_[kerb].line, kerbs_[other].line);
-      owned = border_between(kerb, other).first_owns(place) == first;
+      owned = !parted_before(other, kerb) && border_between(kerb, other).first_owns(place) == first;
     }
     kept.push_back(owned);
   }

@@ -31,6 +31,7 @@ class SharedGround {
     int segment;
   };
   bool bounds(int kerb, int other) const;
+  bool parted_before(int kerb, int other) const;
   bool on_roadway(const Point& place, int kerb) const;
   const Point* ends_of(const Side& side) const { return &kerbs_[side.kerb].line[side.segment - 1]; }
   bool left_of(const Point& place, const Side& side) const;

@@ -266,6 +266,37 @@ TEST(Sidewalk, OfRandomBlocksLieInsideAndOverlapNowhere) {
   }
 }
 
+// What is contested at the far end of the next kerb is none of its business.
+TEST(Sidewalk, EndsAtTheBisectorWhateverTheNextKerbMeetsFartherOn) {
+  const SidewalkKerb first = kerb({{0.3, -7.1, 0}, {20, 0, 0}}, 2);
+  const SidewalkKerb next = kerb({{20, 0, 0}, {20, 60, 0}}, 3);
+  const SidewalkKerb across = kerb({{20, 60, 0}, {17, 45, 0}}, 1);
+  const SidewalkKerb beyond = kerb({{17, 45, 0}, {0, 45, 0}}, 1);
+  const Sidewalk alone = of_kerb(find_sidewalks({first, next}, 0), 0);
+  const auto all = find_sidewalks({first, next, across, beyond}, 0);
+  const Sidewalk& beside = of_kerb(all, 0);
+  EXPECT_EQ(of_kerb(all, 1).method, Method::contested);
+  EXPECT_EQ(beside.method, Method::hypothesis);
+  EXPECT_DOUBLE_EQ(area(beside.surface), area(alone.surface));
+  Geos geos;
+  std::vector<MultiPolygon> surfaces;
+  for (const Sidewalk& sidewalk : all) surfaces.push_back(sidewalk.surface);
+  EXPECT_NEAR(area(geos.polygons(geos.unite(surfaces).get())), total(all), 1e-6);
+}
+
+// The next kerb shrinks to nothing behind the strip, and its round bend stays its own.
+TEST(Sidewalk, LeavesTheOuterBendToTheNextKerb) {
+  const Line way{{-6.723, 23.704, 0}, {-17.580, 28.940, 0}, {-13.084, 14.309, 0},
+                 {-8.692, 5.889, 0},  {-36.450, 19.648, 0}, {-14.309, 2.836, 0},
+                 {-10.175, 0.233, 0}};
+  const double widths[] = {1.037, 2.826, 1.67, 2.301, 2.583, 2.184};
+  std::vector<SidewalkKerb> kerbs;
+  for (int i = 0; i < 6; ++i) kerbs.push_back(kerb({way[i], way[i + 1]}, widths[i]));
+  const double own = area(of_kerb(find_sidewalks(kerbs, 5), 2).surface);
+  kerbs.resize(4);
+  EXPECT_NEAR(own, area(of_kerb(find_sidewalks(kerbs, 5), 2).surface), 1e-6);
+}
+
 // An edit gives the kerbs near those that it moved, a run all of them.
 TEST(Sidewalk, IsTheSameWhicheverKerbsAreGivenFartherOff) {
   std::mt19937 random(11);
