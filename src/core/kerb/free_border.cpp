@@ -94,15 +94,21 @@ bool FreeBorder::lies_along(const Point& from, const Point& to) const {
 }
 
 void FreeBorder::share_with(const MultiPolygon& neighbour, bool other_level) {
+  std::vector<std::size_t> near;
   for (const Polygon& polygon : neighbour)
     for (const Ring& ring : polygon)
       for (std::size_t k = 1; k < ring.size(); ++k) {
-        const Box box = box_of(ring[k - 1], ring[k]);
+        const Point &from = ring[k - 1], &to = ring[k];
+        const Box box = box_of(from, to);
         if (!box_.meets(box, crack)) continue;
-        boxes_.any_near(box, crack, [&](std::size_t i) {
-          add_shared(i, ring[k - 1], ring[k], other_level);
-          return false;
+        near.clear();
+        // A side that is there twice lies on no other one, also at the tip of a needle.
+        const bool is_twice = boxes_.any_near(box, crack, [&](std::size_t i) {
+          near.push_back(i);
+          return same(side(i).first, from) && same(side(i).second, to);
         });
+        if (is_twice) near.erase(near.begin(), near.end() - 1);
+        for (const std::size_t i : near) add_shared(i, from, to, other_level);
       }
 }
 

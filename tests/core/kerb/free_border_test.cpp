@@ -28,5 +28,40 @@ TEST(FreeBorder, GoesOverACrackThatIsNoGround) {
   EXPECT_NEAR(unshared(1e-3), 22, 1e-3);
 }
 
+// Where the last unshared piece of a border ends that comes from `from`.
+Point mouth(const MultiPolygon& surface, const MultiPolygon& neighbour) {
+  FreeBorder border(surface);
+  border.share_with(neighbour, false);
+  const std::vector<BorderLoop> loops = border.loops();
+  const BorderLoop& loop = loops.front();
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const BorderPiece& next = loop[(i + 1) % loop.size()];
+    if (loop[i].shared == next.shared) continue;
+    if (distance(loop[i].to, {0, 0, 0}) < 1e-3) return loop[i].to;
+  }
+  return {};
+}
+
+// The tip of a surface lies 24 micrometres deep in a notch of its neighbour, less than one beside
+// the neighbour's free border. Both sides find the mouth of the notch.
+TEST(FreeBorder, EndsAtTheMouthOfANeedleOnBothSides) {
+  const Point tip{-0.3114e-6, -23.9685e-6, 0}, beside{-0.0623e-6, 3.2126e-6, 0};
+  const MultiPolygon notched = {{{{0.672602, -33.18723, 0},
+                                  {0, 0, 0},
+                                  tip,
+                                  beside,
+                                  {-10.5, 0.096, 0},
+                                  {-10.5, -33, 0},
+                                  {0.672602, -33.18723, 0}}}};
+  const MultiPolygon pointed = {{{{-10.5, 0.096, 0},
+                                  beside,
+                                  tip,
+                                  {552.5824e-6, 43663.0971e-6, 0},
+                                  {-10.5, 0.213, 0},
+                                  {-10.5, 0.096, 0}}}};
+  EXPECT_LT(distance(mouth(notched, pointed), {0, 0, 0}), 1e-9);
+  EXPECT_LT(distance(mouth(pointed, notched), {0, 0, 0}), 1e-9);
+}
+
 }  // namespace
 }  // namespace streetgen
