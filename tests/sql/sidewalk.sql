@@ -31,6 +31,21 @@ SELECT 'sidewalks of the left sides lie on the block, the others on none', count
 SELECT 'the interior of a block is its ground less its sidewalks', count(*) = 1 AND bool_and(abs(ST_Area(b.surface) - ST_Area(i.geom) - w.area) < 1e-6) FROM quad.block b JOIN quad.block_interior i USING (block_id)
   JOIN (SELECT block_id, sum(ST_Area(surface)) AS area FROM quad.sidewalk JOIN quad.sidewalk_block USING (sidewalk_id) GROUP BY 1) w USING (block_id);
 
+-- A wide street reaches over a narrow one beside it: its kerb there lies in a block that its edge is not about.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('over', 2154, subjects => '{sidewalk,block}');
+  INSERT INTO over.axis (axis_id, geom, width, radius, sidewalk_left, sidewalk_right) SELECT n, pg_temp.line(l), w, 2, 2, 2
+  FROM (VALUES (1, 'LINESTRING(0 0,100 0)', 24), (2, 'LINESTRING(0 6,100 6)', 4), (3, 'LINESTRING(0 0,0 6)', 4), (4, 'LINESTRING(100 0,100 6)', 4),
+    (5, 'LINESTRING(0 6,0 60)', 4), (6, 'LINESTRING(100 6,100 60)', 4), (7, 'LINESTRING(0 60,100 60)', 4)) v(n, l, w);
+END $$;
+CREATE TEMP VIEW over_block AS SELECT b.* FROM over.sidewalk s JOIN over.kerb k USING (edge_id, side, part) JOIN over.edge e USING (edge_id) LEFT JOIN over.sidewalk_block b USING (sidewalk_id)
+  WHERE e.axis_id = 1 AND s.side = 'left' AND ST_Length(k.geom) > 20;
+SELECT 'its sidewalk belongs to the block that it lies in', count(*) = 1 AND bool_and(ST_Area(b.surface) > 3000 AND ST_Contains(ST_Buffer(b.surface, 1e-6), s.surface))
+  FROM over_block JOIN over.sidewalk s USING (sidewalk_id) JOIN over.block b USING (block_id);
+SELECT 'the edge of the kerb is not about that block', count(*) = 0 FROM over_block JOIN over.block_edge USING (block_id) JOIN over.edge USING (edge_id) WHERE axis_id = 1;
+DELETE FROM over.axis WHERE axis_id = 7;
+SELECT 'where no block lies there it belongs to none', count(*) = 1 AND bool_and(block_id IS NULL) FROM over_block;
+
 -- The island of a roundabout that the source names. Ring 1 runs with the traffic, counter-clockwise, ring 2 against it; 3 is a loop.
 DO $$ BEGIN
   PERFORM streetgen.create_model('rings', 2154, subjects => '{sidewalk}');

@@ -5,19 +5,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_sidewalk_block_view(model name) RETUR
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.sidewalk_block WITH (security_invoker = true) AS
-SELECT s.sidewalk_id, CASE
-    -- A kerb that others contest may lie in a block that its edge is not about, or in none.
-    WHEN k.method IN ('contested', 'level_change') THEN (SELECT b.block_id FROM %1$I.block b,
-        ST_PointOnSurface(s.surface) place WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1)
-    ELSE (SELECT b.block_id FROM %1$I.block_edge b WHERE b.edge_id = s.edge_id
-        AND b.side = CASE WHEN s.side IN ('right', 'corner_at_end') THEN 'right' ELSE 'left' END
-        -- Past a crossing without a node another block may lie beside the edge.
-        ORDER BY abs((b.start_abscissa + b.end_abscissa) / 2 - at.abscissa) - (b.end_abscissa - b.start_abscissa) / 2
-        LIMIT 1) END AS block_id
-FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) JOIN %1$I.kerb k USING (edge_id, side, part),
-    LATERAL (SELECT ST_Length(e.geom) * CASE WHEN s.side IN ('start', 'corner_at_start') THEN 0
-        WHEN s.side IN ('end', 'corner_at_end') THEN 1
-        ELSE ST_LineLocatePoint(e.geom, ST_LineInterpolatePoint(k.geom, 0.5)) END AS abscissa) at
+-- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the block.
+SELECT s.sidewalk_id, (SELECT b.block_id FROM %1$I.block b, ST_PointOnSurface(s.surface) place
+    WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
+FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id)
 WHERE e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level');
 COMMENT ON VIEW %1$I.sidewalk_block IS 'The block that each sidewalk of the ground lies on';
 CREATE OR REPLACE VIEW %1$I.block_interior WITH (security_invoker = true) AS
