@@ -193,5 +193,11 @@ SELECT 'an editor puts an object and turns it', count(*) > 0 AND bool_and(orient
 DELETE FROM ruled.street_object_editing WHERE street_object_id = (SELECT min(street_object_id) FROM ruled.street_object);
 SELECT 'and takes one away where rules place them', count(*) > 0 FROM ruled.free_place;
 RESET ROLE;
+SELECT 'the locks of such edits are not for everybody', count(*) = 3 AND NOT bool_or(EXISTS (SELECT FROM aclexplode(proacl) WHERE grantee = 0))
+  AND bool_and(has_function_privilege('streetgen_test_planter', oid, 'EXECUTE')) FROM pg_proc WHERE pronamespace = 'ruled'::regnamespace AND proname IN ('_begin_ruled_edit', '_lock_beside', '_hold_borders');
+SELECT count(*) FROM streetgen.switch_subject('ruled', 'kerb', true) \g /dev/null
+SELECT 'an editor may take them after a subject was switched on', bool_and(has_function_privilege('streetgen_test_planter', oid, 'EXECUTE')) FROM pg_proc WHERE pronamespace = 'ruled'::regnamespace AND proname = '_lock_beside';
+SELECT streetgen."grant"('ruled', 'streetgen_test_planter', 'reader') \g /dev/null
+SELECT 'who becomes a reader may not', NOT bool_or(has_function_privilege('streetgen_test_planter', oid, 'EXECUTE')) FROM pg_proc WHERE pronamespace = 'ruled'::regnamespace AND proname IN ('_begin_ruled_edit', '_lock_beside', '_hold_borders');
 DROP OWNED BY streetgen_test_planter;
 DROP ROLE streetgen_test_planter;

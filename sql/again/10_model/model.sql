@@ -326,6 +326,12 @@ BEGIN
     LOOP
         EXECUTE format('REVOKE ALL ON %s FROM %I CASCADE', held.relation, role);
     END LOOP;
+    FOR held IN SELECT p.oid::regprocedure AS routine FROM pg_namespace n JOIN pg_proc p ON pronamespace = n.oid
+        WHERE nspname = model AND proowner = nspowner
+            AND EXISTS (SELECT FROM aclexplode(proacl) a WHERE a.grantee = holder)
+    LOOP
+        EXECUTE format('REVOKE ALL ON ROUTINE %s FROM %I CASCADE', held.routine, role);
+    END LOOP;
     EXECUTE format('REVOKE ALL ON SCHEMA %I FROM %I CASCADE', model, role);
 END $$;
 COMMENT ON FUNCTION streetgen._take_back(name, name) IS
@@ -358,7 +364,8 @@ BEGIN
             EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);
         END LOOP;
     END IF;
-    PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model);
+    PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model),
+        streetgen._grant_object_locks(model);
 END $$;
 COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
     'Sets the rights of a role on a model: to read it (reader), or also to edit its input: axes, turn restrictions, '

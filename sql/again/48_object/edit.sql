@@ -32,6 +32,27 @@ COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint[], geometry[]) IS
     'the model, the axes by which the object stands with their borders, and where rules place objects the axes beside '
     'its places. A lock_timeout that ends: 55P03, naming who holds them.';
 
+CREATE OR REPLACE FUNCTION streetgen._grant_object_locks(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    editor text;
+BEGIN
+    IF 'object' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
+    FOR editor IN SELECT DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END
+        FROM pg_class c, aclexplode(c.relacl)
+        WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner
+            AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE')
+    LOOP
+        EXECUTE format('GRANT EXECUTE ON FUNCTION %1$I._begin_ruled_edit(), %1$I._lock_beside(geometry[], boolean), '
+            '%1$I._hold_borders(bigint[], boolean) TO %2$s', model, editor);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._grant_object_locks(name) IS
+    'Who may write the axes of a model may call the functions by which edits of its objects lock.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_street_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -261,6 +261,7 @@ $sql$, model, followed.event);
     PERFORM streetgen._follow_axes(model, 'carry_objects', 'street_object', '_carry_objects',
         'objects stay at the piece of road where they stand');
     PERFORM streetgen._tie_specialised(model);
+    PERFORM streetgen._grant_object_locks(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_functions(name) IS
     'Makes the functions and triggers of a model by which objects follow its axes, or drops them where it computes '

@@ -57,8 +57,6 @@ $sql$, model, model);
         'The axes by which objects stand, with their lines, widths and borders'),
         streetgen._own_function(model, '_hold_borders(bigint[], boolean)',
         'Keeps others from moving the borders of axes until the transaction ends; without wait 55P03 where one does');
-    -- Who edits objects calls it.
-    EXECUTE format('GRANT EXECUTE ON FUNCTION %I._hold_borders(bigint[], boolean) TO PUBLIC', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_street_function(name) IS
     'Makes the functions of a model that tell and hold the streets of objects.';

@@ -431,9 +431,6 @@ $sql$, model, followed.event, followed.tables);
         streetgen._own_function(model, 'apply_rules()', 'After an edit of rules: their objects follow'),
         streetgen._own_function(model, 'fill_places()', 'After an edit of free places: rules place objects there'),
         streetgen._own_function(model, 'free_places()', 'After objects were deleted: rules take their places');
-    -- Who edits objects calls these by the edit views.
-    EXECUTE format('GRANT EXECUTE ON FUNCTION %1$I._begin_ruled_edit(), %1$I._lock_beside(geometry[], boolean) '
-        'TO PUBLIC', model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_rule_functions(name) IS
     'Makes the functions and triggers of a model by which rules place objects.';
