@@ -138,10 +138,10 @@ struct LaneSeparator {
   int edge = 0;
   int position = 0;
   SeparatorKind kind = SeparatorKind::same_direction;
-  bool dashed = false;  // some traffic may cross it
-  // +1: only traffic on its right may, so that a solid line stands on the left of the dashed one;
-  // -1: only traffic on its left; 0: all or none.
-  int solid_side = 0;
+  bool dashed = false;
+  // Whether traffic may cross it to its left, and to its right, seen along the axis.  Where one
+  // alone is so, a solid line on the side of those who may not stands beside a dashed one.
+  bool leftwards = false, rightwards = false;
   double axis_offset = 0;  // metres to the left of the axis, at the start limit
   Line line;               // in the point order of the axis
   bool painted = false;    // not where the limits crossed

@@ -40,6 +40,8 @@ SELECT 'forward lanes 3, 4, 5: none leaves the first, the second to the right al
 SELECT 'backward lanes, from left to right 2 and 1', array_agg(concat(from_lane, to_lane, ' ', change) ORDER BY from_lane, to_lane) = '{"12 allowed","21 allowed"}' FROM said WHERE NOT along_axis AND change <> 'opposite';
 UPDATE town.axis SET change_backward = 'no|no' WHERE axis_id = 9;
 SELECT 'its paint says so, live as from scratch', (SELECT array_agg(format('%s %s', lane_position, dashed) ORDER BY lane_position) = '{"1 f","3 f","4 t"}' FROM town.lane_separator JOIN town.edge USING (edge_id) WHERE axis_id = 9 AND kind = 'same_direction') AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town'));
+SELECT 'the line says who may cross it, seen along the axis', array_agg(format('%s %s %s %s', lane_position, kind, leftwards, rightwards) ORDER BY lane_position)
+  = '{"1 same_direction f f","2 centre f f","3 same_direction f f","4 same_direction t t"}' FROM town.lane_separator JOIN town.edge USING (edge_id) WHERE axis_id = 9;
 SELECT 'typed anew', bool_and(change = 'forbidden') FROM said WHERE NOT along_axis AND change <> 'opposite';
 SELECT 'other words are refused', test.state($$UPDATE town.axis SET change_forward = 'maybe' WHERE axis_id = 9$$) = '23514';
 SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |no', 'change') = 'yes|not_right|no' AND streetgen._osm_list('yes|perhaps', 'change') IS NULL;
@@ -50,6 +52,7 @@ CREATE FUNCTION mark(lane integer) RETURNS text LANGUAGE sql AS $$ SELECT (xpath
   FROM (SELECT string_agg(line, '' ORDER BY ordinality)::xml AS file FROM streetgen.export_opendrive('town')) f, LATERAL (SELECT (xpath('//road[userData[@code="edge" and @value="' || edge_id || '"]]', file))[1] AS road FROM town.edge WHERE axis_id = 1 LIMIT 1) r $$;
 CREATE FUNCTION dashes(border integer) RETURNS text LANGUAGE sql AS $$ SELECT format('%s %s', dashed, count(*) FILTER (WHERE ST_Perimeter(d.geom) > 50)) FROM town.lane_separator s JOIN town.edge USING (edge_id), ST_Dump(s.surface) d WHERE axis_id = 1 AND lane_position = border GROUP BY s.lane_separator_id LIMIT 1 $$;
 SELECT 'a solid line lies beside the dashed one, and OpenDRIVE says so', dashes(3) = 't 1' AND dashes(1) = 't 0' AND mark(-1) = 'solid broken increase' AND mark(1) = 'broken both';
+SELECT 'a change forbidden to the right leaves the one to the left', (leftwards, rightwards) = (true, false) FROM town.lane_separator JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND lane_position = 3 LIMIT 1;
 UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (4, 3));
 SELECT 'forbidden both ways it is one solid line', dashes(3) = 'f 1' AND mark(-1) = 'solid none';
 DELETE FROM town.lane_adjacency_editing WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (4, 3));

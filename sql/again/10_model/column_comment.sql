@@ -297,6 +297,8 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('lane_separator', 'kind',
         'centre (between the directions, and on both sides of lanes that both use), same_direction or edge'),
     ('lane_separator', 'dashed', 'is it dashed'),
+    ('lane_separator', 'leftwards', 'may traffic cross it to its left, seen along the axis'),
+    ('lane_separator', 'rightwards', 'may traffic cross it to its right, seen along the axis'),
     ('lane_separator', 'axis_offset', 'offset at the start limit, metres to the left of the axis'),
     ('lane_separator', 'geom', 'line between the limits, in the direction of the axis'),
     ('lane_separator', 'surface', 'its paint; empty where the limits crossed'),

@@ -19,39 +19,23 @@ SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_i
     CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
     CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, p.start_abscissa, p.end_abscissa,
     CASE WHEN s.kind = 'centre' THEN 'opposite'
-        WHEN d.change IS NOT NULL THEN d.change
-        WHEN 'parking' IN (l.kind, r.kind) OR (l.kind = 'cycle') <> (r.kind = 'cycle') THEN 'forbidden'
-        WHEN c.word <> '' THEN CASE WHEN streetgen._may_change(c.word, c.leftwards) THEN 'allowed' ELSE 'forbidden' END
-        WHEN s.dashed THEN 'allowed'
+        WHEN CASE v.side WHEN 'left' THEN s.leftwards ELSE s.rightwards END THEN 'allowed'
         ELSE 'forbidden' END AS change,
-    s.kind <> 'centre' AND d.change IS NOT NULL AS by_hand, s.geom
+    s.kind <> 'centre' AND EXISTS (SELECT FROM %1$I.lane_adjacency_override o
+        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+            AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
+                CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)) AS by_hand, s.geom
 FROM %1$I.lane_separator s %2$s
     JOIN %1$I.edge e ON e.edge_id = s.edge_id
     JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
     -- As far as both go: a merging lane is beside the others on a part of the edge.
     CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, r.start_abscissa) AS start_abscissa,
-        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p
-    LEFT JOIN %1$I.axis a ON a.axis_id = e.axis_id
-    LEFT JOIN LATERAL (SELECT o.change FROM %1$I.lane_adjacency_override o
-        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
-            AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
-                CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)
-        ORDER BY o.lane_adjacency_override_id DESC LIMIT 1) d ON true
-    -- What the source says of lane_a, by its number among the lanes of its direction, from left to right. A source
-    -- does not count merging lanes.
-    CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.change_forward ELSE a.change_backward END AS list,
-        CASE v.side WHEN 'right' THEN l.lane_position ELSE r.lane_position END AS at) n
-    CROSS JOIN LATERAL (SELECT (v.side = 'left') = l.along_axis AS leftwards, CASE WHEN n.list IS NOT NULL
-        AND l.along_axis = r.along_axis AND 'merging' NOT IN (l.kind, r.kind)
-        AND CASE v.side WHEN 'right' THEN l.kind ELSE r.kind END IN ('general', 'bus') THEN split_part(n.list, '|', (
-            SELECT count(*) FROM %1$I.lane w WHERE w.edge_id = l.edge_id AND w.along_axis = l.along_axis
-                AND w.kind IN ('general', 'bus') AND (w.lane_position - n.at) * CASE WHEN l.along_axis THEN 1
-                    ELSE -1 END <= 0)::integer) END AS word) c;
+        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p;
 COMMENT ON VIEW %1$I.lane_adjacency IS
     'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
     'lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
-    'change_forward or change_backward of the axis says, but for merging lanes, else it follows from the line between '
-    'them: allowed over a dashed one between lanes of one direction that the same traffic uses, else forbidden';
+    'change_forward or change_backward of the axis says, but for merging lanes, else allowed over a dashed line '
+    'between lanes of one direction that the same traffic uses, else forbidden. lane_separator holds it';
 CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
 SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
     (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,
@@ -86,13 +70,6 @@ CREATE OR REPLACE FUNCTION streetgen._lanes_beside_merging() RETURNS text
         ELSE on_right.lane_id END$sql$ $f$;
 COMMENT ON FUNCTION streetgen._lanes_beside_merging() IS
     'The lanes l and r on both sides of each separator s, where a model has merging lanes.';
-
-CREATE OR REPLACE FUNCTION streetgen._may_change(word text, leftwards boolean) RETURNS boolean
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
-    RETURN word = 'yes' OR word IN ('not_right', 'only_left') AND leftwards
-        OR word IN ('not_left', 'only_right') AND NOT leftwards;
-COMMENT ON FUNCTION streetgen._may_change(text, boolean) IS
-    'Whether a word of OSM''s change:lanes lets traffic leave its lane to that side.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8, first float8,
     last float8, OUT on_axis float8[], OUT on_lane float8[])

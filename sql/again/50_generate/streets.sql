@@ -108,8 +108,8 @@ CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint
 COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint, edges bigint[])
-    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, kind text, dashed boolean, axis_offset float8,
-        geom geometry, surface geometry)
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, kind text, dashed boolean,
+        leftwards boolean, rightwards boolean, axis_offset float8, geom geometry, surface geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME',
         'streetgen_computed_lane_separator';
 COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint, bigint[]) IS

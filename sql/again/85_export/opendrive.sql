@@ -83,16 +83,11 @@ stretch AS (
             AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
         FROM %1$I.section_limit start JOIN %1$I.section_limit until USING (edge_id)
         WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
--- The lines between lanes, and who may cross them, seen along the axis. Over a dashed line in the middle all may.
+-- The lines between lanes, and who may cross them, seen along the axis.
 line_between AS MATERIALIZED (
-    SELECT s.edge_id, s.lane_position, leftwards, rightwards, CASE WHEN NOT s.dashed THEN 'solid'
+    SELECT edge_id, lane_position, leftwards, rightwards, CASE WHEN NOT dashed THEN 'solid'
         WHEN leftwards = rightwards THEN 'dashed' ELSE 'mixed' END AS paint
-    FROM %1$I.lane_separator s LEFT JOIN (
-        SELECT lane_adjacency_id / 2 AS lane_separator_id, bool_or(side = 'left' AND change = 'allowed') AS to_left,
-            bool_or(side = 'right' AND change = 'allowed') AS to_right
-        FROM %1$I.lane_adjacency WHERE change <> 'opposite' GROUP BY lane_adjacency_id / 2) a USING (lane_separator_id),
-        LATERAL (SELECT coalesce(to_left, s.dashed) AS leftwards, coalesce(to_right, s.dashed) AS rightwards) c
-    WHERE s.edge_id IN (SELECT edge_id FROM written_edge)),
+    FROM %1$I.lane_separator WHERE edge_id IN (SELECT edge_id FROM written_edge)),
 drawn AS MATERIALIZED (
     SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
         d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total

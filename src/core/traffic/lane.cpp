@@ -276,7 +276,7 @@ class Builder {
         if (decision.line != nullptr) draw(lane, strip, *decision.line, !crossed);
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
-      changes_.paint(streets_.network.edges[e], made.lanes, made.separators);
+      changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
       if (!crossed) {
         append_end_markings(streets_, ranks, controls_, strip, made.lanes, settings_.driving_side,
                             out.markings);

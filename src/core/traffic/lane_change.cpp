@@ -52,18 +52,18 @@ LaneChanges::LaneChanges(std::vector<LaneChange> by_hand, std::vector<LeavingOfA
   std::stable_sort(leaving_.begin(), leaving_.end(), of_lower_axis<LeavingOfAxis>);
 }
 
-void LaneChanges::paint(const Edge& edge, const std::vector<Lane>& lanes,
-                        std::vector<LaneSeparator>& separators) const {
+void LaneChanges::settle(const Edge& edge, const std::vector<Lane>& lanes,
+                         std::vector<LaneSeparator>& separators) const {
   for (LaneSeparator& separator : separators) {
+    separator.leftwards = separator.rightwards = separator.dashed;
     if (separator.kind != SeparatorKind::same_direction) continue;
     const auto& [left, right] = lanes_beside(lanes, separator.position);
     const Change rightwards = change(edge, lanes, left, right, separator.dashed);
     const Change leftwards = change(edge, lanes, right, left, separator.dashed);
-    if (!rightwards.said && !leftwards.said) continue;
-    separator.dashed = rightwards.allowed || leftwards.allowed;
-    separator.solid_side = rightwards.allowed == leftwards.allowed ? 0
-                           : leftwards.allowed                     ? +1
-                                                                   : -1;
+    separator.leftwards = leftwards.allowed;
+    separator.rightwards = rightwards.allowed;
+    if (rightwards.said || leftwards.said)
+      separator.dashed = rightwards.allowed || leftwards.allowed;
   }
 }
 

@@ -1,4 +1,4 @@
-// How the line between two lanes is painted where it is said who may cross it.
+// Who may cross the line between two lanes, and how it is painted where that is said.
 #pragma once
 
 #include <vector>
@@ -13,9 +13,9 @@ class LaneChanges {
 
   // `lanes` and `separators` are all of one edge.  A change is as decided by hand; else it is
   // forbidden to and from parking, and between cycle lanes and others; else it is as the source
-  // says of lanes of one direction, merging ones apart; else as the separator was.  A line between
-  // opposite directions, and one of which nothing is said, stays as it is.
-  void paint(const Edge& edge, const std::vector<Lane>& lanes,
+  // says of lanes of one direction, merging ones apart; else it is allowed over a dashed line.
+  // The paint of a line between opposite directions, and of one of which nothing is said, stays.
+  void settle(const Edge& edge, const std::vector<Lane>& lanes,
              std::vector<LaneSeparator>& separators) const;
 
  private:

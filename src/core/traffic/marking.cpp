@@ -210,12 +210,13 @@ std::vector<NodeRank> ranks_of(const Streets& streets) {
 MultiPolygon paint_of(const LaneSeparator& separator) {
   if (!separator.painted) return {};
   MultiPolygon surface;
-  if (separator.solid_side == 0) {
+  if (separator.leftwards == separator.rightwards) {
     append_stripe(separator.line, separator.dashed, surface);
   } else {
     for (const int side : {+1, -1}) {
       const Line beside = offset_line(separator.line, side * stripe, side * stripe);
-      if (beside.size() > 1) append_stripe(beside, side != separator.solid_side, surface);
+      if (beside.size() > 1)
+        append_stripe(beside, side > 0 ? separator.rightwards : separator.leftwards, surface);
     }
   }
   if (goes_on(separator.line)) return surface;

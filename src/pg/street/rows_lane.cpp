@@ -55,10 +55,11 @@ bool fill_lane_separator(const ComputedStreets& computed, const Named& named, st
                          Row& row) {
   const LaneSeparator& separator = computed.lanes.separators[i];
   const std::int64_t edge = named.edges[separator.edge];
-  return edge > 0 && put(row, edge, separator.position, name(separator_kind_name(separator.kind)),
-                         separator.dashed, separator.axis_offset,
-                         Geometry{stored_line(separator.line, flat(computed))},
-                         Geometry{stored_surface(paint_of(separator), flat(computed))});
+  return edge > 0 &&
+         put(row, edge, separator.position, name(separator_kind_name(separator.kind)),
+             separator.dashed, separator.leftwards, separator.rightwards, separator.axis_offset,
+             Geometry{stored_line(separator.line, flat(computed))},
+             Geometry{stored_surface(paint_of(separator), flat(computed))});
 }
 
 bool fill_marking(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {

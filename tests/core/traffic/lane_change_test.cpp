@@ -18,36 +18,39 @@ AxisLanes general(int forward, int backward) {
   return {std::vector<LaneWish>(forward), std::vector<LaneWish>(backward)};
 }
 
-// How the line right of a lane is painted.
-std::pair<bool, int> line(const Lanes& made, int position) {
+// The line right of a lane: is it dashed, and may traffic cross it to its left, to its right?
+using Between = std::tuple<bool, bool, bool>;
+Between line(const Lanes& made, int position) {
   for (const LaneSeparator& separator : made.separators)
-    if (separator.position == position) return {separator.dashed, separator.solid_side};
+    if (separator.position == position)
+      return {separator.dashed, separator.leftwards, separator.rightwards};
   return {};
 }
-using Paint = std::pair<bool, int>;
+const Between for_all{true, true, true}, for_none{false, false, false},
+    for_the_right{true, true, false}, for_the_left{true, false, true};
 
 // Four lanes along the axis have the ordinalities 3, 1, 2, 4 from left to right.
 TEST(LaneChange, ForbiddenBothWaysIsASolidLine) {
   const Lanes made = on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}, {1, 50, 2, 1, false}}});
-  EXPECT_EQ(line(made, 1), (Paint{true, 0}));
-  EXPECT_EQ(line(made, 2), (Paint{false, 0}));
-  EXPECT_EQ(line(made, 3), (Paint{true, 0}));
+  EXPECT_EQ(line(made, 1), for_all);
+  EXPECT_EQ(line(made, 2), for_none);
+  EXPECT_EQ(line(made, 3), for_all);
 }
 
 TEST(LaneChange, ForbiddenOneWayIsASolidLineBesideADashedOne) {
-  EXPECT_EQ(line(on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}}}), 2), (Paint{true, +1}));
-  EXPECT_EQ(line(on_street(general(4, 0), {{}, {{1, 50, 2, 1, false}}}), 2), (Paint{true, -1}));
+  EXPECT_EQ(line(on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}}}), 2), for_the_right);
+  EXPECT_EQ(line(on_street(general(4, 0), {{}, {{1, 50, 2, 1, false}}}), 2), for_the_left);
 }
 
 TEST(LaneChange, OfTwoDecisionsTheLaterHolds) {
   EXPECT_EQ(line(on_street(general(4, 0), {{}, {{1, 50, 1, 2, false}, {1, 20, 1, 2, true}}}), 2),
-            (Paint{true, 0}));
+            for_all);
 }
 
 TEST(LaneChange, DecidedElsewhereChangesNothing) {
   for (const LaneChange& change : {LaneChange{1, 100, 1, 2, false}, LaneChange{2, 50, 1, 2, false},
                                    LaneChange{1, 50, 3, 2, false}})
-    EXPECT_EQ(line(on_street(general(4, 0), {{}, {change}}), 2), (Paint{true, 0}));
+    EXPECT_EQ(line(on_street(general(4, 0), {{}, {change}}), 2), for_all);
 }
 
 TEST(LaneChange, AcrossTheMiddleIsNoChange) {
@@ -60,8 +63,8 @@ TEST(LaneChange, AcrossTheMiddleIsNoChange) {
 TEST(LaneChange, IntoParkingIsAllowedByHandAlone) {
   AxisLanes wanted = general(2, 0);
   wanted.forward[1].kind = LaneKind::parking;
-  EXPECT_EQ(line(on_street(wanted, {}), 1), (Paint{true, 0})) << "as it was, where nothing is said";
-  EXPECT_EQ(line(on_street(wanted, {{}, {{1, 50, 1, 2, true}}}), 1), (Paint{true, -1}));
+  EXPECT_EQ(line(on_street(wanted, {}), 1), (Between{true, false, false})) << "its paint stays";
+  EXPECT_EQ(line(on_street(wanted, {{}, {{1, 50, 1, 2, true}}}), 1), for_the_left);
 }
 
 // What a source says of the lanes that drive, in their direction.
@@ -69,16 +72,16 @@ TEST(LaneChange, FollowsTheWordsOfItsSource) {
   const LeavingLane nowhere{false, false}, right{false, true};
   const Lanes made = on_street(
       general(3, 2), {{}, {}, {{1, {nowhere, right, std::nullopt}, {right, LeavingLane{}}}}});
-  EXPECT_EQ(line(made, 1), (Paint{true, 0})) << "against the axis, the one on the left is lane 2";
-  EXPECT_EQ(line(made, 3), (Paint{false, 0}));
-  EXPECT_EQ(line(made, 4), (Paint{true, 0}));
+  EXPECT_EQ(line(made, 1), for_all) << "against the axis, the one on the left is lane 2";
+  EXPECT_EQ(line(made, 3), for_none);
+  EXPECT_EQ(line(made, 4), for_all);
 }
 
 TEST(LaneChange, ByHandGoesBeforeTheSource) {
   const LeavingLane nowhere{false, false};
   EXPECT_EQ(
       line(on_street(general(2, 0), {{}, {{1, 50, 1, 2, true}}, {{1, {nowhere, nowhere}, {}}}}), 1),
-      (Paint{true, -1}));
+      for_the_left);
 }
 
 TEST(LaneChange, AMixedLineIsTwoStripesAsFarApartAsTheyAreWide) {

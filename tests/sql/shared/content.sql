@@ -13,7 +13,7 @@ BEGIN
       FROM @.corner k JOIN @.edge a ON a.edge_id = k.edge_a JOIN @.edge b ON b.edge_id = k.edge_b
     UNION ALL SELECT concat_ws(' ', 'lane', e.axis_id, e.start_abscissa, l.ordinality, l.lane_position, l.side, l.along_axis, l.both_ways, l.kind, l.width, l.axis_offset, l.turn, l.method, l.start_abscissa, l.end_abscissa, l.geom::text, l.surface::text)
       FROM @.lane l JOIN @.edge e USING (edge_id)
-    UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.axis_offset, p.geom::text, p.surface::text)
+    UNION ALL SELECT concat_ws(' ', 'separator', e.axis_id, e.start_abscissa, p.lane_position, p.kind, p.dashed, p.leftwards, p.rightwards, p.axis_offset, p.geom::text, p.surface::text)
       FROM @.lane_separator p JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'marking', e.axis_id, e.start_abscissa, m.lane_position, m.along_axis, m.kind, n.geom::text, m.geom::text, m.surface::text)
       FROM @.marking m JOIN @.edge e USING (edge_id) JOIN @.node n USING (node_id)
