@@ -243,6 +243,21 @@ SELECT 'arcs are drawn where they are kerb, and not within the junction', count(
   FROM pg_temp.drawn_arc a, near.junction j WHERE j.method = 'grouped';
 DROP VIEW pg_temp.drawn_arc;
 DO $$ BEGIN PERFORM streetgen.drop_model('near'); END $$;
+-- Nine crossings of two avenues each, at places that no number holds exactly: nodes are numbered otherwise by clusters.
+DO $$ BEGIN
+  PERFORM streetgen.create_model(m, 2154, subjects => '{junction}') FROM unnest('{once,parts}'::text[]) m;
+  PERFORM streetgen.live(m, false) FROM unnest('{once,parts}'::text[]) m;
+  CREATE TABLE avenue AS SELECT ST_SetSRID(ST_Translate(ST_Rotate(ST_Scale(ST_MakeLine(CASE WHEN across THEN ST_MakePoint(place, other) ELSE ST_MakePoint(other, place) END
+      ORDER BY CASE WHEN place::integer % 300 = 0 THEN other ELSE -other END), 1.0 / 3, 1.0 / 3), 0.7), 650000, 6860000), 2154) AS geom, format('%s %s', across, place::integer / 300) AS name
+    FROM (VALUES (false), (true)) a(across), unnest('{0,60,300,360,600,660}'::float8[]) place, unnest('{-150,0,60,300,360,600,660,800}'::float8[]) other GROUP BY across, place;
+  INSERT INTO once.axis (geom, width, lane_count, direction, importance, name) SELECT geom, 7, 2, 'direct', 3, name FROM avenue ORDER BY name, ST_XMin(geom);
+  INSERT INTO parts.axis SELECT * FROM once.axis;
+  PERFORM streetgen.generate('once'), streetgen.plan_clusters('parts', 5);
+END $$;
+SELECT streetgen.generate_cluster('parts') FROM generate_series(1, 5) \g /dev/null
+SELECT 'by clusters their junctions are the same to the last bit', (SELECT count(*) = 9 FROM once.junction WHERE method = 'grouped') AND test.same('once', 'parts');
+DROP TABLE avenue;
+DO $$ BEGIN PERFORM streetgen.drop_model(m) FROM unnest('{once,parts}'::text[]) m; END $$;
 -- Classifiers.
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'paper'), streetgen.generate('town', wait => true); END $$;
 SELECT 'as the paper has it all are signals', (SELECT bool_and(kind IN ('signals', 'end')) FROM town.junction);

@@ -146,7 +146,9 @@ BEGIN
                 LEFT JOIN (SELECT axis_id, kind, roundabout_tag FROM {model}.axis) a USING (axis_id)
             WHERE m.role IS NULL GROUP BY j.junction_id),
         place AS MATERIALIZED (
-            SELECT junction_id, count(*) AS nodes, ST_Centroid(ST_Collect(ST_Force2D(n.geom))) AS geom,
+            -- By place: the last bit of a mean is that of its order, and the order of keys is that of runs.
+            SELECT junction_id, count(*) AS nodes, ST_Centroid(ST_Collect(ST_Force2D(n.geom)
+                ORDER BY ST_X(n.geom), ST_Y(n.geom))) AS geom,
                 array_agg(node_id) AS node_ids
             FROM member JOIN {model}.node n USING (node_id) GROUP BY junction_id),
         decided AS MATERIALIZED (
