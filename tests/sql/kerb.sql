@@ -49,6 +49,9 @@ SELECT 'stones are as wide as the setting', bool_and(ST_IsValid(surface) AND abs
 SELECT 'and lie behind the kerb', sum(ST_Area(ST_Intersection(k.surface, r.surface))) < 0.3 FROM town.kerb k JOIN town.roadway r ON r.level = k.level AND ST_Intersects(k.surface, r.surface);
 SELECT 'numbers of parts follow each other', bool_and(parts = last) FROM (SELECT count(*) AS parts, max(part) AS last FROM town.kerb GROUP BY edge_id, side) p;
 SELECT 'the model is sound', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+-- All kerbs of a city lie on one level.
+CREATE FUNCTION pg_temp.plan(statement text) RETURNS SETOF text LANGUAGE plpgsql SET enable_nestloop = off AS $$ BEGIN RETURN QUERY EXECUTE 'EXPLAIN ' || statement; END $$;
+SELECT 'the check pairs no kerbs by their level', NOT bool_or(line ~ 'Cond: \(\w+\.level = \w+\.level\)') FROM pg_temp.plan((SELECT format(query, 'town') FROM streetgen._check_part() WHERE query LIKE '%kerb does not end%')) line;
 
 CREATE TEMPORARY TABLE before AS SELECT * FROM town.kerb;
 UPDATE town.axis SET width = 9 WHERE axis_id = 4;
