@@ -46,3 +46,4 @@ rule 'no two headers define a type of the same name' '! types_defined_twice | gr
 for header in "$root"/include/streetgen/*.hpp; do
   rule "$(basename "$header") compiles alone" 'g++ -std=c++17 -fsyntax-only -x c++ -I"$root/include" -include "$header" /dev/null'
 done
+rule 'lines of SQL end at 120 characters' '! awk "length > 120 { print FILENAME \":\" FNR }" "$root"/sql/*/*.sql "$root"/sql/*/*/*.sql | grep . >&2'

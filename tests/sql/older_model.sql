@@ -28,6 +28,7 @@ ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
 ALTER TABLE older.interconnection DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);
 ALTER TABLE older.lane DROP start_abscissa CASCADE, DROP end_abscissa CASCADE, DROP CONSTRAINT lane_kind_check, ADD CHECK (kind IN ('general', 'bus', 'cycle', 'parking'));
+ALTER TABLE older.lane_separator DROP leftwards CASCADE, DROP rightwards CASCADE;
 ALTER TABLE older.roundabout_edge DROP face CASCADE;
 ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE, DROP to_geom CASCADE;
 ALTER TABLE older.street_object DROP control_point_id CASCADE;

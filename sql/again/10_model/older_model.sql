@@ -100,6 +100,25 @@ COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
     'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '
     'model was made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_lane_changes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.lane_separator', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = to_regclass(format('%I.lane_separator', model)) AND attname = 'leftwards') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.lane_separator ADD leftwards boolean, ADD rightwards boolean', model);
+    -- What a source or somebody says beyond the paint, the next run finds.
+    EXECUTE format('UPDATE %I.lane_separator SET leftwards = dashed, rightwards = dashed', model);
+    EXECUTE format('ALTER TABLE %I.lane_separator ALTER leftwards SET NOT NULL, ALTER rightwards SET NOT NULL', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_lane_changes(name) IS
+    'Adds the columns of lane_separator that say who may cross a line between lanes, where a model was made before '
+    'them: over a dashed line all may.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- What is filled in is not changed by hand.

@@ -13,7 +13,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l
             WHERE l.edge_id = e.edge_id {by_key}) l WHERE e.affected AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'lane_separator',
-        columns => 'edge_id, lane_position, kind, dashed, leftwards, rightwards, axis_offset, geom, surface', rows => $part$
+        columns => 'edge_id, lane_position, kind, dashed, leftwards, rightwards, axis_offset, geom, surface',
+        rows => $part$
         SELECT number, edge_id, lane_position, kind, dashed, leftwards, rightwards, axis_offset, geom, surface
         FROM streetgen._computed_lane_separator((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
