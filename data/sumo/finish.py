@@ -4,7 +4,8 @@
     finish.py NAME NETWORK
 
 prints the network. netconvert cuts lanes at the shapes of nodes, so that these lie where no lane comes, and the surface is a parameter of the node in
-NAME.nod.xml. A node without one becomes a point. A program of NAME.tll.xml knows its crossings; netconvert adds them once more, and that goes. So does the
+NAME.nod.xml. A node without one becomes a point. At a node with a stop line netconvert lets all stop who yield to somebody, if only at a crossing: who comes
+by an edge without parameter waits gives way there, and does not stop. A program of NAME.tll.xml knows its crossings; netconvert adds them once more, and that goes. So does the
 head of the file, which holds the time and what netconvert was called with.
 """
 import re
@@ -34,10 +35,14 @@ def signals_of(path):
 
 
 def finished(lines, surfaces, signals):
-    within_head, shown = False, None
+    within_head, shown, edge, stopping = False, None, None, set()
     for line in lines:
         within_head = within_head or line.startswith("<!-- generated")
-        if not within_head and not re.match(r'\s*<param key="surface"', line):
+        opened = re.match(r'\s*<edge id="([^"]*)"', line)
+        edge = opened[1] if opened else edge
+        if re.match(r'\s*<param key="waits"', line):
+            stopping.add(edge)
+        elif not within_head and not re.match(r'\s*<param key="surface"', line):
             known = re.match(r'\s*<junction id="([^"]*)"', line)
             if known and known[1] in surfaces:
                 line = re.sub(r' shape="[^"]*"', lambda _: f' shape="{surfaces[known[1]]}"', line, count=1)
@@ -45,6 +50,9 @@ def finished(lines, surfaces, signals):
             shown = signals.get(program[1]) if program else shown
             if shown is not None and "<phase " in line:
                 line = re.sub(r' state="([^"]*)"', lambda state: f' state="{state[1][:shown]}"', line)
+            comes = re.match(r'\s*<connection from="([^"]*)"', line)
+            if comes and comes[1] not in stopping:
+                line = line.replace(' state="s"', ' state="m"')
             yield line
         if within_head and line.rstrip().endswith("-->"):
             within_head = False

@@ -170,6 +170,7 @@ held_back AS (
         + 0.5, ST_Length(s.line) / 2)) AS back
     FROM crossed c JOIN sumo_edge s ON s.name = ANY (c.names) AND s.until = 1 AND s.along_axis <> c.at_start
     WHERE ST_Intersects(s.line, c.line) GROUP BY s.name),
+stopping AS (SELECT DISTINCT edge_id, along_axis, 1.0 AS until FROM %1$I.marking WHERE kind = 'stop'),
 lane_line AS MATERIALIZED (
     SELECT name, index, c.allow, c.disallow, l.width,
         CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
@@ -197,15 +198,17 @@ line AS (
         s.lane_count + walk AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed,
         streetgen._xml_text(street) AS name, 'center' AS "spreadType",
         streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape))::text, -2)
-        || '>' || elements || coalesce('<stopOffset value="' || round(back::numeric, digits) || '"/>', '') || '</edge>'
-        AS element
+        || '>' || elements || coalesce('<stopOffset value="' || round(back::numeric, digits) || '"/>', '')
+        || CASE WHEN p.until IS NOT NULL THEN '<param key="waits" value="stop"/>' ELSE '' END || '</edge>' AS element
     FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
+    LEFT JOIN stopping p USING (edge_id, along_axis, until)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
     LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
     UNION ALL SELECT * FROM ring_line)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_edges(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes, and the '
-    'roundabouts of a model that computes them. A bus lane between lanes for all is written as one of these.';
+    'roundabouts of a model that computes them. A bus lane between lanes for all is written as one of these. Parameter '
+    'waits says stop where a stop line is: netconvert knows such lines of a whole node only.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(subjects text[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
