@@ -85,8 +85,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_cityjson(model name, options jsonb D
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'cityjson', 'surface', options);
 BEGIN
-    RETURN QUERY EXECUTE 'WITH ' || streetgen._export_edges(model, known) || format(streetgen._cityjson_query(), model,
-        (SELECT srid FROM streetgen.model m WHERE m.name = model)) USING known;
+    RETURN QUERY EXECUTE streetgen._export_query(model, known, streetgen._cityjson_query()) USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_cityjson(name, jsonb) IS
     'A file of CityJSON 2.0, line by line. Each edge and each node is a Road (edge_ID, node_ID) with one geometry of '

@@ -112,8 +112,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAU
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'gltf', 'surface', options);
 BEGIN
-    RETURN QUERY EXECUTE 'WITH ' || streetgen._export_edges(model, known) || format(streetgen._gltf_query(), model,
-        (SELECT srid FROM streetgen.model m WHERE m.name = model)) USING known;
+    RETURN QUERY EXECUTE streetgen._export_query(model, known, streetgen._gltf_query()) USING known;
 END $$;
 COMMENT ON FUNCTION streetgen.export_gltf(name, jsonb) IS
     'A binary file of glTF 2.0 (.glb), in parts of at most 1 MB that follow each other. What streets consist of has a '

@@ -63,54 +63,50 @@ bound AS MATERIALIZED (
             LEFT JOIN (SELECT key, number, string_agg('<nd ref="' || id || '"/>', '' ORDER BY nth) AS nodes FROM point
                 WHERE source = 2 GROUP BY key, number) p ON (p.key, p.number) = (c.road_id, v.number)
         UNION ALL SELECT source, key, 1, way, NULL, NULL, string_agg('<nd ref="' || id || '"/>', '' ORDER BY nth)
-        FROM point WHERE source > 2 GROUP BY source, key, way) b)$part$ $$;
+        FROM point WHERE source > 2 GROUP BY source, key, way) b),
+painted_bound AS MATERIALIZED (
+    SELECT p.*, b.id FROM painted p JOIN bound b ON (b.source, b.key) = (p.source, p.key)
+        AND b.way IS NOT DISTINCT FROM p.along_axis)$part$ $$;
 COMMENT ON FUNCTION streetgen._lanelet2_borders(boolean) IS
     'Queries of a file of Lanelet2, after streetgen._opendrive_roads(): point, the nodes, and bound, the ways: borders '
     'of roads (source 1, number from the left), of ways across junctions (2; number 1 is the left one), lines where '
-    'drivers wait (3) and, of a model that computes signals, lights (4).';
+    'drivers wait (3) and, of a model that computes signals, lights (4); painted_bound, the ways of sources 3 and 4.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanelet2_lines(signals boolean) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$,
+-- The border at the right of a lane, along its road, has the number after that at its left.
 lanelet AS MATERIALIZED (
     SELECT l.*, (SELECT max(id) FROM bound) + row_number() OVER (ORDER BY road_id, i) AS id, k.subtype, k.participant
-    FROM (SELECT d.road_id, i, d.lanes[i] AS lane_id, d.types[i] AS type, e.speed, NULL::text AS turn,
-            (i > lefts) = right_hand AS along, a.id AS on_left, b.id AS on_right, d.edge_id, NULL::bigint AS node_id,
+    FROM (SELECT d.road_id, i, d.lanes[i] AS lane_id, d.types[i] AS type, e.speed,
+            (i > lefts) = right_hand AS along, a.id AS border, d.edge_id, NULL::bigint AS node_id,
             NULL::bigint AS lane_in, NULL::boolean AS along_in
         FROM side, drawn d CROSS JOIN LATERAL generate_series(1, cardinality(d.lanes)) i
             JOIN written_edge e USING (edge_id) JOIN bound a ON (a.source, a.key, a.number) = (1, d.road_id, i)
-            JOIN bound b ON (b.source, b.key, b.number) = (1, d.road_id, i + 1)
-        UNION ALL SELECT c.road_id, 1, NULL, c.type, e.speed, NULL, true, a.id, b.id, NULL, c.node_id, p.lane_id,
-            c.in_end
-        FROM way_road c JOIN placed p ON (p.road_id, p.number, p.at_end) = (road_in, number_in, in_end)
-            JOIN written_edge e ON e.edge_id = p.edge_id
-            JOIN bound a ON (a.source, a.key, a.number) = (2, c.road_id, 1)
-            JOIN bound b ON (b.source, b.key, b.number) = (2, c.road_id, 2)) l
+        UNION ALL SELECT c.road_id, 1, NULL, c.type, c.speed, true, a.id, NULL, c.node_id, c.lane_in, c.in_end
+        FROM way_road c JOIN bound a ON (a.source, a.key, a.number) = (2, c.road_id, 1)) l
         JOIN streetgen._lanelet2_lane_class() k USING (type)),
 -- Who comes over a line gives way to those who come over none.
 obeying AS MATERIALIZED (
-    SELECT w.id, n.place_id, p.marking_id FROM lanelet w JOIN joined_node n USING (node_id)
+    SELECT w.id, n.place_id, p.id AS line_id FROM lanelet w JOIN joined_node n USING (node_id)
         JOIN %1$I.lane l ON l.lane_id = w.lane_in
-        LEFT JOIN (SELECT key AS marking_id, edge_id, lane_position, along_axis FROM painted WHERE source = 3) p
-            ON (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position, w.along_in)
+        LEFT JOIN painted_bound p ON p.source = 3
+            AND (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position, w.along_in)
     WHERE n.place_id NOT IN (SELECT place_id FROM place WHERE kind = 'signals')),
 regulating AS MATERIALIZED (
     SELECT *, (SELECT max(id) FROM lanelet) + row_number() OVER (ORDER BY source, key, way) AS id
-    FROM (SELECT 1 AS source, place_id AS key, NULL::boolean AS way, array_agg(o.id ORDER BY o.id) AS lanelets,
-            string_agg('<member type="relation" ref="' || o.id || '" role="'
-                || CASE WHEN marking_id IS NULL THEN 'right_of_way' ELSE 'yield' END || '"/>', '' ORDER BY o.id)
-            || string_agg(DISTINCT '<member type="way" ref="' || b.id || '" role="ref_line"/>', '')
+    FROM (SELECT 1 AS source, place_id AS key, NULL::boolean AS way, array_agg(id ORDER BY id) AS lanelets,
+            string_agg('<member type="relation" ref="' || id || '" role="'
+                || CASE WHEN line_id IS NULL THEN 'right_of_way' ELSE 'yield' END || '"/>', '' ORDER BY id)
+            || string_agg(DISTINCT '<member type="way" ref="' || line_id || '" role="ref_line"/>', '')
             || streetgen._lanelet2_tags('{type,subtype}', '{regulatory_element,right_of_way}') AS text
-        FROM obeying o LEFT JOIN bound b ON (b.source, b.key) = (3, o.marking_id) GROUP BY place_id
-        HAVING count(marking_id) BETWEEN 1 AND count(*) - 1
-        UNION ALL SELECT 2, p.key, p.along_axis, array_agg(w.id), '<member type="way" ref="' || b.id
+        FROM obeying GROUP BY place_id HAVING count(line_id) BETWEEN 1 AND count(*) - 1
+        UNION ALL SELECT 2, p.key, p.along_axis, array_agg(w.id), '<member type="way" ref="' || p.id
             || '" role="refers"/>' || coalesce('<member type="way" ref="' || min(s.id) || '" role="ref_line"/>', '')
             || streetgen._lanelet2_tags('{type,subtype}', '{regulatory_element,traffic_light}')
-        FROM painted p JOIN bound b ON (b.source, b.key, b.way) = (4, p.key, p.along_axis)
-            JOIN lanelet w ON w.lane_id = p.key LEFT JOIN painted m ON m.source = 3
-                AND (m.edge_id, m.lane_position, m.along_axis) = (p.edge_id, p.lane_position, p.along_axis)
-            LEFT JOIN bound s ON (s.source, s.key) = (3, m.key)
-        WHERE p.source = 4 GROUP BY p.key, p.along_axis, b.id) r),
+        FROM painted_bound p JOIN lanelet w ON w.lane_id = p.key LEFT JOIN painted_bound s ON s.source = 3
+            AND (s.edge_id, s.lane_position, s.along_axis) = (p.edge_id, p.lane_position, p.along_axis)
+        WHERE p.source = 4 GROUP BY p.key, p.along_axis, p.id) r),
 regulated AS (
     SELECT lanelet AS id, string_agg('<member type="relation" ref="' || r.id || '" role="regulatory_element"/>', ''
         ORDER BY r.id) AS text
@@ -131,8 +127,8 @@ line AS (
     FROM bound b LEFT JOIN drawn d ON b.source = 1 AND d.road_id = b.key
         LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, d.before + b.number - 1)
     UNION ALL SELECT 3, l.id, '<relation id="' || l.id || '" version="1" visible="true"><member type="way" ref="'
-        || CASE WHEN along THEN on_left ELSE on_right END || '" role="left"/><member type="way" ref="'
-        || CASE WHEN along THEN on_right ELSE on_left END || '" role="right"/>' || coalesce(r.text, '')
+        || CASE WHEN along THEN border ELSE border + 1 END || '" role="left"/><member type="way" ref="'
+        || CASE WHEN along THEN border + 1 ELSE border END || '" role="right"/>' || coalesce(r.text, '')
         || streetgen._lanelet2_tags(ARRAY['type', 'subtype', 'location', 'one_way', 'speed_limit',
             'participant:' || participant, 'edge'], ARRAY['lanelet', subtype, 'urban',
             CASE type WHEN 'bidirectional' THEN 'no' ELSE 'yes' END, round(speed::numeric, 1) || ' km/h', 'yes',

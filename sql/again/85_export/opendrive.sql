@@ -110,7 +110,7 @@ way_road AS MATERIALIZED (
     SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
         a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
         a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
-        CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type,
+        CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, k.lane_in, e.speed,
         (CASE WHEN short THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea
             AS path,
         ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END] AS path_from,

@@ -45,16 +45,16 @@ CREATE OR REPLACE FUNCTION streetgen._mesh_cells(model name, options jsonb)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE 'WITH ' || streetgen._export_edges(model, options) || format($sql$,
+    RETURN QUERY EXECUTE streetgen._export_query(model, options, $sql$,
 member AS (
     SELECT edge_id, NULL::bigint AS node_id, ST_StartPoint(geom) AS place, geom FROM written_edge
-    UNION ALL SELECT NULL, node_id, geom, geom FROM %I.node
+    UNION ALL SELECT NULL, node_id, geom, geom FROM %1$I.node
     WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge))
 SELECT row_number() OVER (ORDER BY x, y)::integer, coalesce(array_agg(edge_id ORDER BY edge_id)
         FILTER (WHERE edge_id IS NOT NULL), '{}'), coalesce(array_agg(node_id ORDER BY node_id)
         FILTER (WHERE node_id IS NOT NULL), '{}'), ST_SetSRID(ST_Extent(geom)::geometry, ST_SRID(min(place)))
 FROM member, LATERAL (SELECT floor(ST_X(place) / 500) AS x, floor(ST_Y(place) / 500) AS y) c
-GROUP BY x, y ORDER BY x, y$sql$, model) USING options;
+GROUP BY x, y ORDER BY x, y$sql$) USING options;
 END $$;
 COMMENT ON FUNCTION streetgen._mesh_cells(name, jsonb) IS
     'The edges that options take, with their nodes, by squares of 500 m: what is meshed at once. about is the box of '

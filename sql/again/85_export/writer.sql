@@ -164,11 +164,18 @@ COMMENT ON FUNCTION streetgen._export_edges(name, jsonb) IS
     'part of, with its kind where the model knows that, and its surface; way, the pairs of lanes that connect, with '
     'their turn and path, of a model that computes them.';
 
+CREATE OR REPLACE FUNCTION streetgen._export_query(model name, options jsonb, query text) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'WITH ' || streetgen._export_edges(model, options)
+        || format(query, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) $$;
+COMMENT ON FUNCTION streetgen._export_query(name, jsonb, text) IS
+    'The statement over the options $1 that a writer runs: its queries over a model %1$I of SRID %2$s, after those of '
+    'streetgen._export_edges.';
+
 CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, query text, opening text,
     closing text) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT 'WITH ' || streetgen._export_edges(model, options)
-        || format(query, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) || format($part$
+    AS $$ SELECT streetgen._export_query(model, options, query) || format($part$
 -- The text has its collation here, since a sort by another one would carry it twice.
 SELECT row_number() OVER (ORDER BY turn, id, text), text
 FROM (SELECT turn, id, ('    ' || element::text) COLLATE "C" AS text FROM line
