@@ -168,8 +168,8 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_edges(subjects text[]) RETURNS text
 held_back AS (
     SELECT s.name, max(least(ST_Length(s.line) * (1 - ST_LineLocatePoint(s.line, ST_Centroid(c.line))) + along / 2
         + 0.5, ST_Length(s.line) / 2)) AS back
-    FROM crossed c JOIN sumo_edge s ON s.name = ANY (c.names) AND s.until = 1 AND s.along_axis <> c.at_start
-    WHERE ST_Intersects(s.line, c.line) GROUP BY s.name),
+    FROM crossed c CROSS JOIN LATERAL unnest(c.names) n(name) JOIN sumo_edge s ON s.name = n.name
+    WHERE s.until = 1 AND s.along_axis <> c.at_start AND ST_Intersects(s.line, c.line) GROUP BY s.name),
 stopping AS (SELECT DISTINCT edge_id, along_axis, 1.0 AS until FROM %1$I.marking WHERE kind = 'stop'),
 lane_line AS MATERIALIZED (
     SELECT name, index, c.allow, c.disallow, l.width,
