@@ -61,16 +61,19 @@ DECLARE
     found bigint;
 BEGIN
     -- The widest street is 200 m wide.
+    -- An axis no longer than the tolerance is a node and no edge.
     EXECUTE format($sql$
 SELECT axis_id FROM (
     SELECT axis_id, round(ST_Distance(a.geom, $1)::numeric, 6) AS distance, coalesce(a.width, c.width,
-        (SELECT value::float8 FROM %1$I.setting WHERE name = 'width_default')) / 2 AS half
-    FROM %1$I.axis a LEFT JOIN %1$I.axis_class c ON c.class = a.kind WHERE ST_DWithin(a.geom, $1, 103)) near
-WHERE distance <= half + 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance')
-ORDER BY distance, axis_id LIMIT 1
+        (SELECT value::float8 FROM %1$I.setting WHERE name = 'width_default')) / 2 AS half,
+        ST_Length(a.geom) <= tolerance AS collapses, tolerance
+    FROM (SELECT value::float8 AS tolerance FROM %1$I.setting WHERE name = 'tolerance') s, %1$I.axis a
+        LEFT JOIN %1$I.axis_class c ON c.class = a.kind WHERE ST_DWithin(a.geom, $1, 103)) near
+WHERE distance <= half + 3 * tolerance
+ORDER BY collapses, distance, axis_id LIMIT 1
 $sql$, model) INTO found USING place;
     RETURN found;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS
     'The nearest axis of a model on whose roadway a place lies, or within three tolerances beside it; NULL: none. Of '
-    'equally near ones the smallest axis_id.';
+    'equally near ones the smallest axis_id; one no longer than the tolerance, which has no edge, after all others.';
