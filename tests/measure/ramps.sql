@@ -9,18 +9,23 @@ SELECT '| ' || :'model', r.kind, a.source_ref, format('%s, %s, %s', lanes_before
 FROM ramp r JOIN edge e USING (edge_id) JOIN axis a USING (axis_id) JOIN edge h ON h.edge_id = CASE r.kind WHEN 'on' THEN edge_after ELSE edge_before END
 WHERE lanes_missing > 0 ORDER BY ST_X(r.geom);
 \else
+-- From the piece a b to the piece c d, degrees in (-180, 180].
 CREATE FUNCTION pg_temp.turned(a geometry, b geometry, c geometry, d geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
-    SELECT degrees(acos(greatest(-1, least(1, cos(ST_Azimuth(a, b) - ST_Azimuth(c, d)))))) $$;
+    SELECT degrees(atan2(sin(t), cos(t))) FROM (SELECT ST_Azimuth(c, d) - ST_Azimuth(a, b) AS t) s $$;
+-- How far a path is from beginning as its lane ends: the chords of an arc that touches the lane begin with half a turn of theirs.
+CREATE FUNCTION pg_temp.jump(lane geometry, path geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
+    SELECT least(abs(t), abs(t - coalesce(n, 0) / 2)) FROM (
+        SELECT pg_temp.turned(ST_PointN(lane, -2), ST_PointN(lane, -1), ST_PointN(path, 1), ST_PointN(path, 2)) AS t,
+            pg_temp.turned(ST_PointN(path, 1), ST_PointN(path, 2), ST_PointN(path, 2), ST_PointN(path, 3)) AS n) c $$;
 CREATE TEMPORARY TABLE path AS
 SELECT p.interconnection_id, p.geom, u.speed,
-    greatest(pg_temp.turned(ST_PointN(line_in, -2), ST_PointN(line_in, -1), ST_PointN(p.geom, 1), ST_PointN(p.geom, 2)),
-        pg_temp.turned(ST_PointN(p.geom, -2), ST_PointN(p.geom, -1), ST_PointN(line_out, 1), ST_PointN(line_out, 2))) AS jump
+    greatest(pg_temp.jump(line_in, p.geom), pg_temp.jump(ST_Reverse(line_out), ST_Reverse(p.geom))) AS jump
 FROM ramp_path p JOIN interconnection c USING (interconnection_id) JOIN ramp r USING (ramp_id) JOIN edge e ON e.edge_id = r.edge_id JOIN axis_used u USING (axis_id)
     JOIN lane i ON i.lane_id = p.lane_in JOIN lane o ON o.lane_id = p.lane_out,
     LATERAL (SELECT CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out) l;
 -- The least radius that a path has between its chords, against that of the link's speed by a friction of 0.35.
 CREATE TEMPORARY TABLE bend AS
-SELECT interconnection_id, min((ST_Distance(a, b) + ST_Distance(b, c)) / 2 / nullif(radians(pg_temp.turned(a, b, b, c)), 0)) AS radius
+SELECT interconnection_id, min((ST_Distance(a, b) + ST_Distance(b, c)) / 2 / nullif(radians(abs(pg_temp.turned(a, b, b, c))), 0)) AS radius
 FROM (SELECT interconnection_id, lag(d.geom) OVER w AS a, d.geom AS b, lead(d.geom) OVER w AS c FROM path p, ST_DumpPoints(p.geom) d WINDOW w AS (PARTITION BY interconnection_id ORDER BY d.path)) v
 GROUP BY interconnection_id;
 -- By the numbers that the source states, whatever turns its lanes are marked for.

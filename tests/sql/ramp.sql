@@ -220,3 +220,15 @@ SELECT 'a street of another class is no ramp', count(*) = 0 FROM road.ramp;
 SELECT * FROM agree('another class');
 SELECT 'switched off, nothing of it stays', to_regclass('road.ramp') IS NULL FROM streetgen.switch_subject('road', 'ramp', false);
 SELECT 'and no lane is a merging lane', count(*) = 0 FROM streetgen.generate('road'), road.lane WHERE kind = 'merging';
+
+-- A link that turns by 70 degrees within its intersection: arcs that touch both lanes would cross its inner kerb.
+DO $$ BEGIN PERFORM streetgen.create_model('loop', srid => 2154, subjects => '{ramp}'); END $$;
+INSERT INTO loop.axis (geom, width, lane_count, direction, kind, speed) VALUES
+    ('SRID=2154;LINESTRING(649900 6860040, 650000 6860000)', 10.5, 3, 'direct', 'motorway', 100),
+    ('SRID=2154;LINESTRING(650000 6860000, 650020 6859990, 650100 6859950)', 10.5, 3, 'direct', 'motorway', 100),
+    ('SRID=2154;LINESTRING(650000 6860000, 650012 6859994, 650021 6859985, 650024 6859974, 650022 6859940)', 6, NULL, 'direct', 'motorway_link', 50);
+CREATE TEMPORARY TABLE chord AS
+SELECT interconnection_id, ST_Azimuth(lag(d.geom) OVER w, d.geom) AS before, ST_Azimuth(d.geom, lead(d.geom) OVER w) AS behind
+    FROM loop.ramp_path p JOIN loop.interconnection c USING (interconnection_id), ST_DumpPoints(p.geom) d WINDOW w AS (PARTITION BY interconnection_id ORDER BY d.path);
+SELECT 'paths along such a link have no kink', count(DISTINCT interconnection_id) = 2 AND bool_and(cos(behind - before) > cos(radians(5))) FROM chord;
+SELECT 'and stay on its ground', bool_and(ST_Length(ST_Difference(p.geom, ST_Buffer(i.surface, 1e-6))) < 1e-6) FROM loop.ramp_path p JOIN loop.interconnection c USING (interconnection_id) JOIN loop.intersection i USING (node_id);

@@ -94,7 +94,8 @@ void append_rounded(Line& line, const Point& corner, const Point& from, const Po
   const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / step)));
   const Point centre = start + left_normal(from) * (turn > 0 ? radius : -radius);
   const Point ray = start - centre;
-  for (int i = 0; i <= chords; ++i) {
+  // Where the arc before ends in the same place rounding would turn the line for nothing.
+  for (int i = distance(line.back(), start) < shortest ? 1 : 0; i <= chords; ++i) {
     const double angle = turn * i / chords;
     line.push_back(centre + ray * std::cos(angle) + left_normal(ray) * std::sin(angle));
   }

@@ -13,14 +13,16 @@
 #include "traffic/kerb_clear_path.hpp"
 #include "traffic/path_choice.hpp"
 #include "traffic/plausibility.hpp"
+#include "traffic/taut_path.hpp"
 #include "traffic/turn.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double same_direction = 1e-3;  // radians
-constexpr double finest_turn = 0.1;      // degrees between chords of a ramp
+constexpr double same_direction = 1e-3;   // radians
+constexpr double finest_turn = 0.1;       // degrees between chords of a ramp
+constexpr double finer_than_a_turn = 50;  // chords of a ramp past kerbs leave its arcs so much less
 
 // From the place of the first point to the next place; zero where there is none.
 template <class At>
@@ -251,7 +253,7 @@ class Builder {
         [&](const Interconnection& a, const Interconnection& b) { return place(a) < place(b); });
   }
 
-  // Tangent to both lanes, in chords that turn too little to be felt.
+  // Tangent to both lanes along arcs, in chords that turn too little to be felt.
   Trajectory ramp_path(const LaneToNode& in, const LaneToNode& out) const {
     const auto by = [&](double tolerance) {
       return tangent_trajectory({in.end.place - in.end.direction, in.end.place},
@@ -262,6 +264,17 @@ class Builder {
     // A chord leaves its arc by the square of its turn.
     const double coarse = sharpest_turn(path.line) / finest_turn;
     return coarse > 1 ? by(settings_.tolerance / (coarse * coarse)) : path;
+  }
+
+  // Tangent to both lanes, past the kerbs that arcs would cross.
+  std::optional<Trajectory> ramp_past_kerbs(const LaneToNode& in, const LaneToNode& out,
+                                            const Kerbs& kerbs) const {
+    LaneEnd onwards = out.end;
+    onwards.direction = onwards.direction * -1;
+    auto line = taut_path({}, kerbs, in.border, out.border, in.end, onwards,
+                          settings_.tolerance / finer_than_a_turn);
+    if (!line) return std::nullopt;
+    return Trajectory{{}, std::move(*line)};
   }
 
   // The ramp of a node whose link is one of two edges there; none otherwise.
@@ -287,9 +300,9 @@ class Builder {
     };
     const bool papers = rule == TrajectoryRule::bezier && settings_.least_radius == 0;
     PathChoice choice(kerbs, in.border, out.border, papers);
-    // Both directions lead to the node.
-    if (on_ramp && dot(in.end.direction, out.end.direction) < -steepest_ramp &&
-        choice.offer(ramp_path(in, out)))
+    // Both directions lead to the node.  A link bends on behind it; who turns back is on no ramp.
+    if (on_ramp && dot(in.end.direction, out.end.direction) < 0 &&
+        (choice.offer(ramp_path(in, out)) || choice.offer(ramp_past_kerbs(in, out, kerbs))))
       return choice.best();
     if (papers) {
       if (!choice.offer(direct(rule, 0))) choice.offer(late(rule));

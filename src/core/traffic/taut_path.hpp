@@ -10,7 +10,8 @@
 namespace streetgen {
 
 // From the end of a lane to the start of another, tangent to both, clear of the kerbs and drivable;
-// none: there is no such.  It goes against the traffic of an edge inside only where that saves far.
+// none: there is no such.  It goes against the traffic of an edge inside `place` only where that
+// saves far.
 // from, to: the places of the two lanes' border lines in the list that the kerbs were made of.
 // Chords leave the arcs by no more than `tolerance`.
 std::optional<Line> taut_path(const JunctionPlace& place, const Kerbs& kerbs, int from, int to,
