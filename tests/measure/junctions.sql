@@ -14,12 +14,13 @@ SELECT a.*, ST_Length(a.geom) AS length, ST_Difference(a.geom, ST_Buffer(j.surfa
     (SELECT min(pg_temp.circumradius(ST_LineInterpolatePoint(a.geom, t), ST_LineInterpolatePoint(a.geom, t + 0.25), ST_LineInterpolatePoint(a.geom, t + 0.5)))
         FROM unnest(ARRAY[0, 0.25, 0.5]) t) AS radius
 FROM across a JOIN :"model".junction j USING (junction_id);
--- Off the junction a path may lie on ground that other streets of its level hold.
+-- Off the junction a path may lie on ground that other streets hold, on the levels of the streets that meet in it.
 CREATE TEMPORARY TABLE off AS
 SELECT p.junction_movement_id, ST_Length(p.beyond) AS beyond, CASE WHEN ST_Length(p.beyond) < 0.01 THEN 0 ELSE ST_Length(ST_Difference(p.beyond, ST_Buffer(g.ground, 0.01, 2))) END AS off
-FROM path p JOIN :"model".intersection i ON i.node_id = p.junction_id CROSS JOIN LATERAL (
+FROM path p CROSS JOIN LATERAL (
+    SELECT array_agg(DISTINCT e.level) AS levels FROM :"model".junction_node n JOIN :"model".edge e ON n.node_id IN (e.from_node, e.to_node) WHERE n.junction_id = p.junction_id) i CROSS JOIN LATERAL (
     SELECT coalesce(ST_Union(surface), ST_GeomFromText('POLYGON EMPTY', ST_SRID(p.geom))) AS ground FROM (
-        SELECT surface FROM :"model".section s WHERE s.level = i.level AND s.surface && p.beyond UNION ALL SELECT surface FROM :"model".intersection o WHERE o.level = i.level AND o.surface && p.beyond
+        SELECT surface FROM :"model".section s WHERE s.level = ANY (i.levels) AND s.surface && p.beyond UNION ALL SELECT surface FROM :"model".intersection o WHERE o.level = ANY (i.levels) AND o.surface && p.beyond
         UNION ALL SELECT surface FROM :"model".junction j WHERE j.junction_id = p.junction_id) s) g;
 CREATE TEMPORARY TABLE grouped AS
 SELECT junction_id, count(*) AS nodes FROM :"model".junction_node GROUP BY junction_id HAVING count(*) > 1;
