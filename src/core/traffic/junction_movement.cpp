@@ -156,7 +156,8 @@ class Across {
   }
 
   // The first that is clear of the kerbs and drivable: a curve, one that follows the edges inside
-  // ever closer, arcs; else the first that is clear, else the first.
+  // ever closer, arcs; else the first that is clear, else the first, or the closest where that is
+  // shorter.
   Line path_between(const JunctionRoute& route, const LaneEnd& in, const LaneEnd& out, int from,
                     int to) const {
     const Line lane_in{in.place - in.direction, in.place},
@@ -173,7 +174,11 @@ class Across {
     choice.offer(curve(settings_.rule)) || choice.offer(guided(widest_guided)) ||
         choice.offer(guided(widest_guided / 2)) || choice.offer(guided(widest_guided / 4)) ||
         choice.offer(curve(TrajectoryRule::arcs)) || choice.offer(guided(car_radius * 2));
-    return choice.best().line;
+    Line line = choice.best().line;
+    if (choice.clear()) return line;
+    // Where all cross a kerb a wide curve may lead far astray.
+    Line close = guided(car_radius * 2).line;
+    return length(close) < length(line) ? close : line;
   }
 
   // What traffic takes over a kerb goes the shortest way past it instead, where there is one.

@@ -31,6 +31,7 @@ class PathChoice {
   // Whether the choice is made.
   bool offer(std::optional<Trajectory> path);
 
+  bool clear() const { return best_is_clear_; }
   Trajectory best() { return std::move(best_); }
 
  private:

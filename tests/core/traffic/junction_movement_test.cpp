@@ -84,6 +84,18 @@ TEST_F(DualCarriageway, EveryTurnIsOnePathFromLaneToLane) {
   EXPECT_TRUE(left->plausible);
 }
 
+// The limits of both lanes crossed: one goes on 12 m behind where the other ends.
+TEST_F(DualCarriageway, WhereNoPathIsClearNoneLeadsFarAstray) {
+  place.lanes[0].line = {{-50, 0}, {6, 0}};
+  place.lanes[1].line = {{-5, 0}, {50, -4}};
+  place.surface = {{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}, {-9, -9}},
+                    {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}, {-1, -1}}}};
+  const auto all = junction_movements(place, settings);
+  const JunctionMovement* through = between(all, 0, 1);
+  ASSERT_NE(through, nullptr);
+  EXPECT_LE(length(through->line), 22) << "there and back";
+}
+
 TEST_F(DualCarriageway, ATurnBackToTheOtherCarriagewayGoesAboutTheMedian) {
   const auto all = junction_movements(place, settings);
   const JunctionMovement* back = between(all, 0, 3);
