@@ -1,4 +1,5 @@
--- Kerbs, blocks and sidewalks of one model against oracles of PostGIS, a row per table: psql -v model=NAME -f tests/measure/ground.sql
+-- Kerbs, blocks and sidewalks of one model against oracles of PostGIS, a row per table: psql -v model=NAME -v share=1 -f tests/measure/ground.sql
+-- share: of the sides of surfaces whose places are told, at random.
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
@@ -6,12 +7,13 @@ SET client_min_messages = warning;
 CREATE TEMPORARY TABLE roadway AS SELECT level, ST_Union(surface, 1e-5) AS geom FROM :"model".roadway GROUP BY level;
 -- A place on each metre of the sides of surfaces: it is on the border where no surface of the level lies 20 micrometres beyond; a crack between
 -- two surfaces may be half as wide.
+SELECT setseed(0.5) \g /dev/null
 CREATE TEMPORARY TABLE place AS
-SELECT level, geom, metres, ST_Translate(geom, 2e-5 * (ST_Y(b) - ST_Y(a)) / length, -2e-5 * (ST_X(b) - ST_X(a)) / length) AS beyond
+SELECT level, geom, metres / :share AS metres, ST_Translate(geom, 2e-5 * (ST_Y(b) - ST_Y(a)) / length, -2e-5 * (ST_X(b) - ST_X(a)) / length) AS beyond
 FROM (SELECT level, a, b, ST_Length(side) AS length, ST_Length(side) / n AS metres, ST_LineInterpolatePoint(side, (k - 0.5) / n) AS geom
     FROM (SELECT level, (ST_DumpSegments(ST_ForcePolygonCCW(surface))).geom AS side FROM :"model".roadway) s,
         LATERAL (SELECT ST_StartPoint(side) AS a, ST_EndPoint(side) AS b, ceil(ST_Length(side))::integer AS n) e, generate_series(1, n) k
-    WHERE ST_Length(side) > 0.001) p;
+    WHERE ST_Length(side) > 0.001 AND random() < :share) p;
 CREATE TEMPORARY TABLE told AS
 SELECT metres, EXISTS (SELECT FROM :"model".roadway r WHERE r.level = p.level AND r.surface && p.beyond AND ST_Intersects(r.surface, p.beyond)) AS covered,
     (SELECT count(*) FROM :"model".kerb k WHERE k.level = p.level AND k.geom && ST_Expand(p.geom, 2e-6) AND ST_DWithin(k.geom, p.geom, 1e-6)) AS kerbs

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
@@ -61,6 +63,31 @@ TEST(FreeBorder, EndsAtTheMouthOfANeedleOnBothSides) {
                                   {-10.5, 0.096, 0}}}};
   EXPECT_LT(distance(mouth(notched, pointed), {0, 0, 0}), 1e-9);
   EXPECT_LT(distance(mouth(pointed, notched), {0, 0, 0}), 1e-9);
+}
+
+// The ring of an intersection goes back by 19 micrometres and on again.
+TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
+  const MultiPolygon folded = {{{{17.9084782, -1.4043094, 0},
+                                 {0, 0, 0},
+                                 {0.0000190, -0.0000015, 0},
+                                 {-17.0543639, 1.3374422, 0},
+                                 {-17, -20, 0},
+                                 {17, -20, 0},
+                                 {17.9084782, -1.4043094, 0}}}};
+  FreeBorder border(folded);
+  border.share_with_itself();
+  const std::vector<BorderLoop> loops = border.loops();
+  const Point* before = nullptr;
+  double gap = 0, sum = 0;
+  for (int round = 0; round < 2; ++round)
+    for (const BorderPiece& piece : loops.front()) {
+      if (piece.shared) continue;
+      if (before != nullptr) gap = std::max(gap, distance(*before, piece.from));
+      before = &piece.to;
+      if (round == 0) sum += distance(piece.from, piece.to);
+    }
+  EXPECT_LT(gap, 1e-6);
+  EXPECT_NEAR(sum, length(folded[0][0]), 4e-5);
 }
 
 }  // namespace
