@@ -116,19 +116,19 @@ void FreeBorder::share_with_itself() {
   // Of a side that lies on another all along, no third one is the other side: where the ring goes
   // to and fro over some micrometres, one of the three is the border.
   std::vector<bool> taken(sides_.size());
-  for (const Stretch& stretch : stretches_)
-    if (!stretch.other_level) taken[stretch.side] = true;
+  const auto take = [&](const Stretch& stretch) {
+    const double size = distance(side(stretch.side).first, side(stretch.side).second);
+    if (!stretch.other_level && (stretch.last - stretch.first) * size > size - same_place)
+      taken[stretch.side] = true;
+  };
+  std::for_each(stretches_.begin(), stretches_.end(), take);
   for (std::size_t k = 0; k < sides_.size(); ++k)
     boxes_.any_near(boxes_[k], crack, [&](std::size_t i) {
       if (i <= k || taken[i] || taken[k]) return false;
-      std::size_t found = stretches_.size();
+      const std::size_t before = stretches_.size();
       add_shared(i, side(k).second, side(k).first, false);
       add_shared(k, side(i).second, side(i).first, false);
-      for (; found < stretches_.size(); ++found) {
-        const Stretch& stretch = stretches_[found];
-        const double size = distance(side(stretch.side).first, side(stretch.side).second);
-        if ((stretch.last - stretch.first) * size > size - same_place) taken[stretch.side] = true;
-      }
+      std::for_each(stretches_.begin() + before, stretches_.end(), take);
       return false;
     });
 }

@@ -65,6 +65,25 @@ TEST(FreeBorder, EndsAtTheMouthOfANeedleOnBothSides) {
   EXPECT_LT(distance(mouth(pointed, notched), {0, 0, 0}), 1e-9);
 }
 
+// A slit that is no ground has no kerb, also where a neighbour shares the rest of its sides.
+TEST(FreeBorder, GoesOverASlitInASurfaceBesideANeighbour) {
+  const MultiPolygon slit = {
+      {{{0, 0, 0}, {10, 0, 0}, {10, 4, 0}, {6e-6, 4, 0}, {6, 2, 0}, {0, 4, 0}, {0, 0, 0}}}};
+  const MultiPolygon upper = {
+      {{{0, 4, 0}, {0, 9, 0}, {-5, 9, 0}, {-5, 5 + 2.0 / 3, 0}, {0, 4, 0}}}};
+  const MultiPolygon wedge = {{{{0, 4, 0}, {3, 3, 0}, {3, 3 + 3e-6, 0}, {0, 4, 0}}}};
+  FreeBorder border(slit);
+  border.share_with(upper, false);
+  border.share_with(wedge, false);
+  border.share_with_itself();
+  for (const BorderLoop& loop : border.loops())
+    for (const BorderPiece& piece : loop)
+      if (!piece.shared) {
+        const Point middle = (piece.from + piece.to) * 0.5;
+        EXPECT_FALSE(middle.x > 0.1 && middle.x < 5.9 && middle.y > 1 && middle.y < 3.9);
+      }
+}
+
 // The ring of an intersection goes back by 19 micrometres and on again.
 TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
   const MultiPolygon folded = {{{{17.9084782, -1.4043094, 0},
