@@ -113,24 +113,30 @@ void FreeBorder::share_with(const MultiPolygon& neighbour, bool other_level) {
 }
 
 void FreeBorder::share_with_itself() {
-  // Of a side that lies on another all along, no third one is the other side: where the ring goes
-  // to and fro over some micrometres, one of the three is the border.
-  std::vector<bool> taken(sides_.size());
-  const auto take = [&](const Stretch& stretch) {
-    const double size = distance(side(stretch.side).first, side(stretch.side).second);
-    if (!stretch.other_level && (stretch.last - stretch.first) * size > size - same_place)
-      taken[stretch.side] = true;
-  };
-  std::for_each(stretches_.begin(), stretches_.end(), take);
+  // Once only: a needle of ground between two sides has a border where a neighbour shares one of
+  // them, and where the ring goes to and fro over some micrometres one of the three sides is it.
   for (std::size_t k = 0; k < sides_.size(); ++k)
     boxes_.any_near(boxes_[k], crack, [&](std::size_t i) {
-      if (i <= k || taken[i] || taken[k]) return false;
+      if (i <= k) return false;
       const std::size_t before = stretches_.size();
       add_shared(i, side(k).second, side(k).first, false);
       add_shared(k, side(i).second, side(i).first, false);
-      std::for_each(stretches_.begin() + before, stretches_.end(), take);
+      const auto fresh = stretches_.begin() + before;
+      if (stretches_.end() - fresh < 2 ||
+          std::any_of(fresh, stretches_.end(),
+                      [&](const Stretch& stretch) { return is_shared(stretch, before); }))
+        stretches_.erase(fresh, stretches_.end());
       return false;
     });
+}
+
+// Whether one of the first stretches covers the middle of another one.
+bool FreeBorder::is_shared(const Stretch& stretch, std::size_t first) const {
+  const double middle = (stretch.first + stretch.last) / 2;
+  return std::any_of(stretches_.begin(), stretches_.begin() + first, [&](const Stretch& other) {
+    return other.side == stretch.side && !other.other_level && other.first <= middle &&
+           middle <= other.last;
+  });
 }
 
 void FreeBorder::add_shared(std::size_t i, const Point& from, const Point& to, bool other_level) {

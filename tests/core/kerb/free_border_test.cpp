@@ -84,6 +84,23 @@ TEST(FreeBorder, GoesOverASlitInASurfaceBesideANeighbour) {
       }
 }
 
+// A needle of ground along two neighbours has a border on its other side.
+TEST(FreeBorder, KeepsTheFarSideOfANeedleOfGround) {
+  const MultiPolygon needle = {
+      {{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {14, 3, 0}, {4, 3 + 3e-6, 0}, {0, 3, 0}, {0, 0, 0}}}};
+  const MultiPolygon below = {{{{4, 0, 0}, {8, 0, 0}, {8, 3, 0}, {4, 3, 0}, {4, 0, 0}}}};
+  const MultiPolygon beyond = {{{{8, 0, 0}, {14, 0, 0}, {14, 3, 0}, {8, 3, 0}, {8, 0, 0}}}};
+  FreeBorder border(needle);
+  border.share_with(below, false);
+  border.share_with(beyond, false);
+  border.share_with_itself();
+  double sum = 0;
+  for (const BorderLoop& loop : border.loops())
+    for (const BorderPiece& piece : loop)
+      if (!piece.shared) sum += distance(piece.from, piece.to);
+  EXPECT_NEAR(sum, 4 + 3 + 4 + 10, 1e-4);
+}
+
 // The ring of an intersection goes back by 19 micrometres and on again.
 TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
   const MultiPolygon folded = {{{{17.9084782, -1.4043094, 0},
