@@ -116,6 +116,7 @@ DO $$ DECLARE r float8; id bigint; BEGIN
   END LOOP;
 END $$;
 SELECT 'both sides are in step after 2000 edits', holds AND (SELECT count(*) FROM town.shelter) > 10 FROM in_step;
+SELECT 'no edit waits for its renewals to be compiled', bool_and('jit=off' = ANY (proconfig)) AND count(*) = 2 FROM pg_proc WHERE pronamespace = 'town'::regnamespace AND proname IN ('_renew_bays', '_renew_crossings');
 
 INSERT INTO town.placement_rule (type, side, every) VALUES ('shelter', 'right', 30);
 SELECT 'what rules place has its rows too', holds AND EXISTS (SELECT FROM town.street_object WHERE type = 'shelter' AND placed_by = 'rule') FROM in_step;

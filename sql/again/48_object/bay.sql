@@ -78,7 +78,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_bay_functions(model name) RETURNS voi
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
-    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
     AS $body$
     WITH new AS (
         SELECT b.street_object_id, streetgen._bay_ground(a.line, streetgen._border_offset(streetgen._to_border(a.width,

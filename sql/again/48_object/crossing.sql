@@ -37,7 +37,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURN
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
-    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
     AS $body$
     WITH drawn AS MATERIALIZED (
         SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
