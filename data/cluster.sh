@@ -29,10 +29,11 @@ install_packages() {
 
 install_qgis() { install_missing python3-qgis qgis-providers; }
 
-install_for_tests() {
-  install_packages
-  install_missing libgtest-dev assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils
-}
+# What the tests of the core and of SQL need.
+install_for_tests() { install_packages && install_missing libgtest-dev; }
+
+# The programs that judge what the suites write.
+install_judges() { install_missing assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils; }
 
 install_missing() {
   local missing=() package
