@@ -199,15 +199,23 @@ stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -
 # Of the SQL as built now: a database made by other SQL does not fit the module.
 built_sql() { cat "$stage$(pg_config --sharedir)"/extension/streetgen--*.sql | cksum | cut -d' ' -f1; }
 
+# empty_database NAME [TEMPLATE]
 empty_database() {
-  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1"
+  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1 TEMPLATE ${2:-template1}"
 }
 
-# A database with the extension as built now.
+# A database with the extension as built now: a copy of streetgen_template where the cluster has that.
 fresh_database() {
-  empty_database "$1"
-  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION streetgen CASCADE' \
-    -c "COMMENT ON DATABASE $1 IS 'streetgen $(built_sql)'"
+  local mark
+  mark="streetgen $(built_sql)"
+  if [ "$1" != streetgen_template ] &&
+    [ "$(psql -qXAt -d postgres -c "SELECT count(*) FROM pg_database WHERE datname = 'streetgen_template' AND shobj_description(oid, 'pg_database') = '$mark'")" = 1 ]; then
+    empty_database "$1" streetgen_template
+  else
+    empty_database "$1"
+  fi
+  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION IF NOT EXISTS streetgen CASCADE' \
+    -c "COMMENT ON DATABASE $1 IS '$mark'"
 }
 
 set_up() {
