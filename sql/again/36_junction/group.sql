@@ -56,7 +56,10 @@ BEGIN
         max(value::float8) FILTER (WHERE name = 'junction_extent') AS extent,
         max(value::float8) FILTER (WHERE name = 'control_distance') AS control_distance INTO rules
         FROM {model}.setting WHERE name IN ('junction_gap', 'junction_extent', 'control_distance');
-    region := touched;
+    -- With the nodes that they were joined to: mostly the first round finds no others then.
+    region := CASE WHEN touched IS NOT NULL THEN ARRAY(
+        SELECT unnest(touched) UNION SELECT j.node_id FROM {model}.junction_node j WHERE j.junction_id IN (
+            SELECT junction_id FROM {model}.junction_node WHERE node_id = ANY (touched))) END;
     LOOP
         near := CASE WHEN region IS NOT NULL THEN ARRAY(
             SELECT DISTINCT e.edge_id FROM unnest(region) t(node_id)
