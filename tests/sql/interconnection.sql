@@ -92,6 +92,8 @@ SELECT 'by arcs the path is that of the primitive', (SELECT bool_and(ST_Equals(p
 CREATE FUNCTION public.by_centre(lane_in geometry, lane_out geometry, centre geometry, tolerance float8) RETURNS geometry LANGUAGE sql IMMUTABLE AS
   $$ SELECT ST_MakeLine(ARRAY[ST_EndPoint(lane_in), centre, ST_StartPoint(lane_out)]) $$;
 CREATE FUNCTION public.nowhere(lane_in geometry, lane_out geometry, centre geometry, tolerance float8) RETURNS geometry LANGUAGE sql IMMUTABLE AS $$ SELECT centre $$;
+CREATE FUNCTION public.no_number(lane_in geometry, lane_out geometry, centre geometry, tolerance float8) RETURNS geometry LANGUAGE sql IMMUTABLE AS
+  $$ SELECT ST_MakeLine(ARRAY[ST_EndPoint(lane_in), ST_SetSRID(ST_MakePoint('NaN', 0), ST_SRID(centre)), ST_StartPoint(lane_out)]) $$;
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory', 'public.by_centre')$q$) \g /dev/null
 SELECT 'a function of the user''s draws the paths', (SELECT bool_and(ST_NPoints(p.geom) = 3 AND ST_Equals(ST_PointN(p.geom, 2), n.geom) AND control IS NULL
     AND ST_StartPoint(p.geom) = CASE WHEN along_in THEN ST_EndPoint(geom_in) ELSE ST_StartPoint(geom_in) END) FROM pair p JOIN crossing.node n USING (node_id));
@@ -99,6 +101,7 @@ SELECT 'and changes nothing else', (SELECT array_agg((lane_in, lane_out, turn, p
 SELECT 'a second run with it writes no row', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('crossing'));
 SELECT 'a function that draws no line is refused', test.state($q$SELECT pg_temp.again($e$SELECT streetgen.set('crossing', 'trajectory', 'public.nowhere')$e$)$q$) = '22023';
 SELECT 'its name and result are said', test.said($q$SELECT pg_temp.again($e$SELECT streetgen.set('crossing', 'trajectory', 'public.nowhere')$e$)$q$) LIKE 'trajectory function public.nowhere gave SRID=2154;POINT%';
+SELECT 'a function whose line has no numbers is refused, and its name and result are said', test.said($q$SELECT pg_temp.again($e$SELECT streetgen.set('crossing', 'trajectory', 'public.no_number')$e$)$q$) LIKE 'trajectory function public.no_number gave SRID=2154;LINESTRING%NaN%';
 SELECT 'a function that is not there is refused', test.state($q$SELECT streetgen.set('crossing', 'trajectory', 'public.no_such')$q$) = '22023';
 SELECT format('%s, which is no name, is refused', quote_literal(word)), test.state(format('SELECT streetgen.set(''crossing'', ''trajectory'', %L)', word)) = '22023'
   FROM unnest(ARRAY['', ' ', 'a b', 'a.b.c.d', 'public.', '"', '1', 'a''b', 'f(', 'public.by_centre(geometry, geometry, geometry, float8)']) word;
