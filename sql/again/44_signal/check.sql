@@ -16,8 +16,9 @@ SELECT 'error', 'movement that never has green', 'controller', c.controller_id, 
     (92, 'signal', 'rule', $part$
 SELECT 'notice', 'crossing at signals where people never have green', 'control_point', c.control_point_id,
     c.seconds, c.geom FROM %1$I.junction_crossing c JOIN %1$I.controller k ON k.controller_id = c.junction_id
-    WHERE NOT EXISTS (SELECT FROM %1$I.signal_crossing s WHERE (s.controller_id, s.control_point_id, s.edge_id)
-        = (c.junction_id, c.control_point_id, c.edge_id))$part$),
+    -- The view is computed once so, and not for each crossing.
+    WHERE (c.junction_id, c.control_point_id, c.edge_id) NOT IN (
+        SELECT s.controller_id, s.control_point_id, s.edge_id FROM %1$I.signal_crossing s)$part$),
     (92, 'signal', 'rule', $part$
 SELECT 'notice', 'signals that the classifier alone says', 'controller', c.controller_id, c.cycle, c.geom
     FROM %1$I.controller c WHERE c.method = 'classified'$part$),
