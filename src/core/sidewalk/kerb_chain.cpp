@@ -97,24 +97,26 @@ void KerbChains::widen(int from, double transition) {
 }
 
 // The kerb lies from `start` to `end` along the way on which the width changes. What is known of
-// its other end stays.
+// its other half stays, whichever half is put first: both changes may meet in the middle.
 void KerbChains::put(int kerb, double start, double end, const std::vector<WidthKnot>& change) {
   std::vector<WidthKnot>& widths = widths_[kerb];
   std::vector<WidthKnot> knots;
-  const double middle = (start + end) / 2;
+  const auto add = [&](const WidthKnot& knot) {
+    if (knots.empty() || knot.abscissa - knots.back().abscissa > same_place) knots.push_back(knot);
+  };
+  const double middle = (end - start) / 2;
   const bool keeps_start = kerbs_[kerb].width && change.front().abscissa > start;
   const bool keeps_end = kerbs_[kerb].width && !keeps_start;
   if (keeps_start)
     for (const WidthKnot& knot : widths)
-      if (knot.abscissa + start <= middle) knots.push_back(knot);
+      if (knot.abscissa <= middle + same_place) add(knot);
   if (keeps_start && knots.empty()) knots.push_back({0, change.front().width});
   if (!keeps_start) knots.push_back({0, width_at(change, start)});
   for (const WidthKnot& knot : change)
-    if (knot.abscissa > start && knot.abscissa < end)
-      knots.push_back({knot.abscissa - start, knot.width});
+    if (knot.abscissa > start && knot.abscissa < end) add({knot.abscissa - start, knot.width});
   if (keeps_end)
     for (const WidthKnot& knot : widths)
-      if (knot.abscissa + start > middle) knots.push_back(knot);
+      if (knot.abscissa >= middle - same_place) add(knot);
   if (!keeps_end) knots.push_back({end - start, width_at(change, end)});
   if (keeps_end && knots.back().abscissa < end - start)
     knots.push_back({end - start, change.back().width});

@@ -136,6 +136,22 @@ TEST(Sidewalk, ChangesItsWidthAboutAPlaneMeetingOfTwoKerbs) {
   EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 37.5 * 4 + 2.5 * 3.5, 1e-9);
 }
 
+// The width goes from 2 to 1.5 m over 5 m, of which the last 0.1 m lie on a kerb of 2 m. The second
+// half of that kerb leads to none.
+TEST(Sidewalk, ChangesItsWidthTwiceAlongAShortKerbWhateverTheOrderOfKerbs) {
+  const std::vector<SidewalkKerb> kerbs{
+      kerb({{0, 0, 0}, {40, 0, 0}}, 2), kerb({{40, 0, 0}, {44.8, 0, 0}}, std::nullopt),
+      kerb({{44.8, 0, 0}, {46.8, 0, 0}}, 1.5), kerb({{46.8, 0, 0}, {60, 0, 0}}, 0)};
+  const double wanted = 0.1 * (1.51 + 1.5) / 2 + 0.9 * 1.5 + 1.0 * 1.5 / 2;
+  std::vector<int> order{0, 1, 2, 3};
+  do {
+    std::vector<SidewalkKerb> given;
+    for (const int i : order) given.push_back(kerbs[i]);
+    const int at = static_cast<int>(std::find(order.begin(), order.end(), 2) - order.begin());
+    EXPECT_NEAR(area(of_kerb(find_sidewalks(given, 5), at).surface), wanted, 1e-9);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
 TEST(Sidewalk, LeavesAKerbWithoutWidthAsItIs) {
   const auto sidewalks =
       find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 0), kerb({{40, 0, 0}, {80, 0, 0}}, 4)}, 5);
