@@ -82,8 +82,8 @@ class ArcRoad {
     Arc arc;
   };
   std::vector<Bend> bends() const;
-  // Where the heading jumps at an end of an arc. A turn of a thousandth of a radian is no jump. Nor
-  // is a turn that ten nanometres make at the end of a short piece.
+  // A place where the heading jumps, at an end of an arc. No jump is a turn of a thousandth of a
+  // radian, or a turn that ten nanometres make at the end of a short piece.
   struct Kink {
     Point place;
     double angle = 0;

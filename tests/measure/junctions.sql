@@ -41,7 +41,7 @@ CREATE TEMPORARY TABLE figure AS
 SELECT (SELECT count(*) FROM junction) AS junctions, (SELECT count(*) FROM grouped) AS grouped, (SELECT coalesce(max(nodes), 0) FROM grouped) AS most,
     (SELECT count(*) FROM streetgen.check_model(:'model') WHERE rule = 'node of degree three and more without a junction') AS without_one,
     (SELECT count(*) FROM grouped JOIN junction j USING (junction_id) WHERE ST_NumGeometries(j.surface) > 1) AS in_parts,
-    (SELECT count(*) FROM control_point) AS points, (SELECT count(*) FROM control_point p WHERE EXISTS (SELECT FROM edge e WHERE e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa - 1.5 AND e.end_abscissa + 1.5)) AS placed,
+    (SELECT count(*) FROM control_point) AS points, (SELECT count(*) FROM control_point p WHERE EXISTS (SELECT FROM edge e WHERE e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa - 1e-6 AND e.end_abscissa + 1e-6)) AS placed,
     (SELECT count(*) FROM path) AS paths, (SELECT count(*) FILTER (WHERE jump > 1) FROM path) AS jumps, (SELECT 100 * sum(o.off) / nullif(sum(length), 0) FROM path JOIN off o USING (junction_movement_id)) AS off, (SELECT 100 * sum(o.beyond) / nullif(sum(length), 0) FROM path JOIN off o USING (junction_movement_id)) AS beyond,
     (SELECT 100.0 * count(*) FILTER (WHERE radius < 3) / nullif(count(*) FILTER (WHERE abs(angle) > 20), 0) FROM path WHERE abs(angle) > 20) AS tight,
     (SELECT lost || ' of ' || places FROM beside) AS lost, (SELECT rows FROM overlapping) AS overlapping;

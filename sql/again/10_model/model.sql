@@ -112,24 +112,19 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
 DECLARE
     before constant oid[] := streetgen._relations(model);
 BEGIN
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'source_hash') THEN
+    IF streetgen._lacks_column(model, 'axis', 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'roundabout_tag') THEN
+    IF streetgen._lacks_column(model, 'axis', 'roundabout_tag') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD roundabout_tag text', model);
     END IF;
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'flow') THEN
+    IF streetgen._lacks_column(model, 'axis', 'flow') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
     END IF;
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.edge', model)::regclass
-        AND attname = 'curve') THEN
+    IF streetgen._lacks_column(model, 'edge', 'curve') THEN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'change_forward') THEN
+    IF streetgen._lacks_column(model, 'axis', 'change_forward') THEN
         EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),
             ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
     END IF;

@@ -1,5 +1,12 @@
 -- What models of older builds lack: columns that came since, with what they mean for the rows that are there.
 
+CREATE OR REPLACE FUNCTION streetgen._lacks_column(model name, relation name, attribute name) RETURNS boolean
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT to_regclass(format('%I.%I', model, relation)) IS NOT NULL AND NOT EXISTS (SELECT FROM pg_attribute
+        WHERE attrelid = to_regclass(format('%I.%I', model, relation)) AND attname = attribute) $$;
+COMMENT ON FUNCTION streetgen._lacks_column(name, name, name) IS
+    'Does a model have a table without a column of that name?';
+
 CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- What is filled in is not changed by hand.
@@ -8,8 +15,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
 DECLARE
     statement text;
 BEGIN
-    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass AND attname = 'lanes_both')
-        THEN
+    IF NOT streetgen._lacks_column(model, 'axis', 'lanes_both') THEN
         RETURN;
     END IF;
     -- What was computed has lanes of one direction only.
@@ -48,8 +54,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_sidewalks(model name) RETURNS void
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'sidewalk_left') THEN
+    IF NOT streetgen._lacks_column(model, 'axis', 'sidewalk_left') THEN
         RETURN;
     END IF;
     EXECUTE format('ALTER TABLE %1$I.axis ADD sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
@@ -66,8 +71,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_roadway_offset(model name) RETURNS voi
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.axis', model)::regclass
-        AND attname = 'roadway_offset') THEN
+    IF NOT streetgen._lacks_column(model, 'axis', 'roadway_offset') THEN
         RETURN;
     END IF;
     EXECUTE format('ALTER TABLE %1$I.axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100)',
@@ -88,8 +92,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_merging_lanes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    IF to_regclass(format('%I.lane', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = to_regclass(format('%I.lane', model)) AND attname = 'start_abscissa') THEN
+    IF NOT streetgen._lacks_column(model, 'lane', 'start_abscissa') THEN
         RETURN;
     END IF;
     EXECUTE format('ALTER TABLE %I.lane ADD start_abscissa float8, ADD end_abscissa float8, '
@@ -102,16 +105,15 @@ COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_lane_changes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- What is filled in is not changed by hand.
+    -- No trigger takes this change for an edit by hand.
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    IF to_regclass(format('%I.lane_separator', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = to_regclass(format('%I.lane_separator', model)) AND attname = 'leftwards') THEN
+    IF NOT streetgen._lacks_column(model, 'lane_separator', 'leftwards') THEN
         RETURN;
     END IF;
     EXECUTE format('ALTER TABLE %I.lane_separator ADD leftwards boolean, ADD rightwards boolean', model);
-    -- What a source or somebody says beyond the paint, the next run finds.
+    -- The next run reads lane changes of sources and those by hand, which the paint does not tell.
     EXECUTE format('UPDATE %I.lane_separator SET leftwards = dashed, rightwards = dashed', model);
     EXECUTE format('ALTER TABLE %I.lane_separator ALTER leftwards SET NOT NULL, ALTER rightwards SET NOT NULL', model);
 END $$;
@@ -125,8 +127,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS v
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    IF to_regclass(format('%I.roundabout_edge', model)) IS NULL OR EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = to_regclass(format('%I.roundabout_edge', model)) AND attname = 'face') THEN
+    IF NOT streetgen._lacks_column(model, 'roundabout_edge', 'face') THEN
         RETURN;
     END IF;
     -- What was computed has rings of one face only.

@@ -60,8 +60,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_beside(model name, place geometry) RE
 DECLARE
     found bigint;
 BEGIN
-    -- The widest street is 200 m wide.
-    -- An axis no longer than the tolerance is a node and no edge.
+    -- The widest street is 200 m wide. An axis no longer than the tolerance is a node and no edge.
     EXECUTE format($sql$
 SELECT axis_id FROM (
     SELECT axis_id, round(ST_Distance(a.geom, $1)::numeric, 6) AS distance, coalesce(a.width, c.width,

@@ -1,4 +1,4 @@
--- What stands at axes and is no row computed from them follows their edits.
+-- Triggers on axes, by which overrides and objects follow edits of axes.
 
 CREATE OR REPLACE FUNCTION streetgen._follow_axes(model name, trigger_name text, relation name, follower name,
     purpose text) RETURNS void

@@ -48,8 +48,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_via_axes(model name, srid integer) RET
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    IF EXISTS (SELECT FROM pg_attribute WHERE attrelid = format('%I.turn_restriction', model)::regclass
-        AND attname = 'via_axes') THEN
+    IF NOT streetgen._lacks_column(model, 'turn_restriction', 'via_axes') THEN
         RETURN;
     END IF;
     EXECUTE format($sql$

@@ -1,4 +1,4 @@
--- What follows an edit of the ground of objects: of crossings and of parking bays.
+-- Triggers on crossings and parking bays, by which their ground follows an edit.
 
 CREATE OR REPLACE FUNCTION streetgen._make_redraw(model name, relation name, objects text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

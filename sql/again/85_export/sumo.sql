@@ -170,7 +170,6 @@ held_back AS (
         + 0.5, ST_Length(s.line) / 2)) AS back
     FROM crossed c CROSS JOIN LATERAL unnest(c.names) n(name) JOIN sumo_edge s ON s.name = n.name
     WHERE s.until = 1 AND s.along_axis <> c.at_start AND ST_Intersects(s.line, c.line) GROUP BY s.name),
-stopping AS (SELECT DISTINCT edge_id, along_axis, 1.0 AS until FROM %1$I.marking WHERE kind = 'stop'),
 lane_line AS MATERIALIZED (
     SELECT name, index, c.allow, c.disallow, l.width,
         CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END AS line
@@ -199,9 +198,9 @@ line AS (
         streetgen._xml_text(street) AS name, 'center' AS "spreadType",
         streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape))::text, -2)
         || '>' || elements || coalesce('<stopOffset value="' || round(back::numeric, digits) || '"/>', '')
-        || CASE WHEN p.until IS NOT NULL THEN '<param key="waits" value="stop"/>' ELSE '' END || '</edge>' AS element
+        || CASE WHEN s.until = 1 AND (s.edge_id, s.along_axis) IN (SELECT edge_id, along_axis FROM %1$I.marking
+            WHERE kind = 'stop') THEN '<param key="waits" value="stop"/>' ELSE '' END || '</edge>' AS element
     FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
-    LEFT JOIN stopping p USING (edge_id, along_axis, until)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
     LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
     UNION ALL SELECT * FROM ring_line)$part$ $$;

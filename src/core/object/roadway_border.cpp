@@ -1,11 +1,11 @@
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/object.hpp"
 
 namespace streetgen {
 
 Line roadway_border(const Line& axis, const WidthProfile& borders, const BorderStretch& stretch) {
-  constexpr double same_place = 1e-6;  // metres
   using Place = WidthProfile::Place;
   const Line whole = distinct(planar(axis));
   const auto offset = [&](const Place& place) {

@@ -7,6 +7,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/surface_union.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/object.hpp"
@@ -17,7 +18,6 @@ namespace streetgen {
 namespace {
 
 constexpr double stripe = 0.5, gap = 0.5, free_at_border = 0.25;  // metres
-constexpr double same_place = 1e-6;                               // metres
 
 // Points that nearly repeat another one have no direction.
 Line spaced(const Line& line) {

@@ -235,7 +235,7 @@ class Front {
   }
   void tell_end(int i, const Point& at, double time) {
     if (strip(i).end_told) return;
-    // Where the next one goes round, its ground begins behind the end of this one.
+    // A kerb that goes round an outer bend has the ground behind the end of the kerb before.
     strip(i).end_told = time >= strip(i).reach || goes_round(sides_[i].next);
     ground(i).end.push_back(strip(i).end_told ? sides_[i].end.place(beyond) : at);
   }

@@ -171,14 +171,15 @@ class Across {
       return Trajectory{{}, guided_path(place_, route, in, out, widest, settings_.tolerance)};
     };
     PathChoice choice(kerbs_, from, to, false);
-    choice.offer(curve(settings_.rule)) || choice.offer(guided(widest_guided)) ||
+    if (choice.offer(curve(settings_.rule)) || choice.offer(guided(widest_guided)) ||
         choice.offer(guided(widest_guided / 2)) || choice.offer(guided(widest_guided / 4)) ||
-        choice.offer(curve(TrajectoryRule::arcs)) || choice.offer(guided(car_radius * 2));
+        choice.offer(curve(TrajectoryRule::arcs)))
+      return choice.best().line;
+    const Trajectory closest = guided(car_radius * 2);
+    choice.offer(closest);
     Line line = choice.best().line;
-    if (choice.clear()) return line;
     // Where all cross a kerb a wide curve may lead far astray.
-    Line close = guided(car_radius * 2).line;
-    return length(close) < length(line) ? close : line;
+    return choice.clear() || length(line) <= length(closest.line) ? line : closest.line;
   }
 
   // What traffic takes over a kerb goes the shortest way past it instead, where there is one.
