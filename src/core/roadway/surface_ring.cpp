@@ -142,11 +142,23 @@ Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
   return {closed(std::move(ring))};
 }
 
-// Between two axes and the line from the left end of one border to the right end of the other.
+// From the left end of one border to the right end of the other: straight, but out past the flat
+// ends that their arms have at the node.
+Line past_flat_ends(const Arm& a, const Arm& b) {
+  Line kerb;
+  for (const Point& p : {a.border[0], kerb_at_node(a, +1), kerb_at_node(b, -1), b.border[1]}) {
+    while (kerb.size() > 1 && cross(kerb.back() - kerb[kerb.size() - 2], p - kerb.back()) <= 0)
+      kerb.pop_back();
+    kerb.push_back(p);
+  }
+  return kerb;
+}
+
+// Between two axes and the kerb past their flat ends.
 Polygon between_axes(const Arm& a, const Arm& b) {
   Ring ring = planar(substring(a.line, 0, a.limit));
-  ring.push_back(a.border[0]);
-  ring.push_back(b.border[1]);
+  const Line kerb = past_flat_ends(a, b);
+  ring.insert(ring.end(), kerb.begin(), kerb.end());
   const Line back = planar(substring(b.line, b.limit, 0));
   ring.insert(ring.end(), back.begin(), back.end());
   return {closed(std::move(ring))};

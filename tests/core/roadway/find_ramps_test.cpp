@@ -8,6 +8,7 @@
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
 #include "geometry/surface_distance.hpp"
 #include "streetgen/street_model.hpp"
 
@@ -498,6 +499,43 @@ TEST(FindRamps, TellsALinkShorterThanItsTangent) {
   EXPECT_TRUE(model.streets.ramps[0].short_link);
   for (const Lane& lane : model.lanes.lanes)
     for (const Point& p : lane.line) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+}
+
+// A link that a service road comes upon shortly behind its ramp has no room for its bend: its kerb
+// leads straight on from the corner of the flat end of the highway's lanes.
+TEST(FindRamps, LeadsTheOuterKerbPastAFlatEndWithoutAStep) {
+  const double inwards = 1e-3;
+  for (const bool on : {true, false})
+    for (const bool mirrored : {true, false})
+      for (const double length : {12, 15, 20, 25})
+        for (const double angle : {10, 15, 20}) {
+          Highway highway;
+          highway.on = on;
+          highway.mirrored = mirrored;
+          highway.link_length = length;
+          highway.angle = angle;
+          StreetModelInput input = highway.input();
+          const Line& ramp = input.axes[2].line;
+          const Point end = on ? ramp.front() : ramp.back();
+          const Point far = end * (250 / length);
+          highway.add(input, 4, on ? Line{far, end} : Line{end, far}, 1, RampPart::link, 50);
+          highway.add(input, 5, {end, turned({end.x, -100, 0}, mirrored)}, 1, RampPart::none, 30);
+          const Streets streets = street_model(input).streets;
+          ASSERT_EQ(streets.ramps.size(), 1u);
+          const Point corner = turned({0, inwards - 2.5 * lane, 0}, mirrored);
+          Point limit = corner;
+          for (const SectionLimit& of : streets.limits)
+            if (of.edge == streets.ramps[0].link && of.at_start == streets.ramps[0].link_at_start)
+              limit = std::max(of.border_line[0], of.border_line[1],
+                               [](auto& p, auto& q) { return std::abs(p.y) < std::abs(q.y); });
+          const Point middle = (corner + limit) * 0.5;
+          const auto holds = [&](const auto& row) { return inside(middle, row.surface); };
+          EXPECT_TRUE(
+              std::any_of(streets.intersections.begin(), streets.intersections.end(), holds) ||
+              std::any_of(streets.sections.begin(), streets.sections.end(), holds))
+              << (on ? "on" : "off") << (mirrored ? " left " : " right ") << length << " m, "
+              << angle;
+        }
 }
 
 }  // namespace
