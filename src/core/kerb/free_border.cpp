@@ -108,7 +108,9 @@ void FreeBorder::share_with(const MultiPolygon& neighbour, bool other_level) {
           return same(side(i).first, from) && same(side(i).second, to);
         });
         if (is_twice) near.erase(near.begin(), near.end() - 1);
+        const std::size_t before = stretches_.size();
         for (const std::size_t i : near) add_shared(i, from, to, other_level);
+        if (stretches_.size() > before + 1) keep_longest(before, to - from);
       }
 }
 
@@ -128,6 +130,24 @@ void FreeBorder::share_with_itself() {
         stretches_.erase(fresh, stretches_.end());
       return false;
     });
+}
+
+// Of the stretches from the first on, which lie on one side of a neighbour: where two of them lie
+// on each other there is a third side between, and the shorter one is left to it.
+void FreeBorder::keep_longest(std::size_t first, const Point& along) {
+  const auto begin = stretches_.begin() + first;
+  const auto span = [&](const Stretch& stretch) { return dot(stretch.to - stretch.from, along); };
+  std::sort(begin, stretches_.end(),
+            [&](const Stretch& a, const Stretch& b) { return span(a) > span(b); });
+  auto kept = begin;
+  for (auto next = begin; next != stretches_.end(); ++next) {
+    const Point middle = (next->from + next->to) * 0.5;
+    if (std::none_of(begin, kept, [&](const Stretch& longer) {
+          return dot(middle - longer.from, along) > 0 && dot(longer.to - middle, along) > 0;
+        }))
+      *kept++ = *next;
+  }
+  stretches_.erase(kept, stretches_.end());
 }
 
 // Whether one of the first stretches covers the middle of another one.

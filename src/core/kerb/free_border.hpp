@@ -48,6 +48,7 @@ class FreeBorder {
     bool other_level;
   };
   void add_shared(std::size_t side, const Point& from, const Point& to, bool other_level);
+  void keep_longest(std::size_t first, const Point& along);
   bool is_shared(const Stretch& stretch, std::size_t first) const;
   void append_pieces(std::size_t side, const Stretch* first, const Stretch* last,
                      BorderLoop& loop) const;

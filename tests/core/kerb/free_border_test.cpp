@@ -101,6 +101,21 @@ TEST(FreeBorder, KeepsTheFarSideOfANeedleOfGround) {
   EXPECT_NEAR(sum, 4 + 3 + 4 + 10, 1e-4);
 }
 
+// A hole a tenth of a micrometre wide lies against the border, beyond which a neighbour goes on.
+TEST(FreeBorder, GoesOverAHoleThatIsNoGroundAtABorder) {
+  const MultiPolygon holed = {
+      {{{0, -5, 0}, {0, 0, 0}, {2, 0, 0}, {3, 6e-8, 0}, {6, 0, 0}, {6, -5, 0}, {0, -5, 0}},
+       {{2, 0, 0}, {2, -6e-8, 0}, {3, 0, 0}, {2, 0, 0}}}};
+  const MultiPolygon upper = {
+      {{{0, 0, 0}, {0, 5, 0}, {6, 5, 0}, {6, 0, 0}, {3, 6e-8, 0}, {0, 0, 0}}}};
+  FreeBorder border(holed);
+  border.share_with(upper, false);
+  border.share_with_itself();
+  for (const BorderLoop& loop : border.loops())
+    for (const BorderPiece& piece : loop)
+      if (!piece.shared) EXPECT_LT(std::min(piece.from.y, piece.to.y), -1);
+}
+
 // The ring of an intersection goes back by 19 micrometres and on again.
 TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
   const MultiPolygon folded = {{{{17.9084782, -1.4043094, 0},
