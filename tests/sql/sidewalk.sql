@@ -46,6 +46,18 @@ SELECT 'the edge of the kerb is not about that block', count(*) = 0 FROM over_bl
 DELETE FROM over.axis WHERE axis_id = 7;
 SELECT 'where no block lies there it belongs to none', count(*) = 1 AND bool_and(block_id IS NULL) FROM over_block;
 
+-- The sidewalk of a corner has the level of its node, whatever the level of its edge.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ramp', 2154, subjects => '{sidewalk,block}');
+  INSERT INTO ramp.axis (axis_id, geom, width, level, sidewalk_left, sidewalk_right) SELECT n, pg_temp.line(l), 8, level, 2, 2
+  FROM (VALUES (1, 'LINESTRING(0 0,30 0)', 1), (2, 'LINESTRING(0 9,24 9)', 1), (3, 'LINESTRING(24 9,100 40)', 0),
+    (4, 'LINESTRING(-50 -50,150 -50,150 100,-50 100,-50 -50)', 0)) v(n, l, level);
+END $$;
+CREATE TEMP VIEW lowered AS SELECT s.* FROM ramp.sidewalk s JOIN ramp.kerb k USING (edge_id, side, part) JOIN ramp.edge e USING (edge_id) WHERE k.level = 0 AND e.level = 1;
+SELECT 'a corner on the ground, of an edge above it, lies on a block', count(*) > 0 AND count(b.block_id) = count(*) FROM lowered LEFT JOIN ramp.sidewalk_block b USING (sidewalk_id);
+SELECT 'and takes ground of it', bool_and(NOT ST_Intersects(i.geom, ST_PointOnSurface(l.surface))) FROM lowered l, ramp.block_interior i;
+SELECT 'a picture shows it below the streets', regexp_count(split_part(drawing, 'class="section', 1), 'class="sidewalk') = (SELECT count(*) FROM ramp.sidewalk JOIN ramp.kerb USING (edge_id, side, part) WHERE level = 0) FROM streetgen.svg('ramp') drawing;
+
 -- The island of a roundabout that the source names. Ring 1 runs with the traffic, counter-clockwise, ring 2 against it; 3 is a loop.
 DO $$ BEGIN
   PERFORM streetgen.create_model('rings', 2154, subjects => '{sidewalk}');

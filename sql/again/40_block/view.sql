@@ -8,14 +8,14 @@ CREATE OR REPLACE VIEW %1$I.sidewalk_block WITH (security_invoker = true) AS
 -- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the block.
 SELECT s.sidewalk_id, (SELECT b.block_id FROM %1$I.block b, ST_PointOnSurface(s.surface) place
     WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
-FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id)
-WHERE e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level');
+FROM %1$I.sidewalk s JOIN %1$I.kerb k USING (edge_id, side, part)
+WHERE k.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level');
 COMMENT ON VIEW %1$I.sidewalk_block IS 'The block that each sidewalk of the ground lies on';
 CREATE OR REPLACE VIEW %1$I.block_interior WITH (security_invoker = true) AS
 SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
-    FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id)
+    FROM %1$I.sidewalk s JOIN %1$I.kerb k USING (edge_id, side, part)
     WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
-        AND e.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level'))), b.surface), 3))
+        AND k.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level'))), b.surface), 3))
     ::geometry(MultiPolygon, %2$s) AS geom
 FROM %1$I.block b;
 COMMENT ON VIEW %1$I.block_interior IS

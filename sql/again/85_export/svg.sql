@@ -106,8 +106,8 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, 
         ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
         FROM %1$I.roundabout, size WHERE pixel < 3$part$),
     (35, 'sidewalk', $part$
-    SELECT e.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
+    SELECT k.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
+        JOIN %1$I.kerb k USING (edge_id, side, part), size WHERE pixel < 3$part$),
     (40, 'junction', $part$
     SELECT 3 + i.level * 10, 'junction', false, j.surface, j.junction_id FROM %1$I.junction j
         JOIN %1$I.intersection i ON i.node_id = j.junction_id, size WHERE j.method <> 'hypothesis' AND pixel < 3$part$),
