@@ -46,6 +46,11 @@ INSERT INTO held.axis (axis_id, geom, width) OVERRIDING SYSTEM VALUE VALUES (901
 INSERT INTO held.control_point (geom, kind, source_ref) VALUES ('SRID=2154;POINT(660000 6860000)', 'pedestrian_crossing', 'stub');
 SELECT 'one at the end of an axis too short for an edge lies on the other axis', (SELECT axis_id = 902 AND EXISTS (SELECT FROM held.edge e WHERE e.axis_id = c.axis_id) AND NOT EXISTS (SELECT FROM held.edge WHERE axis_id = 901) FROM held.control_point c WHERE source_ref = 'stub');
 DELETE FROM held.control_point WHERE source_ref = 'stub';
+INSERT INTO held.axis (axis_id, geom, width) OVERRIDING SYSTEM VALUE VALUES (903, 'SRID=2154;LINESTRING(661000 6860000,661009.6 6860000,661010 6860000)', 7),
+    (904, 'SRID=2154;LINESTRING(661010 6860000,661100 6860000)', 7);
+INSERT INTO held.control_point (geom, kind, source_ref) VALUES ('SRID=2154;POINT(661010 6860000)', 'pedestrian_crossing', 'behind');
+SELECT 'one behind the last node of an axis lies on the edge that goes on there', (SELECT axis_id = 904 AND EXISTS (SELECT FROM held.edge e WHERE e.axis_id = c.axis_id AND c.abscissa BETWEEN e.start_abscissa AND e.end_abscissa) AND EXISTS (SELECT FROM held.edge WHERE axis_id = 903 AND end_abscissa < 9.7) FROM held.control_point c WHERE source_ref = 'behind');
+DELETE FROM held.control_point WHERE source_ref = 'behind';
 DELETE FROM held.axis WHERE axis_id > 900;
 INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6860060)', 'stop');
 SET statement_timeout = '20s';

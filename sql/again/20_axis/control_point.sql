@@ -60,19 +60,28 @@ CREATE OR REPLACE FUNCTION streetgen._axis_beside(model name, place geometry) RE
 DECLARE
     found bigint;
 BEGIN
-    -- The widest street is 200 m wide. An axis no longer than the tolerance is a node and no edge.
+    -- The widest street is 200 m wide. What is no longer than the tolerance, an axis or the piece at an end of it, is a
+    -- node and no edge.
     EXECUTE format($sql$
 SELECT axis_id FROM (
     SELECT axis_id, round(ST_Distance(a.geom, $1)::numeric, 6) AS distance, coalesce(a.width, c.width,
         (SELECT value::float8 FROM %1$I.setting WHERE name = 'width_default')) / 2 AS half,
-        ST_Length(a.geom) <= tolerance AS collapses, tolerance
+        length <= tolerance AS collapses, place <= first AND first <= tolerance
+            OR place >= length - last AND last <= tolerance AS behind, tolerance
     FROM (SELECT value::float8 AS tolerance FROM %1$I.setting WHERE name = 'tolerance') s, %1$I.axis a
-        LEFT JOIN %1$I.axis_class c ON c.class = a.kind WHERE ST_DWithin(a.geom, $1, 103)) near
+        LEFT JOIN %1$I.axis_class c ON c.class = a.kind CROSS JOIN LATERAL (
+        SELECT length, ST_LineLocatePoint(line, $1) * length AS place,
+            ST_Distance(ST_StartPoint(line), ST_PointN(line, 2)) AS first,
+            ST_Distance(ST_PointN(line, -2), ST_EndPoint(line)) AS last
+        FROM (SELECT ST_Force2D(a.geom) AS line, ST_Length(ST_Force2D(a.geom)) AS length OFFSET 0) l) p
+    WHERE ST_DWithin(a.geom, $1, 103)) near
 WHERE distance <= half + 3 * tolerance
-ORDER BY collapses, distance, axis_id LIMIT 1
+ORDER BY collapses, distance, behind, axis_id LIMIT 1
 $sql$, model) INTO found USING place;
     RETURN found;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS
     'The nearest axis of a model on whose roadway a place lies, or within three tolerances beside it; NULL: none. Of '
-    'equally near ones the smallest axis_id; one no longer than the tolerance, which has no edge, after all others.';
+    'equally near ones one that the place does not lie behind the edge of, on an end piece no longer than the '
+        'tolerance, then the smallest axis_id; an axis no longer than the tolerance, which has no edge, after all '
+        'others.';
