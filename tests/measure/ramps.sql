@@ -22,7 +22,9 @@ SELECT p.interconnection_id, p.geom, u.speed,
     greatest(pg_temp.jump(line_in, p.geom), pg_temp.jump(ST_Reverse(line_out), ST_Reverse(p.geom))) AS jump
 FROM ramp_path p JOIN interconnection c USING (interconnection_id) JOIN ramp r USING (ramp_id) JOIN edge e ON e.edge_id = r.edge_id JOIN axis_used u USING (axis_id)
     JOIN lane i ON i.lane_id = p.lane_in JOIN lane o ON o.lane_id = p.lane_out,
-    LATERAL (SELECT CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out) l;
+    LATERAL (SELECT CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out) l
+-- Who turns back is on no ramp. Where limits crossed a lane has no roadway: there the path across the junction counts.
+WHERE abs(c.angle) < 90 AND NOT EXISTS (SELECT FROM section s WHERE s.edge_id IN (i.edge_id, o.edge_id) AND s.method = 'crossed_limits');
 -- The least radius that a path has between its chords, against that of the link's speed by a friction of 0.35.
 CREATE TEMPORARY TABLE bend AS
 SELECT interconnection_id, min((ST_Distance(a, b) + ST_Distance(b, c)) / 2 / nullif(radians(abs(pg_temp.turned(a, b, b, c))), 0)) AS radius

@@ -18,13 +18,14 @@ constexpr double fast = 80;                     // km/h, of a highway without a 
 constexpr double least_taper = 1;               // metres
 constexpr double friction = 0.35;               // to the side, that a driver bears on a ramp
 constexpr double gravity = 9.81;                // m/s2
-constexpr double farthest = 200;             // metres from the node where a link is beside its lane
-constexpr double margin = 0.01;              // metres
-constexpr double straight = 1e-9;            // radians
-constexpr int tries = 6;                     // of radii of the outer kerb, each half of the last
-constexpr double tangent_step = 5;           // metres
-constexpr double most_of_highway = 1.0 / 3;  // of an edge, that becomes a ramp's intersection
-constexpr double least_link = 1;             // metres that stay between the limits of a link
+constexpr double farthest = 200;    // metres from the node where a link is beside its lane
+constexpr double margin = 0.01;     // metres
+constexpr double straight = 1e-9;   // radians
+constexpr int tries = 6;            // of radii of the outer kerb, each half of the last
+constexpr double tangent_step = 5;  // metres
+const double least_along = std::cos(M_PI / 4);  // of the highway's direction, in a longer tangent
+constexpr double most_of_highway = 1.0 / 3;     // of an edge, that becomes a ramp's intersection
+constexpr double least_link = 1;                // metres that stay between the limits of a link
 
 // How traffic uses the end of an edge.
 struct RampLeg {
@@ -199,6 +200,7 @@ Bend bend_of(const Layout& layout, const Ramp& ramp, double least) {
   Bend best{beside, ramp.tangent, 0, found.has_value()};
   for (double tangent = ramp.tangent; tangent <= longest; tangent += tangent_step) {
     const Point leaves = position_at(link.line, std::max(least, beside + tangent)).direction;
+    if (tangent > ramp.tangent && -dot(leaves, along) < least_along) break;
     const double turn = std::atan2(std::abs(cross(leaves, along)), -dot(leaves, along));
     const double radius = tangent / std::tan(std::max(turn, straight) / 2);
     if (radius <= best.radius) continue;

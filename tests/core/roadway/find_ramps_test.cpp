@@ -538,5 +538,36 @@ TEST(FindRamps, LeadsTheOuterKerbPastAFlatEndWithoutAStep) {
         }
 }
 
+// A longer tangent would make the arc of a link that comes round a loop greater, up to where the
+// link has turned by 90 degrees.
+TEST(FindRamps, DoesNotReachAroundALoopForAGreaterRadius) {
+  const double radius = 50;
+  for (const bool on : {true, false})
+    for (const bool mirrored : {true, false}) {
+      Highway highway;
+      highway.on = on;
+      highway.mirrored = mirrored;
+      highway.lanes_ramp = 2;
+      highway.link_speed = 80;
+      StreetModelInput input = highway.input();
+      Line& loop = input.axes[2].line;
+      loop.clear();
+      for (double turn = 0; turn < 1.5 * M_PI; turn += 0.02)
+        loop.push_back(turned(
+            {(on ? -1 : 1) * radius * std::sin(turn), radius * (std::cos(turn) - 1), 0}, mirrored));
+      if (on) std::reverse(loop.begin(), loop.end());
+      const Streets streets = street_model(input).streets;
+      ASSERT_EQ(streets.ramps.size(), 1u);
+      const Edge& edge = streets.network.edges[streets.ramps[0].link];
+      for (const SectionLimit& limit : streets.limits)
+        if (limit.edge == streets.ramps[0].link &&
+            limit.at_start == streets.ramps[0].link_at_start) {
+          const double from_node =
+              limit.at_start ? limit.abscissa : length(edge.line) - limit.abscissa;
+          EXPECT_LT(from_node / radius * 180 / M_PI, 60) << (on ? "on" : "off");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace streetgen
