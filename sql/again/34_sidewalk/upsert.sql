@@ -43,21 +43,32 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_rows() RETURNS text
             JOIN sidewalk_kerb k ON k.number = w.number$part$ $$;
 COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of sidewalks behind the kerbs sidewalk_kerb.';
 
--- Along kerbs without a width of their own a width leads from one to the other, however many there are.
-CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text) RETURNS text
+-- Along kerbs without a width of their own a width leads from one to the other, however many there are. What is found
+-- goes on as an array: no row count that the planner guesses grows from look to look.
+CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text, known text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format($part$
-    SELECT k.kerb_id, k.leads FROM (%2$s) p, sidewalk_reach r, LATERAL (
-        SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
-        WHERE k.geom && ST_Expand(p.geom, r.metres) AND ST_DWithin(k.geom, p.geom, r.metres) OFFSET 0) k
-    UNION SELECT k.kerb_id, k.leads FROM %1$s n, LATERAL (
-        SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
-        SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
-        WHERE k.geom && ST_Expand(p.geom, 1e-6) AND ST_DWithin(k.geom, p.geom, 1e-6) OFFSET 0) k
-    WHERE n.leads$part$, name, places) $$;
-COMMENT ON FUNCTION streetgen._kerbs_near(text, text) IS
-    'The query, by its own name, of the kerbs of a model before a run that lie as near to places (a query of geom) as '
-    'two sidewalks are wide, and of those that these lead on to.';
+%1$s AS MATERIALIZED (
+    WITH RECURSIVE known AS MATERIALIZED (SELECT %3$s AS kerbs),
+    reached AS (
+        SELECT k.kerb_id, k.leads FROM (%2$s) p, sidewalk_reach r, LATERAL (
+            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+            WHERE k.geom && ST_Expand(p.geom, r.metres) AND ST_DWithin(k.geom, p.geom, r.metres) OFFSET 0) k
+        WHERE k.kerb_id <> ALL ((SELECT kerbs FROM known)::bigint[])
+        UNION SELECT k.kerb_id, k.leads FROM reached n, LATERAL (
+            SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
+            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+            WHERE k.geom && ST_Expand(p.geom, 1e-6) AND ST_DWithin(k.geom, p.geom, 1e-6) OFFSET 0) k
+        WHERE n.leads AND k.kerb_id <> ALL ((SELECT kerbs FROM known)::bigint[]))
+    SELECT r.kerbs, known.kerbs || r.kerbs AS known
+    FROM known, (SELECT ARRAY(SELECT kerb_id FROM reached) AS kerbs) r),
+%1$s_row AS MATERIALIZED (
+    SELECT k.* FROM %1$s n, unnest(n.kerbs) u(kerb_id), LATERAL (
+        SELECT * FROM {model}.kerb k WHERE k.kerb_id = u.kerb_id OFFSET 0) k)$part$, name, places, known) $$;
+COMMENT ON FUNCTION streetgen._kerbs_near(text, text, text) IS
+    'A query of the kerbs of a model before a run that lie as near to places (a query of geom) as two sidewalks reach, '
+    'and of those that these lead on to, but for those known before (an array): kerbs, and known with them. Their '
+    'rows have its name with _row.';
 
 -- The kerbs of an edit.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETURNS text
@@ -75,9 +86,9 @@ former_kerb AS MATERIALIZED (
     UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
     UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
     WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
--- Two sidewalks side by side.
+-- Two sidewalks side by side: a strip lies within 1.25 widths of its kerb.
 sidewalk_reach AS MATERIALIZED (
-    SELECT 0.01 + 2 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
+    SELECT 0.01 + 2.5 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
             FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
     FROM sidewalk_edge),
 -- Where a kerb came, went or moved, or its width is another.
@@ -88,21 +99,20 @@ moved_kerb AS MATERIALIZED (
     UNION ALL SELECT k.geom FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
         WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
     WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
--- Kerbs that stay as they are, and whose sidewalks may be others.
-near_kerb AS ($part$ || streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb') || $part$),
-wanted_kerb AS MATERIALIZED (
-    SELECT NULL::bigint AS kerb_id, edge_id, node_id, level, side, part, geom, method FROM new_kerb WHERE changed
-    UNION ALL SELECT k.kerb_id, k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method FROM near_kerb n,
-        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) k
-    WHERE k.kerb_id NOT IN (SELECT kerb_id FROM former_kerb)),
--- They are computed with the kerbs near them.
-beside_kerb AS ($part$ || streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM wanted_kerb') || $part$),
+-- The strips behind kerbs near those are others, and so is what of them kerbs near these get.
+$part$ || concat_ws(',',
+    streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb', 'ARRAY(SELECT kerb_id FROM former_kerb)'),
+    streetgen._kerbs_near('rival_kerb', 'SELECT geom FROM near_kerb_row', '(SELECT known FROM near_kerb)'),
+    -- What these get hangs on the strips near them, and these strips on the kerbs near these.
+    streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
+    streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
+    || $part$,
 standing_kerb AS MATERIALIZED (
-    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM wanted_kerb
-    UNION ALL SELECT k.edge_id, k.node_id, k.level, k.side, k.part, k.geom, k.method, false
-    FROM (SELECT kerb_id FROM beside_kerb EXCEPT SELECT kerb_id FROM former_kerb
-            EXCEPT SELECT kerb_id FROM wanted_kerb) b,
-        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = b.kerb_id OFFSET 0) k),
+    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb WHERE changed
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, true
+    FROM (TABLE near_kerb_row UNION ALL TABLE rival_kerb_row) k
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, false
+    FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
 sidewalk_kerb AS MATERIALIZED ($part$ || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
         SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM sidewalk_edge
         UNION ALL SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.sidewalk_left, e.sidewalk_right

@@ -18,6 +18,10 @@ namespace streetgen {
 
 namespace {
 
+// How far a strip may lie from its kerb, in widths: its own, or that of a strip beside it. A back
+// line that turns where the width changes is farther off than the strip is wide.
+constexpr double spread = 1.25;
+
 // The vertices of a kerb, and its places where the change of width begins or ends.
 struct WidthCourse {
   Line line;
@@ -57,6 +61,23 @@ WidthCourse course_of(const Line& line, const std::vector<WidthKnot>& knots) {
     before = at;
   }
   return course;
+}
+
+// Whether no place of the ring is farther from the line than `reach`. Places that follow each other
+// lie near segments that do.
+bool stays_near(const Ring& ring, const Line& line, double reach) {
+  const std::size_t many = line.size() - 1;
+  std::size_t nearest = 0;
+  return std::all_of(ring.begin(), ring.end(), [&](const Point& place) {
+    poll_cancel();
+    for (std::size_t away = 0; away <= many; ++away)
+      for (const std::size_t i : {nearest + away, nearest - away})
+        if (i < many && distance_to_segment(place, line[i], line[i + 1]) <= reach) {
+          nearest = i;
+          return true;
+        }
+    return false;
+  });
 }
 
 Point direction_at(const Line& line, bool at_start) {
@@ -119,6 +140,16 @@ class Strips {
     return next < 0 ? Point{} : direction_at(kerbs_[next].line, true);
   }
 
+  double widest(int kerb) const {
+    double most = 0;
+    if (kerb >= 0)
+      for (const WidthKnot& knot : chains_.widths(kerb)) most = std::max(most, knot.width);
+    return most;
+  }
+  double widest_beside(int kerb) const {
+    return std::max({widest(chains_.previous(kerb)), widest(kerb), widest(chains_.next(kerb))});
+  }
+
   void make_chain(int first) {
     if (!has_strip(first) || done_[first]) return;
     poll_cancel();
@@ -150,11 +181,13 @@ class Strips {
   void make_strip(int kerb, const WidthCourse& course, const KerbGround& ground,
                   const BackLine& back, int first, int last) {
     Strip& strip = strips_[kerb];
-    strip.widest = *std::max_element(course.widths.begin(), course.widths.end());
+    strip.widest = widest(kerb);
     strip.narrow = ground.narrow;
     if (ground.whole) {
       const Ring ring = ring_behind(course.line, ground, back, first, last);
-      if (!ring.empty() && signed_area(ring) > 0 && simple({{ring}}).value_or(false)) {
+      if (!ring.empty() && signed_area(ring) > 0 &&
+          stays_near(ring, course.line, spread * widest_beside(kerb)) &&
+          simple({{ring}}).value_or(false)) {
         strip.surface = {{ring}};
         return;
       }
