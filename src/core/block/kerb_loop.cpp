@@ -15,6 +15,8 @@ namespace {
 // Ends of two kerbs may have been cut at two vertices of one place each.
 constexpr double joined = same_site;
 
+bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
 // How far to the right of the way back, radians in (0, 2 pi].
 double turn_from_back(const Point& came, const Point& goes) {
   const Point back = came * -1;
@@ -51,6 +53,9 @@ class KerbJoiner {
       else
         found.loose.insert(found.loose.end(), chain.begin(), chain.end());
     }
+    std::sort(found.loops.begin(), found.loops.end(), [](const KerbLoop& a, const KerbLoop& b) {
+      return before(a.ring.front(), b.ring.front());
+    });
     return found;
   }
 
@@ -83,7 +88,12 @@ class KerbJoiner {
     return next;
   }
 
+  // The same whatever numbers the kerbs have: of two ends in one place the earlier one is kept.
   KerbLoop loop_of(std::vector<int> chain) const {
+    const auto first = std::min_element(chain.begin(), chain.end(), [&](int a, int b) {
+      return before(kerbs_[a].line.front(), kerbs_[b].line.front());
+    });
+    std::rotate(chain.begin(), first, chain.end());
     Ring ring;
     Box box;
     for (const int k : chain)
@@ -93,10 +103,7 @@ class KerbJoiner {
           box.add(p);
         }
     while (ring.size() > 1 && distance(ring.front(), ring.back()) <= joined) ring.pop_back();
-    const auto least = std::min_element(
-        ring.begin(), ring.end(),
-        [](const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    std::rotate(ring.begin(), least, ring.end());
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), before), ring.end());
     ring.push_back(ring.front());
     return {std::move(ring), box, std::move(chain)};
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "geometry/arrangement.hpp"
@@ -148,6 +149,33 @@ TEST(Block, IsBoundByTheAxisWhereAStreetHasNoRoadwayOnItsLevel) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].method, Method::axis_bound);
   EXPECT_EQ(found[1].method, Method::axis_bound);
+}
+
+// Ends of kerbs that follow each other may lie up to some micrometres apart.
+TEST(Block, IsTheSameWhateverTheOrderOfKerbs) {
+  std::vector<StreetAxis> axes = rectangle();
+  axes.push_back(street(5, {{20, 25}, {40, 25}}));
+  axes.push_back(street(6, {{60, 35}, {80, 35}}));
+  BlocksInput input = input_of(with_kerbs(axes));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> apart(-5e-7, 5e-7);
+  for (Kerb& kerb : input.kerbs)
+    for (Point* end : {&kerb.line.front(), &kerb.line.back()})
+      *end = *end + Point{apart(random), apart(random), 0};
+  const std::vector<Block> first = blocks(input).blocks;
+  ASSERT_EQ(first.size(), 1u);
+  ASSERT_EQ(first[0].surface.at(0).size(), 3u);
+  for (int round = 0; round < 20; ++round) {
+    std::shuffle(input.kerbs.begin(), input.kerbs.end(), random);
+    const std::vector<Block> again = blocks(input).blocks;
+    ASSERT_EQ(again.size(), 1u);
+    for (std::size_t r = 0; r < 3; ++r) {
+      const Ring &ring = again[0].surface.at(0).at(r), &same_ring = first[0].surface[0][r];
+      EXPECT_TRUE(std::equal(ring.begin(), ring.end(), same_ring.begin(), same_ring.end(),
+                             [](const Point& a, const Point& b) { return same(a, b); }))
+          << round << ' ' << r;
+    }
+  }
 }
 
 TEST(Block, HasTheKindDecidedByHand) {
