@@ -9,35 +9,20 @@
 #include "geometry/crumb.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "sidewalk/kerb_sites.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double sample_spacing = 0.5;  // metres along kerbs
+constexpr double around = 1;  // metres beyond strips, from where the border between two may come
 
 // The same order whatever kerbs are given beside the two.
 bool before(const Point* a, const Point* b) {
   return std::tie(a[0].x, a[0].y, a[1].x, a[1].y) < std::tie(b[0].x, b[0].y, b[1].x, b[1].y);
 }
 bool before(const Line& a, const Line& b) { return before(a.data(), b.data()); }
-
-void sample(const Line& line, const Box& within, double margin, bool first,
-            std::vector<Site>& sites) {
-  double at = 0, walked = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double size = distance(line[i - 1], line[i]);
-    if (size == 0) continue;
-    if (within.holds(line[i - 1], margin)) sites.push_back({planar(line[i - 1]), first});
-    for (; at < walked + size; at += sample_spacing) {
-      const Point p = line[i - 1] + (line[i] - line[i - 1]) * ((at - walked) / size);
-      if (within.holds(p, margin)) sites.push_back({planar(p), first});
-    }
-    walked += size;
-  }
-  if (within.holds(line.back(), margin)) sites.push_back({planar(line.back()), first});
-}
 
 }  // namespace
 
@@ -98,10 +83,8 @@ const VoronoiBorder& SharedGround::border_between(int kerb, int other) {
   const auto known = borders_.find({kerb, other});
   if (known != borders_.end()) return known->second;
   const Box shared = grounds_[kerb].box().shared_with(grounds_[other].box());
-  std::vector<Site> sites;
-  const double margin = std::max(strips_[kerb].widest, strips_[other].widest) + sample_spacing;
-  sample(kerbs_[kerb].line, shared, margin, true, sites);
-  sample(kerbs_[other].line, shared, margin, false, sites);
+  const double margin = std::max(strips_[kerb].widest, strips_[other].widest) + around;
+  std::vector<Site> sites = kerb_sites(kerbs_[kerb].line, kerbs_[other].line, shared, margin);
   if (sites.empty()) sites.push_back({kerbs_[kerb].line[0], true});
   return borders_.emplace(std::pair(kerb, other), VoronoiBorder(sites, shared)).first->second;
 }

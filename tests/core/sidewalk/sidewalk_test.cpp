@@ -196,6 +196,20 @@ TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenItsKerbs) {
   EXPECT_EQ(of_kerb(sidewalks, 0).method, Method::contested);
 }
 
+// The vertices of each lie on its own kerb and on one line halfway, also where the kerbs converge.
+TEST(Sidewalk, OfANarrowBlockEndsAtAStraightLineHalfway) {
+  for (const double rise : {0.0, 2.5}) {
+    const Line across{{50, 5.3 - rise, 0}, {0, 5.3, 0}};
+    const auto sidewalks = find_sidewalks({kerb({{0, 0, 0}, {50, 0, 0}}, 4), kerb(across, 4)}, 5);
+    for (const Point& place : of_kerb(sidewalks, 0).surface.at(0)[0]) {
+      const double away = distance_to_line(place, across);
+      EXPECT_TRUE(std::abs(place.y) < 1e-6 || std::abs(place.y - away) < 1e-3 || place.x < 1 ||
+                  place.x > 49)
+          << place.x << ' ' << place.y << ' ' << away;
+    }
+  }
+}
+
 // The same between kerbs that follow each other about the block.
 TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenKerbsOfOneRing) {
   const Line ring{{0, 0, 0}, {50, 0, 0}, {50, 4, 0}, {0, 4, 0}, {0, 0, 0}};
