@@ -231,7 +231,11 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_connections(subjects text[]) RETURNS 
     AS $$ SELECT streetgen._sumo_going_on(subjects) || streetgen._sumo_crossings(subjects) || $part$,
 line AS (
     SELECT 1 AS turn, id, '<connection from="' || name_in || '" to="' || name_out || '" fromLane="' || index_in
-        || '" toLane="' || index_out || coalesce('" shape="' || CASE WHEN ST_Length(k.geom) > 0.05
+        || '" toLane="' || index_out
+        -- Who waits within a junction does not see who comes beside him into his lane: these wait before it.
+        || CASE WHEN (name_in, name_out, index_out) IN (SELECT name_in, name_out, index_out FROM going_on
+            GROUP BY 1, 2, 3 HAVING count(*) > 1) THEN '" contPos="0' ELSE '' END
+        || coalesce('" shape="' || CASE WHEN ST_Length(k.geom) > 0.05
             THEN streetgen._coordinates(k.geom, x, y, digits, tolerance) END, '') || '"/>' AS element
     FROM origin, going_on k
     UNION ALL
