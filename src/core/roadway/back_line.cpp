@@ -161,6 +161,11 @@ std::optional<BackLine::Place> BackLine::meeting(const Line& way, int segment) c
   }
 }
 
+bool BackLine::faces(const Place& place, const Point& along) const {
+  const Point behind = line_[(place.before + 1) % count()] - line_[place.before];
+  return dot(behind, along) < facing_cosine * norm(behind) * norm(along);
+}
+
 Line BackLine::between(const Place& from, const Place& to) const {
   Line part{from.point};
   const int last = to.before < from.before ? to.before + count() : to.before;
@@ -176,6 +181,10 @@ Ring ring_behind(const Line& kerb, const KerbGround& ground, const BackLine& bac
   to_end.insert(to_end.end(), ground.end.begin(), ground.end.end());
   const auto start = back.meeting(to_start, first), end = back.meeting(to_end, last);
   if (start.has_value() != end.has_value() || (!start && ground.is_open)) return {};
+  // The front has not met a kerb across, where the way meets the back of that one first.
+  if (start && (back.faces(*start, kerb[1] - kerb[0]) ||
+                back.faces(*end, kerb.back() - kerb[kerb.size() - 2])))
+    return {};
   Line behind;
   if (start) {
     append_until(behind, to_end, *end);

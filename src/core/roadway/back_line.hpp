@@ -23,6 +23,8 @@ class BackLine {
   };
   // Where a way from a kerb meets it first; `segment` is beside its start.
   std::optional<Place> meeting(const Line& way, int segment) const;
+  // Whether the line goes against a kerb there more than along with it.
+  bool faces(const Place& place, const Point& along) const;
   // What lies between two places.
   Line between(const Place& from, const Place& to) const;
 

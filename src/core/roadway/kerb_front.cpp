@@ -15,11 +15,10 @@ namespace streetgen {
 
 namespace {
 
-constexpr double fastest = 1e8;         // of the corner between two sides that face each other
-constexpr double facing_cosine = -0.5;  // sides that face each other more than they follow
-constexpr double square_cosine = 0.5;   // sharper bends to a kerb without strip end square
-constexpr double beyond = 250;          // metres from kerbs: farther than any strip goes
-constexpr double uneven = 1e-9;         // metres between two widths
+constexpr double fastest = 1e8;        // of the corner between two sides that face each other
+constexpr double square_cosine = 0.5;  // sharper bends to a kerb without strip end square
+constexpr double beyond = 250;         // metres from kerbs: farther than any strip goes
+constexpr double uneven = 1e-9;        // metres between two widths
 
 // A corner of the front. Times are distances from the kerbs.
 struct Joint {

@@ -7,6 +7,9 @@
 
 namespace streetgen {
 
+// Between sides that face each other more than they follow each other.
+constexpr double facing_cosine = -0.5;
+
 // A straight piece of a kerb, and how wide the strip behind it is at its two ends.
 struct KerbSegment {
   Point from, to;  // distinct

@@ -210,6 +210,20 @@ TEST(Sidewalk, OfANarrowBlockEndsAtAStraightLineHalfway) {
   }
 }
 
+// The fronts of its kerbs meet between the ends of all of them first.
+TEST(Sidewalk, OfABlockThatIsNarrowestInItsMiddleIsHalved) {
+  const Line ring{{0, 0, 0},    {100, 0, 0},  {100, 3.6, 0}, {75, 3.4, 0},
+                  {50, 3.2, 0}, {25, 3.4, 0}, {0, 3.6, 0},   {0, 0, 0}};
+  std::vector<SidewalkKerb> kerbs;
+  for (std::size_t i = 1; i < ring.size(); ++i) kerbs.push_back(kerb({ring[i - 1], ring[i]}, 2.5));
+  const auto sidewalks = find_sidewalks(kerbs, 5);
+  EXPECT_NEAR(total(sidewalks), 340, 1e-3);
+  for (const int above : {3, 4}) {
+    EXPECT_NEAR(area(of_kerb(sidewalks, above).surface), 25 * 3.3 / 2, 0.1);
+    EXPECT_EQ(of_kerb(sidewalks, above).method, Method::contested);
+  }
+}
+
 // The same between kerbs that follow each other about the block.
 TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenKerbsOfOneRing) {
   const Line ring{{0, 0, 0}, {50, 0, 0}, {50, 4, 0}, {0, 4, 0}, {0, 0, 0}};
