@@ -99,11 +99,11 @@ moved_kerb AS MATERIALIZED (
     UNION ALL SELECT k.geom FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
         WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
     WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
--- The strips behind kerbs near those are others, and so is what of them kerbs near these get.
+-- Strips behind near kerbs may change, and with them what rivals of these kerbs get of shared ground.
 $part$ || concat_ws(',',
     streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb', 'ARRAY(SELECT kerb_id FROM former_kerb)'),
     streetgen._kerbs_near('rival_kerb', 'SELECT geom FROM near_kerb_row', '(SELECT known FROM near_kerb)'),
-    -- What these get hangs on the strips near them, and these strips on the kerbs near these.
+    -- What a rival gets depends on the strips beside it, and each of these strips on the kerbs about it.
     streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
     streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
     || $part$,
