@@ -60,7 +60,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
     (put_start ? end : start).limit = total - (put_start ? start : end).limit;
   } else if (crossed) {
     const double sum = start.limit + end.limit;
-    start.limit = sum > 0 ? total * start.limit / sum : total / 2;
+    start.limit = sum > 0 ? total * (start.limit / sum) : total / 2;  // exact where one is 0
     end.limit = total - start.limit;
   } else {
     const auto clear = [](const Arm& arm, bool put) {

@@ -35,6 +35,20 @@ TEST(StraightJunction, HasNoIntersection) {
   }
 }
 
+// Rounding once left a street that a junction takes up whole a limit of a femtometre at its end.
+TEST(StraightJunction, SharesItsBorderLineWithAJunctionThatTakesUpAStreet) {
+  for (int i = 0; i < 50; ++i) {
+    const double size = 6.2 + i * 0.0113;
+    const Streets town = streets({{1, {{-60, 0, 0}, {0, 0, 0}}, 0, 12, 12, 6, 3},
+                                  {2, {{0, 0, 0}, {60, 0, 0}}, 0, 12, 12, 6, 3},
+                                  {3, {{0, 0, 0}, {0, size, 0}}, 0, 4, 4, 6, 3},
+                                  {4, {{0, size, 0}, {0.002, size + 80, 0}}, 0, 4, 4, 6, 3}},
+                                 {}, {});
+    EXPECT_EQ(town.limits[5].abscissa, size);
+    EXPECT_TRUE(same(town.limits[5].border_line, town.limits[6].border_line)) << size;
+  }
+}
+
 TEST(StraightJunction, HasOneWhereItBendsMore) {
   const Streets town = turned(1);
   EXPECT_GT(area(town.intersections[0].surface), 0.01);
