@@ -124,19 +124,19 @@ every_node AS (
 line AS (
     SELECT 1 AS turn, 0::bigint AS id, xmlelement(name location, xmlattributes(
         round(-x::numeric, 2) || ',' || round(-y::numeric, 2) AS "netOffset", '0,0,0,0' AS "convBoundary",
-        '0,0,0,0' AS "origBoundary", coalesce(nullif(trim(proj4text), ''), '!') AS "projParameter")) AS element
+        '0,0,0,0' AS "origBoundary", coalesce(nullif(trim(proj4text), ''), '!') AS "projParameter"))::text AS element
     FROM origin, spatial_ref_sys WHERE srid = %2$s
     UNION ALL
-    SELECT turn, id, xmlelement(name node, xmlattributes(name AS id,
-        round((ST_X(n.geom) - x)::numeric, digits) AS x, round((ST_Y(n.geom) - y)::numeric, digits) AS y,
-        type, controller AS tl,
-        CASE WHEN type NOT IN ('right_before_left', 'left_before_right') THEN 'edgePriority' END AS "rightOfWay",
-        '-1000,-1000 -1000,-1000 -1000,-1000' AS shape),
-        CASE WHEN surface IS NOT NULL AND NOT ST_IsEmpty(surface) THEN xmlelement(name param, xmlattributes(
-            'surface' AS key, streetgen._coordinates(ST_ExteriorRing(CASE ST_NumGeometries(surface)
+    -- What needs no escape is written as text, which costs half as much.
+    SELECT turn, id, concat('<node id="', name, '" x="', round((ST_X(n.geom) - x)::numeric, digits), '" y="',
+        round((ST_Y(n.geom) - y)::numeric, digits), '" type="', type, '" tl="' || controller,
+        CASE WHEN type NOT IN ('right_before_left', 'left_before_right') THEN '" rightOfWay="edgePriority' END,
+        '" shape="-1000,-1000 -1000,-1000 -1000,-1000"',
+        coalesce('><param key="surface" value="' || CASE WHEN surface IS NOT NULL AND NOT ST_IsEmpty(surface) THEN
+            streetgen._coordinates(ST_ExteriorRing(CASE ST_NumGeometries(surface)
                 WHEN 1 THEN ST_GeometryN(surface, 1)
                 ELSE (SELECT geom FROM ST_Dump(surface) ORDER BY ST_Area(geom) DESC LIMIT 1) END), x, y, digits, 0)
-            AS value)) END)
+            END || '"/></node>', '/>'))
     FROM origin, every_node n)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_nodes(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the nodes.';
@@ -192,17 +192,18 @@ lane_element AS (
             tolerance), '') || '"/>', '' ORDER BY index) AS elements
     FROM origin, lane_line GROUP BY name),
 line AS (
-    SELECT 1 AS turn, lane_group_id AS id, left(xmlelement(name edge, xmlattributes(s.name AS id, comes_from AS "from",
-        goes_to AS "to", 100 - e.importance AS priority, streetgen._xml_text(a.kind) AS type,
-        s.lane_count + walk AS "numLanes", round(e.speed::numeric / 3.6, 2) AS speed,
-        streetgen._xml_text(street) AS name, 'center' AS "spreadType",
-        streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01) AS shape))::text, -2)
-        || '>' || elements || coalesce('<stopOffset value="' || round(back::numeric, digits) || '"/>', '')
-        || CASE WHEN s.until = 1 AND (s.edge_id, s.along_axis) IN (SELECT edge_id, along_axis FROM %1$I.marking
-            WHERE kind = 'stop') THEN '<param key="waits" value="stop"/>' ELSE '' END || '</edge>' AS element
+    SELECT 1 AS turn, lane_group_id AS id, concat('<edge id="', s.name, '" from="', comes_from, '" to="', goes_to,
+        '" priority="', 100 - e.importance, '" numLanes="', s.lane_count + walk, '" speed="',
+        round(e.speed::numeric / 3.6, 2), '"', named, ' spreadType="center',
+        '" shape="' || streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01), '">', elements,
+        '<stopOffset value="' || round(back::numeric, digits) || '"/>',
+        CASE WHEN s.until = 1 AND (s.edge_id, s.along_axis) IN (SELECT edge_id, along_axis FROM %1$I.marking
+            WHERE kind = 'stop') THEN '<param key="waits" value="stop"/>' END, '</edge>') AS element
     FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
     JOIN (SELECT edge_id, axis_id, importance, speed FROM written_edge) e USING (edge_id)
-    LEFT JOIN (SELECT axis_id, kind, name AS street FROM %1$I.axis) a USING (axis_id)
+    -- Words of users are escaped: of <a type="…" name="…"/> what stands between the name and the end.
+    LEFT JOIN (SELECT axis_id, left(substr(xmlelement(name a, xmlattributes(streetgen._xml_text(kind) AS type,
+        streetgen._xml_text(name) AS name))::text, 3), -2) AS named FROM %1$I.axis) a USING (axis_id)
     UNION ALL SELECT * FROM ring_line)$part$ $$;
 COMMENT ON FUNCTION streetgen._sumo_edges(text[]) IS
     'Queries of a plain file of SUMO as streetgen._export_lines takes them: the edges with their lanes, and the '
