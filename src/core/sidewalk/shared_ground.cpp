@@ -45,19 +45,30 @@ SharedGround::SharedGround(const std::vector<SidewalkKerb>& kerbs, const KerbCha
 // Whether part of the other kerb lies within the strip, deeper than its ends may.
 bool SharedGround::bounds(int kerb, int other) const {
   const Line& line = kerbs_[other].line;
+  std::vector<double> at;
   for (std::size_t s = 1; s < line.size(); ++s) {
     const Point along = line[s] - line[s - 1];
     const double size = norm(along);
     if (size <= 4 * coordinate_margin) continue;
     const Point inset = along * (coordinate_margin / size);
-    if (grounds_[kerb].comes_near(line[s - 1] + inset, line[s] - inset)) return true;
+    const Point from = line[s - 1] + inset, to = line[s] - inset;
+    if (!grounds_[kerb].comes_near(from, to)) continue;
+    at = {0, 1};
+    grounds_[kerb].cut(from, to, at);
+    std::sort(at.begin(), at.end());
+    for (std::size_t k = 1; k < at.size(); ++k)
+      if ((at[k] - at[k - 1]) * size > coordinate_margin &&
+          grounds_[kerb].holds(from + (to - from) * ((at[k - 1] + at[k]) / 2)))
+        return true;
   }
   return false;
 }
 
-// Of two kerbs that follow each other a plain strip ends where the front parts them.
+// Of two kerbs that follow each other a plain strip ends where the front parts them. The other one
+// may come by once more: about a street that ends beside itself.
 bool SharedGround::parted_before(int kerb, int other) const {
-  return strips_[kerb].plain && (chains_.next(kerb) == other || chains_.previous(kerb) == other);
+  return strips_[kerb].plain && (chains_.next(kerb) == other || chains_.previous(kerb) == other) &&
+         !bounds(kerb, other);
 }
 
 std::vector<int> SharedGround::rivals(int kerb) const {

@@ -224,6 +224,22 @@ TEST(Sidewalk, OfABlockThatIsNarrowestInItsMiddleIsHalved) {
   }
 }
 
+// A dead end, and the kerb after it that leads around and past it again, 7 cm off.
+TEST(Sidewalk, OfADeadEndStaysOffTheKerbThatComesByOnceMore) {
+  const Line around{{-2.26, 2.78, 0}, {11.1, 32, 0},    {8, 38, 0},
+                    {-5, 10.8, 0},    {-5.95, 6.16, 0}, {16.66, -15.16, 0}};
+  const auto sidewalks =
+      find_sidewalks({kerb({{16.6, 29.7, 0}, {3.2, 0.29, 0}}, 1.5),
+                      kerb({{3.2, 0.29, 0}, {-2.26, 2.78, 0}}, std::nullopt), kerb(around, 1.5)},
+                     5);
+  const Point &from = around[4], &to = around[5];
+  const Sidewalk& end = of_kerb(sidewalks, 1);
+  EXPECT_GT(area(end.surface), 2);
+  for (const Point& place : end.surface.at(0)[0])
+    EXPECT_GT(cross(to - from, place - from), -1e-3 * distance(from, to))
+        << place.x << ' ' << place.y;
+}
+
 // The same between kerbs that follow each other about the block.
 TEST(Sidewalk, OfANarrowBlockIsHalvedBetweenKerbsOfOneRing) {
   const Line ring{{0, 0, 0}, {50, 0, 0}, {50, 4, 0}, {0, 4, 0}, {0, 0, 0}};
