@@ -98,15 +98,17 @@ reserved AS (
         (SELECT string_agg(vehicle, ' ') FROM streetgen._symuvia_vehicle()) v(every)
     WHERE kind <> 'general' GROUP BY name),
 troncon_line AS (
-    SELECT t.lane_group_id AS id, xmlelement(name "TRONCON", xmlattributes(t.name AS id, amont AS id_eltamont,
-        aval AS id_eltaval, streetgen._symuvia_place(ST_StartPoint(line), x, y, digits) AS extremite_amont,
-        streetgen._symuvia_place(ST_EndPoint(line), x, y, digits) AS extremite_aval, t.lane_count AS nb_voie,
-        round(greatest(lane_width, 0.001)::numeric, 3) AS largeur_voie, round(e.speed::numeric / 3.6, 4) AS vit_reg,
-        round(ST_Length(line)::numeric, 2) AS longueur, streetgen._xml_text(a.name) AS nom_axe,
-        opposed AS id_troncon_oppose)) AS element,
+    SELECT t.lane_group_id AS id, concat('<TRONCON id="', t.name, '" id_eltamont="', amont, '" id_eltaval="', aval,
+        '" extremite_amont="', streetgen._symuvia_place(ST_StartPoint(line), x, y, digits), '" extremite_aval="',
+        streetgen._symuvia_place(ST_EndPoint(line), x, y, digits), '" nb_voie="', t.lane_count, '" largeur_voie="',
+        round(greatest(lane_width, 0.001)::numeric, 3), '" vit_reg="', round(e.speed::numeric / 3.6, 4),
+        '" longueur="', round(ST_Length(line)::numeric, 2), '"', named, ' id_troncon_oppose="' || opposed || '"')
+        AS element,
         concat(streetgen._symuvia_points(line, x, y, digits), one, none) AS content
     FROM origin, ended t JOIN (SELECT edge_id, axis_id, level, speed FROM written_edge) e USING (edge_id)
-    LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) a USING (axis_id)
+    -- Words of users are escaped: of <a nom_axe="…"/> what stands between the name and the end.
+    LEFT JOIN (SELECT axis_id, left(substr(xmlelement(name a, xmlattributes(
+        streetgen._xml_text(name) AS nom_axe))::text, 3), -2) AS named FROM %1$I.axis) a USING (axis_id)
     LEFT JOIN reserved r ON r.name = t.name
     LEFT JOIN (SELECT name AS opposed FROM ended) o
         ON opposed = CASE WHEN t.along_axis THEN '-' ELSE '' END || t.edge_id)$part$ $$;
@@ -174,8 +176,8 @@ BEGIN
         streetgen._symuvia_network('roundabout' = ANY (subjects)) || streetgen._symuvia_signals('signal'
             = ANY (subjects)) || streetgen._symuvia_troncon() || streetgen._symuvia_connexion() || $part$,
 line AS (
-    SELECT 3 AS turn, id, CASE content WHEN '' THEN element::text
-        ELSE left(element::text, -2) || '>' || content || '</TRONCON>' END AS element FROM troncon_line
+    SELECT 3 AS turn, id, element || CASE content WHEN '' THEN '/>' ELSE '>' || content || '</TRONCON>' END AS element
+    FROM troncon_line
     UNION ALL TABLE connexion_line UNION ALL SELECT turn, id, element::text FROM controller_line UNION ALL
     VALUES (2, 0, '</CONTROLEURS_DE_FEUX></TRAFIC></TRAFICS><RESEAUX><RESEAU id="reseau"><TRONCONS>'),
         (4, 0, '</TRONCONS><CONNEXIONS><EXTREMITES>'), (29, 0, '</EXTREMITES><REPARTITEURS>'),
