@@ -5,6 +5,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "streetgen/cancel.hpp"
 
 namespace streetgen {
 
@@ -63,9 +64,12 @@ Point across(const Place& place, const Line& other) {
 std::vector<Site> kerb_sites(const Line& first, const Line& second, const Box& within,
                              double margin) {
   std::vector<Site> sites;
+  // A row of sites along one kerb, and one along the other.
   const auto add = [&](const Line& line, const Line& other, bool is_first) {
-    for (const Place& place : places_on(line, within, margin)) {
-      sites.push_back({place.at, is_first});
+    const std::vector<Place> places = places_on(line, within, margin);
+    for (const Place& place : places) sites.push_back({place.at, is_first});
+    for (const Place& place : places) {
+      poll_cancel();
       sites.push_back({across(place, other), !is_first});
     }
   };

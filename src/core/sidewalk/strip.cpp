@@ -63,8 +63,8 @@ WidthCourse course_of(const Line& line, const std::vector<WidthKnot>& knots) {
   return course;
 }
 
-// Whether no place of the ring is farther from the line than `reach`. Places that follow each other
-// lie near segments that do.
+// Whether no vertex of the ring is farther from the line than `reach`. Vertices that follow each
+// other lie near segments that do, so the search goes out from the last one found.
 bool stays_near(const Ring& ring, const Line& line, double reach) {
   const std::size_t many = line.size() - 1;
   std::size_t nearest = 0;
