@@ -42,25 +42,28 @@ SharedGround::SharedGround(const std::vector<SidewalkKerb>& kerbs, const KerbCha
   ground_index_ = BoxIndex(grounds);
 }
 
-// Whether part of the other kerb lies within the strip, deeper than its ends may.
+// Whether part of the side lies within the strip, deeper than its ends may.
+bool SharedGround::bounds(int kerb, const Side& side) const {
+  const Point* ends = ends_of(side);
+  const Point along = ends[1] - ends[0];
+  const double size = norm(along);
+  if (size <= 4 * coordinate_margin) return false;
+  const Point inset = along * (coordinate_margin / size);
+  const Point from = ends[0] + inset, to = ends[1] - inset;
+  if (!grounds_[kerb].comes_near(from, to)) return false;
+  std::vector<double> at{0, 1};
+  grounds_[kerb].cut(from, to, at);
+  std::sort(at.begin(), at.end());
+  for (std::size_t k = 1; k < at.size(); ++k)
+    if ((at[k] - at[k - 1]) * size > coordinate_margin &&
+        grounds_[kerb].holds(from + (to - from) * ((at[k - 1] + at[k]) / 2)))
+      return true;
+  return false;
+}
+
 bool SharedGround::bounds(int kerb, int other) const {
-  const Line& line = kerbs_[other].line;
-  std::vector<double> at;
-  for (std::size_t s = 1; s < line.size(); ++s) {
-    const Point along = line[s] - line[s - 1];
-    const double size = norm(along);
-    if (size <= 4 * coordinate_margin) continue;
-    const Point inset = along * (coordinate_margin / size);
-    const Point from = line[s - 1] + inset, to = line[s] - inset;
-    if (!grounds_[kerb].comes_near(from, to)) continue;
-    at = {0, 1};
-    grounds_[kerb].cut(from, to, at);
-    std::sort(at.begin(), at.end());
-    for (std::size_t k = 1; k < at.size(); ++k)
-      if ((at[k] - at[k - 1]) * size > coordinate_margin &&
-          grounds_[kerb].holds(from + (to - from) * ((at[k - 1] + at[k]) / 2)))
-        return true;
-  }
+  for (int s = 1; s < static_cast<int>(kerbs_[other].line.size()); ++s)
+    if (bounds(kerb, Side{other, s})) return true;
   return false;
 }
 
@@ -81,8 +84,7 @@ std::vector<int> SharedGround::rivals(int kerb) const {
   side_index_.each_near(box, -sides_touch, [&](int side) {
     const int other = sides_[side].kerb;
     if (other != kerb && kerbs_[other].level == kerbs_[kerb].level &&
-        strips_[other].surface.empty() &&
-        std::find(found.begin(), found.end(), other) == found.end() && bounds(kerb, other))
+        std::find(found.begin(), found.end(), other) == found.end() && bounds(kerb, sides_[side]))
       found.push_back(other);
   });
   std::sort(found.begin(), found.end());

@@ -30,6 +30,7 @@ class SharedGround {
     int kerb;
     int segment;
   };
+  bool bounds(int kerb, const Side& side) const;
   bool bounds(int kerb, int other) const;
   bool parted_before(int kerb, int other) const;
   bool on_roadway(const Point& place, int kerb) const;

@@ -266,6 +266,15 @@ TEST(Sidewalk, EndsAtTheKerbAcrossANarrowBlock) {
   }
 }
 
+// The sidewalk of the kerb across narrows to nothing before it comes there.
+TEST(Sidewalk, EndsAtTheKerbAcrossWhereThatHasNone) {
+  const auto sidewalks = find_sidewalks(
+      {kerb({{0, 0, 0}, {20, 0, 0}}, 3), kerb({{60, 60, 0}, {60, 1, 0}}, 3),
+       kerb({{60, 1, 0}, {-10, 1, 0}}, std::nullopt), kerb({{-10, 1, 0}, {-30, 1, 0}}, 0)},
+      5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 20, 0.01);
+}
+
 TEST(Sidewalk, IsNotTouchedByAKerbOfAnotherLevel) {
   std::vector<SidewalkKerb> kerbs{kerb({{0, 0, 0}, {50, 0, 0}}, 3),
                                   kerb({{20, -9, 0}, {20, 9, 0}}, 3)};
