@@ -82,6 +82,5 @@ $sql$, model) INTO found USING place;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS
     'The nearest axis of a model on whose roadway a place lies, or within three tolerances beside it; NULL: none. Of '
-    'equally near ones one that the place does not lie behind the edge of, on an end piece no longer than the '
-        'tolerance, then the smallest axis_id; an axis no longer than the tolerance, which has no edge, after all '
-        'others.';
+    'equally near axes the smallest axis_id. After these come axes whose end piece there is no longer than the '
+    'tolerance, since their edge ends before it. Axes no longer than the tolerance have no edge and come last.';
