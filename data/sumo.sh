@@ -18,7 +18,8 @@ write_sumo() {
     --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --walkingareas --offset.disable-normalization --geometry.min-radius 0 \
     ${side[@]+"${side[@]}"} >"$log" 2>&1 ||
     fail "netconvert made no network of $(basename "$1"): $(grep -m 1 '^Error' "$log" || tail -n 1 "$log"); $log says more"
-  python3 -B "$root/data/sumo/finish.py" "$name" "$name.made.xml" >"$1"
+  python3 -B "$root/data/sumo/finish.py" "$name" "$name.made.xml" >"$1" 2>"$log" ||
+    fail "the right of way in $(basename "$1") cannot be told: $(tail -n 1 "$log"); $log says more"
   rm "$name.made.xml"
   compared=$(python3 -B "$root/data/sumo/hold.py" "$name" "$sumo_tolerance" 2>&1 >"$list") || {
     head -n 20 "$list" >&2

@@ -5,6 +5,7 @@ sides of one that goes elsewhere yield to each other. A signal of a program show
 """
 import collections
 import re
+import sys
 
 
 def value(line, attribute):
@@ -51,7 +52,9 @@ class RightOfWay:
         self.links = {junction: [link for lane in comes[junction] for link in leaving[lane]] for junction in requests}
         self.shown, self.minor = collections.defaultdict(list), set()
         for junction, links in self.links.items():
-            for link, request in zip(links, requests[junction], strict=True):
+            if len(links) != len(requests[junction]):
+                sys.exit(f"junction {junction} has {len(requests[junction])} requests for {len(links)} connections: this is no network of netconvert 1.15 and after")
+            for link, request in zip(links, requests[junction]):
                 link.yields, link.meets = bits(value(request, "response")), bits(value(request, "foes"))
             self.part(links)
             for link in links:
