@@ -88,7 +88,8 @@ class KerbJoiner {
     return next;
   }
 
-  // The same whatever numbers the kerbs have: of two ends in one place the earlier one is kept.
+  // The same whatever numbers the kerbs have: the way begins at its least vertex, and of two ends
+  // in one place that of the kerb before stays.
   KerbLoop loop_of(std::vector<int> chain) const {
     const auto first = std::min_element(chain.begin(), chain.end(), [&](int a, int b) {
       return before(kerbs_[a].line.front(), kerbs_[b].line.front());

@@ -132,8 +132,8 @@ void FreeBorder::share_with_itself() {
     });
 }
 
-// Of the stretches from the first on, which lie on one side of a neighbour: where two of them lie
-// on each other there is a third side between, and the shorter one is left to it.
+// The stretches from the first on lie on one side of a neighbour. Where two of them lie on each
+// other, another side of the neighbour lies between, and that side is left the shorter one.
 void FreeBorder::keep_longest(std::size_t first, const Point& along) {
   const auto begin = stretches_.begin() + first;
   const auto span = [&](const Stretch& stretch) { return dot(stretch.to - stretch.from, along); };

@@ -23,7 +23,7 @@ class BackLine {
   };
   // Where a way from a kerb meets it first; `segment` is beside its start.
   std::optional<Place> meeting(const Line& way, int segment) const;
-  // Whether the line goes against a kerb there more than along with it.
+  // Whether the line goes back along a kerb there: they differ by over 120 degrees.
   bool faces(const Place& place, const Point& along) const;
   // What lies between two places.
   Line between(const Place& from, const Place& to) const;

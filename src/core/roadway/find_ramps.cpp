@@ -23,9 +23,10 @@ constexpr double margin = 0.01;     // metres
 constexpr double straight = 1e-9;   // radians
 constexpr int tries = 6;            // of radii of the outer kerb, each half of the last
 constexpr double tangent_step = 5;  // metres
-const double least_along = std::cos(M_PI / 4);  // of the highway's direction, in a longer tangent
-constexpr double most_of_highway = 1.0 / 3;     // of an edge, that becomes a ramp's intersection
-constexpr double least_link = 1;                // metres that stay between the limits of a link
+// A longer tangent ends where the link turns by 45 degrees off the highway.
+const double least_along = std::cos(M_PI / 4);
+constexpr double most_of_highway = 1.0 / 3;  // of an edge, that becomes a ramp's intersection
+constexpr double least_link = 1;             // metres that stay between the limits of a link
 
 // How traffic uses the end of an edge.
 struct RampLeg {

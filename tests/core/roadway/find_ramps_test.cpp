@@ -529,10 +529,14 @@ TEST(FindRamps, LeadsTheOuterKerbPastAFlatEndWithoutAStep) {
               limit = std::max(of.border_line[0], of.border_line[1],
                                [](auto& p, auto& q) { return std::abs(p.y) < std::abs(q.y); });
           const Point middle = (corner + limit) * 0.5;
-          const auto holds = [&](const auto& row) { return inside(middle, row.surface); };
-          EXPECT_TRUE(
-              std::any_of(streets.intersections.begin(), streets.intersections.end(), holds) ||
-              std::any_of(streets.sections.begin(), streets.sections.end(), holds))
+          const auto on_roadway = [&](const Point& place) {
+            const auto holds = [&](const auto& row) { return inside(place, row.surface); };
+            return std::any_of(streets.intersections.begin(), streets.intersections.end(), holds) ||
+                   std::any_of(streets.sections.begin(), streets.sections.end(), holds);
+          };
+          Point out = left_normal(unit(limit - corner));
+          if ((out.y > 0) == (middle.y < 0)) out = out * -1;
+          EXPECT_TRUE(on_roadway(middle) && !on_roadway(middle + out * 0.1))
               << (on ? "on" : "off") << (mirrored ? " left " : " right ") << length << " m, "
               << angle;
         }

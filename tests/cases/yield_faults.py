@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads a network of SUMO by itself, and prints each place where two go at once, or wait for each other:
 
-    right_of_way.py NETWORK
+    yield_faults.py NETWORK
 
 lanes of one edge that lead into one lane of another of which not one yields, or that wait within the junction; a signal that shows G to who yields to somebody with
 green; somebody who yields and has the sign of who goes first. Exit 1 where there is any. The numbers of links are those in the names of lanes within junctions.
