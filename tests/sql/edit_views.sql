@@ -13,7 +13,7 @@ CREATE FUNCTION pg_temp.written() RETURNS text LANGUAGE sql AS $$
   SELECT string_agg(t, ',' ORDER BY t) FROM (SELECT concat('axis', ctid, xmin) AS t FROM town.axis UNION ALL SELECT concat('t', ctid, xmin) FROM town.transition_override UNION ALL SELECT concat('l', ctid, xmin) FROM town.lane_override
     UNION ALL SELECT concat('s', ctid, xmin) FROM town.section_limit_override UNION ALL SELECT concat('c', ctid, xmin) FROM town.corner_override UNION ALL SELECT concat('k', ctid, xmin) FROM town.kerb_point_override
     UNION ALL SELECT concat('i', ctid, xmin) FROM town.interconnection_override) w $$;
--- An edit that is refused: its SQLSTATE, what a user reads, and the model as it was.  Which number a new row got hangs on the plan: N.
+-- An edit that is refused: its SQLSTATE, what a user reads, and the model as it was.  The number of a new row depends on the plan, so it is told as N.
 CREATE FUNCTION pg_temp.refused(edit text, statement text, state text DEFAULT '22023') RETURNS TABLE (name text, holds boolean) LANGUAGE plpgsql AS $$
 DECLARE
   before text := pg_temp.written();
