@@ -103,7 +103,7 @@ moved_kerb AS MATERIALIZED (
 $part$ || concat_ws(',',
     streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb', 'ARRAY(SELECT kerb_id FROM former_kerb)'),
     streetgen._kerbs_near('rival_kerb', 'SELECT geom FROM near_kerb_row', '(SELECT known FROM near_kerb)'),
-    -- What a rival gets depends on the strips beside it, and each of these strips on the kerbs about it.
+    -- The ground of a rival depends on the strips beside it. Each such strip depends on the kerbs about it.
     streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
     streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
     || $part$,

@@ -36,10 +36,10 @@ std::vector<Place> places_on(const Line& line, const Box& within, double margin)
   return places;
 }
 
-// Where the circle through the place touches the other kerb that touches the kerb of the place
-// there; where none does, what is nearest.
+// A circle that touches one kerb in the place may also touch the other kerb: there it is. Without
+// such a circle the nearest place of the other kerb comes out.
 Point across(const Place& place, const Line& other) {
-  Point nearest, along;
+  Point nearest;
   double least = std::numeric_limits<double>::infinity();
   std::size_t segment = 1;
   for (std::size_t i = 1; i < other.size(); ++i) {

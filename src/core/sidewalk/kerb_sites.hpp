@@ -9,9 +9,9 @@
 
 namespace streetgen {
 
-// As far as they come near the box. Each place of one kerb has a place of the other one across from
-// it, as far from where the two kerbs would meet. So between straight kerbs the line is straight,
-// however far apart the places are.
+// The sites lie within the margin of the box. For each place of one kerb there is a place of the
+// other kerb, and both are equally far from where the two kerbs would meet. So the line between
+// straight kerbs is straight, however far apart the places are.
 std::vector<Site> kerb_sites(const Line& first, const Line& second, const Box& within,
                              double margin);
 

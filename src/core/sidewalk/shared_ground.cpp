@@ -67,8 +67,8 @@ bool SharedGround::bounds(int kerb, int other) const {
   return false;
 }
 
-// Of two kerbs that follow each other a plain strip ends where the front parts them. The other one
-// may come by once more: about a street that ends beside itself.
+// Whether the two kerbs follow each other, and the plain strip of the first ends where the front
+// parts them. Not where the other kerb comes by once more, about a street that ends beside itself.
 bool SharedGround::parted_before(int kerb, int other) const {
   return strips_[kerb].plain && (chains_.next(kerb) == other || chains_.previous(kerb) == other) &&
          !bounds(kerb, other);
@@ -181,21 +181,24 @@ MultiPolygon SharedGround::ground_of(int kerb, const std::vector<int>& rivals) {
   const std::vector<int> ordered = in_order_of_place(rivals);
   for (const int other : ordered) append_stretches(strips_[other].surface, near, lines);
   append_kerbs(kerb, lines);
-  for (const int other : ordered)
-    if (!strips_[other].surface.empty() && !parted_before(other, kerb))
+  std::vector<bool> parted;
+  for (const int other : ordered) {
+    parted.push_back(parted_before(other, kerb));
+    if (!strips_[other].surface.empty() && !parted.back())
       for (const auto& [from, to] : border_between(kerb, other).border())
         if (near(from, to)) held.push_back({from, to});
+  }
   lines.insert(lines.end(), held.begin(), held.end());
   const Arrangement faces(lines);
   std::vector<bool> kept;
   for (const Point& place : faces.places()) {
     poll_cancel();
     bool owned = ground.holds(place) && !on_roadway(place, kerb);
-    for (const int other : rivals) {
-      if (!owned) break;
+    for (std::size_t i = 0; owned && i < ordered.size(); ++i) {
+      const int other = ordered[i];
       if (!grounds_[other].holds(place)) continue;
       const bool first = before(kerbs_[kerb].line, kerbs_[other].line);
-      owned = !parted_before(other, kerb) && border_between(kerb, other).first_owns(place) == first;
+      owned = !parted[i] && border_between(kerb, other).first_owns(place) == first;
     }
     kept.push_back(owned);
   }
