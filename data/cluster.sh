@@ -170,8 +170,12 @@ EOF
   PGHOST=$home/run
   PGPORT=$(sed -n 4p "$home/data/postmaster.pid")
   PGUSER=gis
+  [ "${STREETGEN_SETUP:-default}" = default ] || PGUSER=streetgen_owner
   export PGHOST PGPORT PGUSER
 }
+
+# Whatever role the tests have: the superuser of the cluster.
+as_administrator() { PGUSER=gis "$@"; }
 
 # The cluster and the build; the system user goes with the last checkout that uses it.
 remove_all() {
@@ -201,21 +205,31 @@ built_sql() { cat "$stage$(pg_config --sharedir)"/extension/streetgen--*.sql | c
 
 # empty_database NAME [TEMPLATE]
 empty_database() {
-  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1 TEMPLATE ${2:-template1}"
+  PGOPTIONS='-c client_min_messages=warning' as_administrator psql -qX -v ON_ERROR_STOP=1 -d postgres -c "DROP DATABASE IF EXISTS $1" -c "CREATE DATABASE $1 TEMPLATE ${2:-template1}"
 }
 
-# A database with the extension as built now: a copy of streetgen_template where the cluster has that.
+# give_to_owner DATABASE: in the set-up owner a plain role owns the models there, and they compute all subjects.
+give_to_owner() {
+  case ${STREETGEN_SETUP:-default} in
+    default) ;;
+    owner) PGOPTIONS='-c client_min_messages=warning' as_administrator psql -qX -v ON_ERROR_STOP=1 -d "$1" -f "$root/tests/suite/owner.sql" ;;
+    *) fail "STREETGEN_SETUP is $STREETGEN_SETUP, expected default or owner" ;;
+  esac
+}
+
+# A database with the extension as built now: a copy of streetgen_template where the cluster has that. STREETGEN_SETUP says whose models it holds.
 fresh_database() {
   local mark
   mark="streetgen $(built_sql)"
   if [ "$1" != streetgen_template ] &&
-    [ "$(psql -qXAt -d postgres -c "SELECT count(*) FROM pg_database WHERE datname = 'streetgen_template' AND shobj_description(oid, 'pg_database') = '$mark'")" = 1 ]; then
+    [ "$(as_administrator psql -qXAt -d postgres -c "SELECT count(*) FROM pg_database WHERE datname = 'streetgen_template' AND shobj_description(oid, 'pg_database') = '$mark'")" = 1 ]; then
     empty_database "$1" streetgen_template
   else
     empty_database "$1"
   fi
-  PGOPTIONS='-c client_min_messages=warning' psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION IF NOT EXISTS streetgen CASCADE' \
+  PGOPTIONS='-c client_min_messages=warning' as_administrator psql -qX -v ON_ERROR_STOP=1 -d "$1" -c 'CREATE EXTENSION IF NOT EXISTS streetgen CASCADE' \
     -c "COMMENT ON DATABASE $1 IS '$mark'"
+  give_to_owner "$1"
 }
 
 set_up() {

@@ -1,5 +1,4 @@
 -- What tests/battery/calls runs: random calls of every public function, and random statements on what a user may write, each undone.
-CREATE EXTENSION IF NOT EXISTS postgis_topology;
 CREATE SCHEMA calls;
 
 -- What they find: a crossing, a street of three dimensions, a table of lines, a topology.

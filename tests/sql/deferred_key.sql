@@ -118,8 +118,8 @@ SELECT 'as one run does', test.same('called', 'whole');
 SELECT 'once more it finds nothing to do', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('called');
 
 -- Planned by somebody else than its owner, and edited by one who may only do that.
-CREATE ROLE streetgen_key_owner;
-CREATE ROLE streetgen_key_editor;
+CREATE ROLE streetgen_key_owner ROLE CURRENT_USER;
+CREATE ROLE streetgen_key_editor ROLE CURRENT_USER;
 SELECT format('GRANT CREATE ON DATABASE %I TO streetgen_key_owner', current_database()) \gexec
 SET ROLE streetgen_key_owner;
 CALL town('owned');

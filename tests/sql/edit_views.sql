@@ -199,8 +199,8 @@ COMMIT;
 SELECT 'after a savepoint the transaction goes on', width = 8 FROM town.edge WHERE axis_id = 1;
 
 -- Rights, and the log.
-CREATE ROLE streetgen_test_editor;
-CREATE ROLE streetgen_test_reader;
+CREATE ROLE streetgen_test_editor ROLE CURRENT_USER;
+CREATE ROLE streetgen_test_reader ROLE CURRENT_USER;
 SELECT streetgen."grant"('town', 'streetgen_test_editor', 'editor'), streetgen."grant"('town', 'streetgen_test_reader', 'reader') \g /dev/null
 SELECT 'nothing is logged unless asked for', count(*) = 0 FROM town.edit_log;
 SELECT streetgen.set('town', 'log', 'on') \g /dev/null

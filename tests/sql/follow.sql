@@ -150,8 +150,8 @@ UPDATE lines SET remark = 'on';
 SELECT 'a model that is dropped takes its triggers with it', count(*) = 4 FROM pg_trigger WHERE tgrelid = 'lines'::regclass;
 
 -- Rights: of the owner of the model, and TRIGGER on a table of somebody else; its writers need none on the model.
-CREATE ROLE follow_owner;
-CREATE ROLE follow_writer;
+CREATE ROLE follow_owner ROLE CURRENT_USER;
+CREATE ROLE follow_writer ROLE CURRENT_USER;
 SELECT format('GRANT CREATE ON DATABASE %I TO follow_owner', current_database()) \gexec
 CREATE SCHEMA survey AUTHORIZATION follow_writer;
 SET ROLE follow_writer;

@@ -255,7 +255,7 @@ ROLLBACK;
 
 -- An editor has rights on the input only.
 DO $$ BEGIN
-  CREATE ROLE streetgen_test_live;
+  CREATE ROLE streetgen_test_live ROLE CURRENT_USER;
   PERFORM streetgen."grant"('town', 'streetgen_test_live', 'editor');
 END $$;
 SELECT setval('town.axis_axis_id_seq', 1000) \g /dev/null

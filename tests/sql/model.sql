@@ -115,8 +115,8 @@ SELECT 'the settings of a model that is not there are refused', test.state($q$SE
 
 -- Rights.
 DO $$ BEGIN
-  CREATE ROLE streetgen_test_reader;
-  CREATE ROLE streetgen_test_editor;
+  CREATE ROLE streetgen_test_reader ROLE CURRENT_USER;
+  CREATE ROLE streetgen_test_editor ROLE CURRENT_USER;
   PERFORM streetgen."grant"('model_a', 'streetgen_test_reader', 'reader');
   PERFORM streetgen."grant"('model_a', 'streetgen_test_editor', 'editor');
 END $$;
@@ -224,7 +224,7 @@ DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
 CREATE TABLE before AS SELECT test.content('model_a') AS content;
 GRANT SELECT ON "model Z""".axis TO PUBLIC;
 -- A role whose name is to be quoted.
-CREATE ROLE "Anna of streetgen_test";
+CREATE ROLE "Anna of streetgen_test" ROLE CURRENT_USER;
 SELECT format('GRANT CREATE ON DATABASE %I TO "Anna of streetgen_test"', current_database()) \gexec
 SET ROLE "Anna of streetgen_test";
 SELECT streetgen.create_model('owned', 2154), streetgen.set('owned', 'log', 'on'), streetgen.grant('owned', 'streetgen_test_editor', 'editor') \g /dev/null

@@ -184,7 +184,7 @@ SELECT 'a first run places objects and joins them to edges', (SELECT count(*) FR
 SELECT 'a second one changes nothing', sum(inserted + updated + deleted) = 0 AND min(geom) = 'first.street_object_geom'::regclass FROM streetgen.generate('first', wait => true), first_keys;
 
 -- An editor, who owns nothing of the model.
-CREATE ROLE streetgen_test_planter;
+CREATE ROLE streetgen_test_planter ROLE CURRENT_USER;
 SELECT streetgen."grant"('town', 'streetgen_test_planter', 'editor'), streetgen."grant"('ruled', 'streetgen_test_planter', 'editor') \g /dev/null
 SET ROLE streetgen_test_planter;
 INSERT INTO town.street_object_editing (type, geom) VALUES ('kiosk', pg_temp.line('POINT(50 9)'));

@@ -41,7 +41,7 @@ SELECT 'another SRID is refused', test.state('INSERT INTO town.corner_override (
 -- A model from before these tables gets them, with the rights of its editors.
 DO $$ BEGIN
   PERFORM streetgen.create_model('older', 32631);
-  CREATE ROLE streetgen_test_decider;
+  CREATE ROLE streetgen_test_decider ROLE CURRENT_USER;
   PERFORM streetgen."grant"('older', 'streetgen_test_decider', 'editor');
   DROP TABLE older.section_limit_override, older.corner_override, older.kerb_point_override CASCADE;
   ALTER TABLE older.lane_override DROP COLUMN line CASCADE, DROP COLUMN geom CASCADE;

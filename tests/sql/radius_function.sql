@@ -78,7 +78,7 @@ SELECT 'check_model still tells', count(*) = 1 FROM streetgen.check_model('town'
 SELECT 'and edits are stored', test.state('UPDATE town.axis SET width = 6.6 WHERE axis_id = 2') = 'none';
 
 -- Nobody gains a right: an edit by an editor computes with the rights of the owner of the model.
-CREATE ROLE owner_of_town; CREATE ROLE editor_of_town; CREATE ROLE stranger;
+CREATE ROLE owner_of_town ROLE CURRENT_USER; CREATE ROLE editor_of_town ROLE CURRENT_USER; CREATE ROLE stranger ROLE CURRENT_USER;
 DO $$ BEGIN EXECUTE format('GRANT CREATE ON DATABASE %I TO owner_of_town', current_database()); END $$;
 GRANT CREATE ON SCHEMA public TO owner_of_town, stranger;
 GRANT USAGE ON SCHEMA test TO PUBLIC;

@@ -138,7 +138,7 @@ SELECT * FROM pg_temp.holds('an axis that only crosses the one that is gone take
 
 -- A plain editor.
 CALL pg_temp.decide();
-CREATE ROLE streetgen_test_editor;
+CREATE ROLE streetgen_test_editor ROLE CURRENT_USER;
 SELECT streetgen."grant"('town', 'streetgen_test_editor', 'editor') \g /dev/null
 SET ROLE streetgen_test_editor;
 UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;

@@ -55,7 +55,7 @@ UPDATE bare.axis SET width = 8 WHERE axis_id = 2;
 SELECT 'and streets follow edits', (SELECT width = 8 FROM bare.edge WHERE axis_id = 2);
 TRUNCATE bare.axis;
 SELECT 'also where all axes go', NOT EXISTS (SELECT FROM bare.edge);
-CREATE ROLE subject_reader;
+CREATE ROLE subject_reader ROLE CURRENT_USER;
 SELECT streetgen.grant('bare', 'subject_reader', 'reader') \g /dev/null
 SELECT pg_temp.draw('bare') \g /dev/null
 SELECT FROM streetgen.switch_subject('bare', 'lane', true) \g /dev/null

@@ -10,7 +10,7 @@ SELECT 'the roads cross at one height', count(*) = 1 AND bool_and(kind = 'level'
     LATERAL streetgen._alignment_point(streetgen._link_elements('edited', design_link_id), streetgen._link_grades('edited', design_link_id), abscissa) a,
     LATERAL streetgen._alignment_point(streetgen._link_elements('edited', other_link_id), streetgen._link_grades('edited', other_link_id), other_abscissa) b;
 -- Who may edit axes may edit a design, and nobody else.
-CREATE ROLE draughtsman; CREATE ROLE visitor;
+CREATE ROLE draughtsman ROLE CURRENT_USER; CREATE ROLE visitor ROLE CURRENT_USER;
 SELECT streetgen.grant('edited', 'draughtsman', 'editor'), streetgen.grant('edited', 'visitor', 'reader') \g /dev/null
 SET ROLE draughtsman;
 SELECT 'an editor edits a grade point', test.state('UPDATE edited.grade_point_editing SET height = height + 0.1 WHERE grade_point_id = (SELECT max(grade_point_id) - 3 FROM edited.grade_point WHERE NOT rejected)') IN ('none', '22023');

@@ -1,7 +1,7 @@
 -- What a model holds: equal content, rows untouched.
 
 -- All that is derived, by axis and place, without surrogate keys.
-CREATE FUNCTION test.content(model name) RETURNS TABLE (content text) LANGUAGE plpgsql AS $$
+CREATE FUNCTION test.content(model name) RETURNS TABLE (content text) LANGUAGE plpgsql SET jit = off AS $$
 BEGIN
   RETURN QUERY EXECUTE replace($q$
     SELECT concat_ws(' ', 'node', geom::text) FROM @.node
@@ -76,7 +76,7 @@ BEGIN
 END $$;
 
 -- Whether two models hold equal content.
-CREATE FUNCTION test.same(a name, b name) RETURNS boolean LANGUAGE sql AS $$
+CREATE FUNCTION test.same(a name, b name) RETURNS boolean LANGUAGE sql SET jit = off AS $$
   SELECT NOT EXISTS ((SELECT test.content(a) EXCEPT ALL SELECT test.content(b))
                      UNION ALL (SELECT test.content(b) EXCEPT ALL SELECT test.content(a)))
 $$;
@@ -137,7 +137,7 @@ BEGIN
 END $$;
 
 -- The same within a millimetre, as after many edits: where the far end of a side moved, what crosses it may lie a step of the grid aside. NULL: yes; else what differs.
-CREATE FUNCTION test.difference(model name, anew name) RETURNS text LANGUAGE plpgsql VOLATILE AS $$
+CREATE FUNCTION test.difference(model name, anew name) RETURNS text LANGUAGE plpgsql VOLATILE SET jit = off AS $$
 DECLARE
   differs text;
 BEGIN
