@@ -24,15 +24,22 @@ chosen_layer() {
   fi
 }
 
+# text_of FILE LAYER: the values of a shapefile, byte by byte as they stand.
+text_of() { ogr2ogr -q -f CSV /vsistdout/ "$1" "$2" --config SHAPE_ENCODING '' 2>/dev/null; }
+
 # shape_encoding FILE LAYER: how the text of a shapefile is to be read; nothing for other files, and where SHAPE_ENCODING or its .cpg says so.
+# No other encoding than UTF-8 gives valid UTF-8 beyond ASCII, so such text goes before what a .cpg says.
 shape_encoding() {
-  local said
+  local said cpg
   said=$(ogrinfo -so -ro -mdd SHAPEFILE "$1" "$2" 2>/dev/null) || return 0
-  if [ -n "${SHAPE_ENCODING:-}" ] || ! grep -q '^Metadata (SHAPEFILE):' <<<"$said" || grep -q '^  ENCODING_FROM_CPG=.' <<<"$said"; then
+  if [ -n "${SHAPE_ENCODING:-}" ] || ! grep -q '^Metadata (SHAPEFILE):' <<<"$said"; then
     return
-  elif ogr2ogr -q -f CSV /vsistdout/ "$1" "$2" --config SHAPE_ENCODING '' 2>/dev/null | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1; then
+  fi
+  cpg=$(sed -n 's/^  ENCODING_FROM_CPG=//p' <<<"$said")
+  if [ "$(text_of "$1" "$2" | LC_ALL=C tr -d '\0-\177' | wc -c)" != 0 ] && text_of "$1" "$2" | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1; then
+    [ -z "$cpg" ] || [ "${cpg^^}" = UTF-8 ] || say "the .cpg of $(basename "$1") says $cpg, but its text is UTF-8 and is read so; SHAPE_ENCODING=$cpg reads it as $cpg"
     echo UTF-8
-  else
+  elif [ -z "$cpg" ]; then
     echo ISO-8859-1
   fi
 }
@@ -47,7 +54,7 @@ read_vector() {
     reference=(-a_srs "EPSG:$srid")
   fi
   run_sql -c "DROP TABLE IF EXISTS streetgen_source.$table"
-  ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=gis dbname=$database" "$file" ${layer:+"$layer"} ${reference[@]+"${reference[@]}"} \
+  ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" "$file" ${layer:+"$layer"} ${reference[@]+"${reference[@]}"} \
     ${encoding:+--config SHAPE_ENCODING "$encoding"} -nln "$table" -lco GEOMETRY_NAME=geom -lco SCHEMA=streetgen_source -lco PRECISION=NO -nlt PROMOTE_TO_MULTI 2>"$log" || failed=yes
   # Without the list of all its drivers.
   sed '/^FAILURE:$/d; /^  -> /d; s/ with the following drivers\.$//' "$log" >&2
