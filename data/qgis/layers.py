@@ -187,7 +187,7 @@ LAYERS = (
     by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
     Layer('input', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'turn', 'density', 'active')),
-    Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance')),
+    Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance', 'highway_role', 'walked_along', 'crossed_on_foot', 'lanes_by_width')),
     Layer('input', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),
     Layer('input', 'setting', 'name'),
     Layer('traffic', 'junction_movement', 'junction_movement_id', 'geom', junction_movement, scale=1500),

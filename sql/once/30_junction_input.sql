@@ -102,7 +102,7 @@ COMMENT ON COLUMN streetgen.junction_ground.junction_id IS 'the junction';
 COMMENT ON COLUMN streetgen.junction_ground.surface IS 'MULTIPOLYGON, EWKB';
 
 CREATE TYPE streetgen.junction_arm AS (edge_id bigint, kind text, importance integer, speed float8, width float8,
-    lanes_in integer, lanes_out integer, azimuth float8, control text, on_ring boolean);
+    lanes_in integer, lanes_out integer, azimuth float8, control text, on_ring boolean, highway_role text);
 COMMENT ON TYPE streetgen.junction_arm IS 'A street at a junction, as a classifier sees it.';
 COMMENT ON COLUMN streetgen.junction_arm.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.junction_arm.kind IS 'class of its axis; NULL: unknown';
@@ -115,6 +115,8 @@ COMMENT ON COLUMN streetgen.junction_arm.azimuth IS 'direction in which it leave
 COMMENT ON COLUMN streetgen.junction_arm.control IS
     'its control point: signals, stop, yield, mini_roundabout or pedestrian_crossing; NULL: none';
 COMMENT ON COLUMN streetgen.junction_arm.on_ring IS 'is it part of a roundabout?';
+COMMENT ON COLUMN streetgen.junction_arm.highway_role IS
+    'what its class is at ramps: highway, fast_road, highway_link or link; NULL: nothing';
 
 CREATE TYPE streetgen.junction_member AS (node_id bigint, edge_id bigint, junction_id bigint, chain bigint, role text,
     parted boolean, control_from text, control_to text);

@@ -20,7 +20,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('radius_by_importance', 'text', '''{"3": 5}'''), ('kinds', 'text', '''general|cycle'''), ('list', 'text', '''general'''), ('cycle_lane_width', 'float8', '1.5'), ('parking_lane_width', 'float8', '2'), ('open', 'boolean', 'true'), ('listed', 'boolean', 'false'),
     ('stated', 'integer', '1'), ('against', 'integer', '1'), ('driving', 'integer', '2'), ('buses', 'text', '''|designated'''), ('bus', 'boolean', 'true'), ('driving_side', 'text', '''right'''), ('near_cycle', 'boolean', 'true'), ('far_cycle', 'boolean', 'false'),
     ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
-    ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
+    ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('walked_along', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
     ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('road_id', 'bigint', '1'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
     ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('side', 'text', '''left'''),
     ('kerb', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_left', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_right', 'geometry', '''LINESTRING(0 -4,50 -4)'''), ('width_start', 'float8', '2'), ('width_end', 'float8', '2'),

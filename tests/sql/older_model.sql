@@ -20,6 +20,7 @@ CREATE FUNCTION pg_temp.columns() RETURNS SETOF text LANGUAGE sql AS $$
   UNION ALL SELECT pg_get_constraintdef(oid) FROM pg_constraint WHERE connamespace = 'older'::regnamespace $$;
 CREATE TABLE wanted AS SELECT pg_temp.columns() AS column;
 ALTER TABLE older.axis DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
+ALTER TABLE older.axis_class DROP highway_role CASCADE, DROP walked_along CASCADE, DROP crossed_on_foot CASCADE, DROP lanes_by_width CASCADE;
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
 ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out CASCADE;
@@ -36,6 +37,7 @@ ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES olde
 DROP TABLE older.free_place CASCADE;
 DO $$ BEGIN PERFORM streetgen.adopt_model('older'); END $$;
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
+SELECT 'its classes mean what those of a new model do', NOT EXISTS (TABLE older.axis_class EXCEPT SELECT * FROM streetgen._default_axis_class());
 SELECT 'its rows say what they said', NOT EXISTS ((SELECT * FROM test.content('older') EXCEPT TABLE content) UNION ALL (TABLE content EXCEPT SELECT * FROM test.content('older')));
 SELECT 'and keep their keys over a run', (SELECT bool_and(inserted + deleted = 0 AND (relation = 'edge' OR updated = 0)) FROM streetgen.generate('older')) AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('older')) AND NOT EXISTS (TABLE named EXCEPT SELECT interconnection_id, lane_in, lane_out FROM older.interconnection);
 UPDATE older.axis SET lane_count = 1 WHERE axis_id = 2;

@@ -34,6 +34,23 @@ SELECT 'lanes have ways on', count(*) = 0 FROM streetgen.check_model('road') WHE
 SELECT 'the summary counts them', array_agg(amount ORDER BY subject) = '{2,1,1}' FROM streetgen.summary('road') WHERE subject ~ '^ramps|^lanes, merging';
 SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('road');
 
+-- What a class means is a row of axis_class: the words of BD TOPO, and those of a source of one's own, tell ramps as those of OpenStreetMap do.
+DO $$ BEGIN PERFORM streetgen.create_model('topo', srid => 2154, subjects => '{ramp,junction}'); END $$;
+INSERT INTO topo.axis_class (class, taken, highway_role) VALUES ('Schnellstraße', true, 'highway'), ('Ast', true, 'link');
+INSERT INTO topo.axis (axis_id, geom, width, lane_count, direction, kind, speed)
+  SELECT axis_id + shift, ST_Translate(geom, 0, 1000 * shift), width, lane_count, direction, CASE kind WHEN 'motorway' THEN highway ELSE link END, speed
+  FROM road.axis, (VALUES (0, 'motorway', 'motorway_link'), (10, 'Type autoroutier', 'Bretelle'), (20, 'Schnellstraße', 'Ast')) v(shift, highway, link);
+SELECT 'ramps are told by what a class means, whatever its word', count(*) = 6 AND count(DISTINCT (kind, side, lanes_before, lanes_ramp, lanes_after, lanes_merging, length, taper)) = 2 FROM topo.ramp;
+SELECT 'so are their junctions', count(*) = 6 FROM topo.junction WHERE kind = 'ramp';
+SELECT 'and who waits there', count(*) > 0 AND bool_and((a.kind IN ('motorway_link', 'Bretelle', 'Ast')) = (r.rule = 'yield'))
+  FROM topo.right_of_way r JOIN topo.junction j USING (junction_id) JOIN topo.lane l ON l.lane_id = r.lane_in JOIN topo.edge e USING (edge_id) JOIN topo.axis a USING (axis_id) WHERE j.kind = 'ramp';
+UPDATE topo.axis_class SET highway_role = NULL WHERE class = 'Ast';
+SELECT 'a class that means something else makes its streets stale', count(*) = 2 FROM streetgen.check_model('topo') WHERE rule = 'stale: the axis changed since' AND id IN (24, 25);
+SELECT 'the next run takes its ramps away', deleted = 2 FROM streetgen.generate('topo') WHERE relation = 'ramp';
+SELECT 'and theirs alone', count(*) = 4 FROM topo.ramp;
+UPDATE topo.axis SET speed = 100 WHERE axis_id = 22;
+SELECT 'an edit afterwards too', count(*) = 4 FROM topo.ramp;
+
 -- In files.
 SELECT 'SUMO has an edge more for each merging lane, which ends there', array_agg(n ORDER BY since) = '{4,3,4}' FROM (
     SELECT (xpath('/edge/@numLanes', line::xml))[1]::text::integer AS n, (xpath('/edge/@from', line::xml))[1]::text LIKE 'middle%' AS inner_from, ordinality AS since

@@ -121,8 +121,12 @@ UPDATE town.axis SET sidewalk_left = 2 WHERE axis_id = 2;
 SELECT 'unless it says so', count(*) = 1 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
 UPDATE town.axis SET kind = 'Bretelle' WHERE axis_id = 2;
 SELECT 'nor has a ramp of BD TOPO but where it says so', count(*) FILTER (WHERE side = 'left') = 1 AND count(*) FILTER (WHERE side = 'right') = 0 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND node_id IS NULL;
-SELECT 'motorways of BD TOPO and their links have none', bool_and(streetgen.estimated_sidewalk(1, k, '{3}') = 0) AND streetgen.estimated_sidewalk(1, 'Route à 1 chaussée', '{3}') = 3
-  FROM unnest(ARRAY['Autoroute', 'Quasi-autoroute', 'Type autoroutier', 'Bretelle']) k;
+SELECT 'motorways of BD TOPO and their links have none', count(*) FILTER (WHERE walked_along) = 1 AND bool_and(walked_along = (class = 'Route à 1 chaussée')) AND count(*) = 5
+  FROM town.axis_class WHERE class IN ('Autoroute', 'Quasi-autoroute', 'Type autoroutier', 'Bretelle', 'Route à 1 chaussée');
+UPDATE town.axis SET sidewalk_left = NULL, sidewalk_right = NULL WHERE axis_id = 2;
+UPDATE town.axis_class SET walked_along = true WHERE class = 'Bretelle';
+SELECT 'a class that means something else is computed anew', count(*) > 0 FROM streetgen.generate('town');
+SELECT 'one that people walk along has sidewalks', count(*) > 0 FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND node_id IS NULL AND side IN ('left', 'right');
 UPDATE town.axis SET sidewalk_left = 50, sidewalk_right = 50;
 SELECT 'sidewalks wider than their blocks are what the roadways leave', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error')
   AND (SELECT coalesce(sum(ST_Area(ST_Intersection(s.surface, r.surface))), 0) < 1e-3 FROM town.sidewalk s JOIN town.roadway r ON ST_Intersects(s.surface, r.surface) AND r.level = 0 JOIN town.edge e ON e.edge_id = s.edge_id AND e.level = 0);

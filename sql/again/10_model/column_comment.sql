@@ -14,6 +14,11 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     ('axis_class', 'width', 'width kerb to kerb where neither width nor lanes are known, metres'),
     ('axis_class', 'speed', 'speed where unknown, km/h'),
     ('axis_class', 'importance', 'importance where unknown, 1 the highest'),
+    ('axis_class', 'highway_role', 'what the class is at ramps: highway; fast_road, a highway where its speed is 60 '
+        'km/h or more or unknown; highway_link, the link of a highway; link, that of another road; NULL: nothing'),
+    ('axis_class', 'walked_along', 'do people walk along it; else its sidewalks are not estimated'),
+    ('axis_class', 'crossed_on_foot', 'do people cross it; else no rule that names no class places a crossing on it'),
+    ('axis_class', 'lanes_by_width', 'does the width tell the lanes; else it is one lane however wide, as a runway is'),
     ('axis', 'axis_id', 'key'),
     ('axis', 'geom', 'the axis of the road; direction speaks of its direction'),
     ('axis', 'width', 'width kerb to kerb at the start, metres; NULL: estimated. Put by hand, or without a source, '

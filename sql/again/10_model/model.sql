@@ -136,6 +136,7 @@ BEGIN
         streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
         streetgen._add_roadway_offset(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model),
         streetgen._add_roundabout_faces(model), streetgen._add_section_borders(model),
+        streetgen._add_class_meanings(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN

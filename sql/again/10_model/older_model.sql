@@ -138,6 +138,28 @@ COMMENT ON FUNCTION streetgen._add_roundabout_faces(name) IS
     'Adds the column that says which face of its ring an edge bounds, where a model was made before double '
     'roundabouts.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_class_meanings(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF NOT streetgen._lacks_column(model, 'axis_class', 'highway_role') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.axis_class ADD highway_role text
+            CHECK (highway_role IN (''highway'', ''fast_road'', ''highway_link'', ''link'')),
+        ADD walked_along boolean NOT NULL DEFAULT true, ADD crossed_on_foot boolean NOT NULL DEFAULT true,
+        ADD lanes_by_width boolean NOT NULL DEFAULT true', model);
+    EXECUTE format('UPDATE %I.axis_class c SET (highway_role, walked_along, crossed_on_foot, lanes_by_width)
+        = (d.highway_role, d.walked_along, d.crossed_on_foot, d.lanes_by_width)
+        FROM streetgen._default_axis_class() d WHERE d.class = c.class', model);
+    -- A class of the user's that was told by its last letters.
+    EXECUTE format('UPDATE %I.axis_class SET highway_role = ''link'' WHERE class LIKE ''%%\_link''
+        AND highway_role IS NULL', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
+    'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '
+    'made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_section_borders(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -44,6 +44,8 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('axis_class', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
     ('axis_class', 'speed', '0 to 400 km/h', 'Leave it empty to have it estimated.'),
     ('axis_class', 'importance', '1 to 99, 1 the highest', 'Leave it empty for setting importance_default.'),
+    ('axis_class', 'highway_role', 'highway, fast_road, highway_link or link',
+        'Leave it empty where the class is nothing at ramps.'),
     ('junction_override', 'kind',
         'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
         'Leave it empty where the row decides of an edge.'),

@@ -95,23 +95,25 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
-           -- Sidewalks, flows, lane changes and tags of roundabouts are the seed, so that it stays the same where
-           -- nothing is said of them.
+           -- Sidewalks, flows, lane changes, tags of roundabouts and what a class means are the seed, so that it stays
+           -- the same where nothing is said of them.
            CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
            # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
-           # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END)
+           # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
+           # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
+               THEN 0 ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END)
            AS input_hash,
        setting_hash,
        coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
        coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset
-FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
-    importance AS class_importance FROM %1$I.axis_class) c USING (kind)
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed, importance AS class_importance,
+    highway_role, walked_along, crossed_on_foot, lanes_by_width FROM %1$I.axis_class) c USING (kind)
 LEFT JOIN %1$I.setting_used ON true
 LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
@@ -162,7 +164,7 @@ LEFT JOIN LATERAL (
            coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
                HAVING true) known ON true
 LEFT JOIN LATERAL (
-    SELECT CASE WHEN by_hand OR kind IN ('runway', 'taxiway') THEN NULL ELSE max_width_per_lane END AS most_per_lane
+    SELECT CASE WHEN by_hand OR NOT lanes_by_width THEN NULL ELSE max_width_per_lane END AS most_per_lane
         HAVING true) m ON true
 LEFT JOIN LATERAL (
     SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
@@ -188,7 +190,7 @@ LEFT JOIN LATERAL (
                coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
                    HAVING true) t ON true
 LEFT JOIN LATERAL (
-    SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), kind, sidewalks)
+    SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), walked_along, sidewalks)
         AS sidewalk_usual,
         streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side)
             AS island_side HAVING true) f ON true
@@ -196,7 +198,7 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
         THEN 0
-                ELSE greatest(CASE WHEN kind IN ('runway', 'taxiway') THEN 1
+                ELSE greatest(CASE WHEN NOT lanes_by_width THEN 1
                     ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
                               CASE direction_used WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
            CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true

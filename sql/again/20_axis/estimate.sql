@@ -80,14 +80,6 @@ COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
     'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
     'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
 
-CREATE OR REPLACE FUNCTION streetgen._is_walked_along(kind text) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(kind !~ '^(motorway|motorway_link|trunk_link|runway|taxiway|Autoroute|Quasi-autoroute|'
-        'Type autoroutier|Bretelle)$', true);
-COMMENT ON FUNCTION streetgen._is_walked_along(text) IS
-    'Whether people walk along streets of a class: not along motorways and their links, by the words of OpenStreetMap '
-    'or BD TOPO, nor along runways. NULL counts as a street.';
-
 CREATE OR REPLACE FUNCTION streetgen._island_side(roundabout_tag text, direction text, driving_side text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN roundabout_tag IS NOT NULL AND direction <> 'both'
@@ -96,16 +88,14 @@ COMMENT ON FUNCTION streetgen._island_side(text, text, text) IS
     'On which side of its axis a roundabout has its island, left or right. NULL where the source names no roundabout, '
     'or no direction of the traffic that goes round.';
 
-CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, kind text, widths float8[]) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, walked_along boolean, widths float8[])
+    RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN NOT streetgen._is_walked_along(kind) THEN 0
-        ELSE coalesce(streetgen._of_importance(importance, widths), 0) END;
-COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, text, float8[]) IS
+    RETURN CASE WHEN NOT walked_along THEN 0 ELSE coalesce(streetgen._of_importance(importance, widths), 0) END;
+COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, boolean, float8[]) IS
     'Width in metres of the sidewalk on each side of an axis that says none, from its importance (1 the highest) and '
-    'the widths from importance 1 on, the last also for what is less important. 0 for the kinds motorway, '
-    'motorway_link, trunk_link, runway, taxiway, Autoroute, Quasi-autoroute, Type autoroutier and Bretelle, and for '
-    'an importance that is NULL. An argument that is NULL is '
-    'unknown.';
+    'the widths from importance 1 on, the last also for what is less important. 0 where people do not walk along its '
+    'class (axis_class.walked_along), and for an importance that is NULL. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -212,26 +202,49 @@ COMMENT ON FUNCTION streetgen.wanted_radius(float8, integer, float8, float8, tex
     'that is NULL is unknown. A text that is no JSON: 22P02.';
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
-    RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer)
+    RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer, highway_role text,
+        walked_along boolean, crossed_on_foot boolean, lanes_by_width boolean)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ VALUES
-    ('motorway', true, 10.5::float8, 110::float8, 1), ('motorway_link', true, 6, 70, 2), ('trunk', true, 10.5, 90, 1),
-        ('trunk_link', true, 6, 60, 2),
-    ('primary', true, 9, 50, 2), ('primary_link', true, 5, 50, 3), ('secondary', true, 8, 50, 3),
-        ('secondary_link', true, 5, 50, 3),
-    ('tertiary', true, 7, 50, 4), ('tertiary_link', true, 5, 50, 4), ('residential', true, 6, 30, 5),
-        ('living_street', true, 5, 20, 5),
-    ('unclassified', true, 6, 50, 5), ('service', true, 4, 20, 6), ('road', true, 6, 50, 5),
-    ('runway', true, 40, 100, 1), ('taxiway', true, 20, 30, 2),
-    ('highway', true, 10.5, 90, 1), ('major', true, 8, 50, 3), ('minor', true, 6, 30, 5),
-    ('Type autoroutier', true, 10.5, 110, 1), ('Autoroute', true, 10.5, 130, 1),
-        ('Quasi-autoroute', true, 10.5, 110, 1), ('Bretelle', true, 5, 50, 3),
-    ('Route à 2 chaussées', true, 7, 70, 2), ('Route à 1 chaussée', true, 6, 50, NULL),
-        ('Rond-point', true, 7, 30, NULL), ('Route empierrée', true, 4, 30, 6), ('Chemin', false, 3, 20, 6),
-    ('track', false, 3, 20, 6), ('pedestrian', false, 5, 5, 6), ('footway', false, 2, 5, 6), ('path', false, 2, 5, 6),
-        ('cycleway', false, 2, 20, 6),
-    ('steps', false, 2, 5, 6), ('Sentier', false, 2, 5, 6), ('Escalier', false, 2, 5, 6),
-        ('Piste cyclable', false, 2, 20, 6), ('Bac ou liaison maritime', false, NULL, NULL, NULL)
+    ('motorway', true, 10.5::float8, 110::float8, 1, 'highway', false, false, true),
+    ('motorway_link', true, 6, 70, 2, 'highway_link', false, false, true),
+    ('trunk', true, 10.5, 90, 1, 'fast_road', true, true, true),
+    ('trunk_link', true, 6, 60, 2, 'highway_link', false, false, true),
+    ('primary', true, 9, 50, 2, NULL, true, true, true),
+    ('primary_link', true, 5, 50, 3, 'link', true, true, true),
+    ('secondary', true, 8, 50, 3, NULL, true, true, true),
+    ('secondary_link', true, 5, 50, 3, 'link', true, true, true),
+    ('tertiary', true, 7, 50, 4, NULL, true, true, true),
+    ('tertiary_link', true, 5, 50, 4, 'link', true, true, true),
+    ('residential', true, 6, 30, 5, NULL, true, true, true),
+    ('living_street', true, 5, 20, 5, NULL, true, true, true),
+    ('unclassified', true, 6, 50, 5, NULL, true, true, true),
+    ('service', true, 4, 20, 6, NULL, true, false, true),
+    ('road', true, 6, 50, 5, NULL, true, true, true),
+    ('runway', true, 40, 100, 1, NULL, false, false, false),
+    ('taxiway', true, 20, 30, 2, NULL, false, false, false),
+    ('highway', true, 10.5, 90, 1, NULL, true, true, true),
+    ('major', true, 8, 50, 3, NULL, true, true, true),
+    ('minor', true, 6, 30, 5, NULL, true, true, true),
+    ('Type autoroutier', true, 10.5, 110, 1, 'highway', false, false, true),
+    ('Autoroute', true, 10.5, 130, 1, 'highway', false, false, true),
+    ('Quasi-autoroute', true, 10.5, 110, 1, 'highway', false, false, true),
+    ('Bretelle', true, 5, 50, 3, 'highway_link', false, false, true),
+    ('Route à 2 chaussées', true, 7, 70, 2, NULL, true, true, true),
+    ('Route à 1 chaussée', true, 6, 50, NULL, NULL, true, true, true),
+    ('Rond-point', true, 7, 30, NULL, NULL, true, true, true),
+    ('Route empierrée', true, 4, 30, 6, NULL, true, true, true),
+    ('Chemin', false, 3, 20, 6, NULL, true, false, true),
+    ('track', false, 3, 20, 6, NULL, true, false, true),
+    ('pedestrian', false, 5, 5, 6, NULL, true, true, true),
+    ('footway', false, 2, 5, 6, NULL, true, false, true),
+    ('path', false, 2, 5, 6, NULL, true, false, true),
+    ('cycleway', false, 2, 20, 6, NULL, true, false, true),
+    ('steps', false, 2, 5, 6, NULL, true, false, true),
+    ('Sentier', false, 2, 5, 6, NULL, true, false, true),
+    ('Escalier', false, 2, 5, 6, NULL, true, false, true),
+    ('Piste cyclable', false, 2, 20, 6, NULL, true, false, true),
+    ('Bac ou liaison maritime', false, NULL, NULL, NULL, NULL, true, true, true)
     $$;
 COMMENT ON FUNCTION streetgen._default_axis_class() IS
-    'The classes of OSM, BD TOPO and Lille''s lines that a new model knows.';
+    'The classes of OSM, BD TOPO and Lille''s lines that a new model knows, and what each means.';

@@ -1,14 +1,14 @@
 -- What kind of junction a place is: by rules, as the paper has it, or by a function of the user.
 
-CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text, speed float8) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text, highway_role text, speed float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN kind IS NULL THEN 'unclassed'
-        WHEN kind = 'motorway' OR kind = 'trunk' AND coalesce(speed, 60) >= 60 THEN 'highway'
-        WHEN kind LIKE '%\_link' THEN 'link' END;
-COMMENT ON FUNCTION streetgen._ramp_part(text, float8) IS
-    'What an axis of a class and a speed, km/h, is at a ramp: highway (motorway, and trunk of 60 km/h and more or of '
-    'unknown speed), link (classes that end so), unclassed (NULL); NULL: it takes no part. On a slower trunk road a '
-    'link is a turning lane of a junction.';
+        WHEN highway_role = 'highway' OR highway_role = 'fast_road' AND coalesce(speed, 60) >= 60 THEN 'highway'
+        WHEN highway_role IN ('highway_link', 'link') THEN 'link' END;
+COMMENT ON FUNCTION streetgen._ramp_part(text, text, float8) IS
+    'What an axis of a class, the role of that class (axis_class.highway_role) and a speed, km/h, is at a ramp: highway '
+    '(a fast_road from 60 km/h on or of unknown speed), link, unclassed (NULL); NULL: it takes no part. On a slower '
+    'fast_road a link is a turning lane of a junction.';
 
 CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -19,19 +19,18 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         WHEN bool_or(a.control = 'signals') THEN 'signals'
         WHEN count(*) = 2 THEN 'continuation'
         WHEN bool_or(p.part = 'link') AND bool_or(p.part = 'highway') THEN 'ramp'
-        WHEN bool_and(coalesce(a.kind, '') LIKE 'motorway%' OR p.part IS NOT DISTINCT FROM 'link') THEN 'ramp'
+        WHEN bool_and(coalesce(a.highway_role IN ('highway', 'highway_link', 'link'), false)) THEN 'ramp'
         -- Without classes: fast one-way streets that meet at acute angles.
         WHEN bool_and(a.kind IS NULL) AND count(*) = 3 AND bool_and(a.lanes_in = 0 OR a.lanes_out = 0)
             AND max(a.speed) >= 80 AND streetgen._least_angle(array_agg(a.azimuth)) <= 30 THEN 'ramp'
         WHEN bool_or(a.control = 'stop') THEN 'stop'
         WHEN bool_or(a.control = 'yield') OR min(a.importance) <> max(a.importance) THEN 'priority'
         ELSE 'right_before_left' END
-    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.speed) AS part) p $$;
+    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.highway_role, a.speed) AS part) p $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
     'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
-    'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (a link at a motorway '
-    'or at a trunk road of 60 km/h and more, or motorways and links alone; where '
-    'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
+    'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (by the roles of classes: a link at a '
+    'highway or at a fast_road of 60 km/h and more, or highways and links alone; where no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
     'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
     'unknown, and gives end; an arm may leave out all that is unknown.';
 
@@ -90,7 +89,7 @@ CREATE OR REPLACE FUNCTION streetgen._paper_kind(arms streetgen.junction_arm[]) 
     AS $$
     SELECT CASE WHEN bool_or(a.on_ring) THEN 'roundabout' WHEN count(*) <= 1 THEN 'end'
         WHEN count(*) = 2 THEN 'continuation'
-        WHEN bool_or(a.kind ~ '^(motorway|trunk)') THEN 'ramp' ELSE 'signals' END
+        WHEN bool_or(a.highway_role IN ('highway', 'fast_road', 'highway_link')) THEN 'ramp' ELSE 'signals' END
     FROM unnest(arms) a $$;
 COMMENT ON FUNCTION streetgen._paper_kind(streetgen.junction_arm[]) IS
     'The kind of a junction as Wilkie, Sewall and Lin have it: a ramp where a highway takes part, else signals.';

@@ -140,13 +140,15 @@ BEGIN
                 CASE WHEN at_start THEN lanes_backward ELSE lanes_forward END + lanes_both,
                 CASE WHEN at_start THEN lanes_forward ELSE lanes_backward END + lanes_both,
                 90 - degrees(streetgen._direction_from(e.geom, CASE WHEN at_start THEN 'start' ELSE 'end' END)),
-                control, {on_ring} OR j.junction_id IN (SELECT r.junction_id FROM ring r))::streetgen.junction_arm
+                control, {on_ring} OR j.junction_id IN (SELECT r.junction_id FROM ring r),
+                a.highway_role)::streetgen.junction_arm
                 ORDER BY e.edge_id, at_start) AS arms,
                 bool_or(control IS NOT NULL) AS controlled
             FROM unnest(members) m JOIN {model}.edge e ON e.edge_id = m.edge_id CROSS JOIN LATERAL (
                 VALUES (e.from_node, true, m.control_from), (e.to_node, false, m.control_to)) v(node_id, at_start,
                 control) JOIN member j ON j.node_id = v.node_id
-                LEFT JOIN (SELECT axis_id, kind, roundabout_tag FROM {model}.axis) a USING (axis_id)
+                LEFT JOIN (SELECT axis_id, kind, roundabout_tag, highway_role FROM {model}.axis
+                    LEFT JOIN {model}.axis_class ON class = kind) a USING (axis_id)
             WHERE m.role IS NULL GROUP BY j.junction_id),
         place AS MATERIALIZED (
             -- By place: the last bit of a mean is that of its order, and the order of keys is that of runs.

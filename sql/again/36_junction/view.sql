@@ -50,10 +50,11 @@ SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.
     CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
         WHEN j.kind IN ('signals', 'right_before_left') THEN j.kind
         WHEN p.kind IS NOT NULL THEN p.kind
-        WHEN j.kind = 'ramp' AND a.kind LIKE '%%\_link' THEN 'yield'
+        WHEN j.kind = 'ramp' AND a.highway_role IN ('highway_link', 'link') THEN 'yield'
         ELSE 'priority' END AS rule
 FROM %1$I.movement m LEFT JOIN %1$I.junction j USING (junction_id) JOIN %1$I.lane l ON l.lane_id = m.lane_in
-    JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, kind FROM %1$I.axis) a USING (axis_id)
+    JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, highway_role FROM %1$I.axis
+        JOIN %1$I.axis_class ON class = kind) a USING (axis_id)
     LEFT JOIN %1$I.rim_marking p ON (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position,
         m.along_in) AND p.kind IN ('stop', 'yield');
 COMMENT ON VIEW %1$I.right_of_way IS

@@ -17,11 +17,11 @@ END $$;
 COMMENT ON FUNCTION streetgen._merging_reach(name) IS
     'How far along a highway a place may depend on a ramp, by its merging lanes and those of others that they meet, m.';
 
-CREATE OR REPLACE FUNCTION streetgen._may_be_highway(kind text) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._may_be_highway(kind text, highway_role text) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN kind IS NULL OR kind IN ('motorway', 'trunk');
-COMMENT ON FUNCTION streetgen._may_be_highway(text) IS
-    'May merging lanes lie on an axis of a class, whatever its speed?';
+    RETURN kind IS NULL OR highway_role IN ('highway', 'fast_road');
+COMMENT ON FUNCTION streetgen._may_be_highway(text, text) IS
+    'May merging lanes lie on an axis of a class with such a role, whatever its speed?';
 
 CREATE OR REPLACE FUNCTION streetgen._no_merging_run() RETURNS TABLE(edge_id bigint, axis_id bigint, from_node bigint,
         to_node bigint, geom geometry)
@@ -45,16 +45,19 @@ DECLARE
 BEGIN
     RETURN QUERY
     WITH RECURSIVE run(edge_id, node_id, metres) AS (
-        SELECT e.edge_id, n.node_id, 0::float8 FROM %1$I.edge e, LATERAL (SELECT a.kind FROM %1$I.axis a
-            WHERE a.axis_id = e.axis_id OFFSET 0) a, unnest(ARRAY[e.from_node, e.to_node]) n(node_id)
-        WHERE e.axis_id = ANY (axes) AND streetgen._may_be_highway(a.kind)
+        SELECT e.edge_id, n.node_id, 0::float8 FROM %1$I.edge e,
+            LATERAL (SELECT streetgen._may_be_highway(a.kind, c.highway_role) AS highway
+                FROM %1$I.axis a LEFT JOIN %1$I.axis_class c ON c.class = a.kind
+                WHERE a.axis_id = e.axis_id OFFSET 0) a, unnest(ARRAY[e.from_node, e.to_node]) n(node_id)
+        WHERE e.axis_id = ANY (axes) AND highway
         UNION SELECT o.edge_id, CASE o.from_node WHEN r.node_id THEN o.to_node ELSE o.from_node END,
             r.metres + ST_Length(o.geom)
         FROM run r, LATERAL (SELECT e.*, count(*) OVER () AS degree FROM (
             SELECT e.* FROM %1$I.edge e WHERE e.from_node = r.node_id
             UNION ALL SELECT e.* FROM %1$I.edge e WHERE e.to_node = r.node_id OFFSET 0) e) o
         WHERE r.metres < reach AND o.degree = 2 AND o.edge_id <> r.edge_id
-            AND streetgen._may_be_highway((SELECT a.kind FROM %1$I.axis a WHERE a.axis_id = o.axis_id)))
+            AND (SELECT streetgen._may_be_highway(a.kind, c.highway_role)
+                FROM %1$I.axis a LEFT JOIN %1$I.axis_class c ON c.class = a.kind WHERE a.axis_id = o.axis_id))
     SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.geom FROM (SELECT DISTINCT r.edge_id FROM run r) r
         JOIN %1$I.edge e USING (edge_id);
 END $body$ $sql$, model);

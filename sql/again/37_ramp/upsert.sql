@@ -5,7 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_axis(places jsonb) RETURNS tex
     AS $$ SELECT streetgen._fill_template($part$(
             SELECT array_agg(ROW (u.axis_id, part, NOT 'lane_count' = ANY (u.estimated))::streetgen.street_ramp_axis
                 ORDER BY u.axis_id)
-            FROM used u, LATERAL (SELECT streetgen._ramp_part(a.kind, u.speed) AS part FROM {model}.axis a
+            FROM used u, LATERAL (SELECT streetgen._ramp_part(a.kind, c.highway_role, u.speed) AS part
+                FROM {model}.axis a LEFT JOIN {model}.axis_class c ON c.class = a.kind
                 WHERE a.axis_id = u.axis_id {by_key}) a WHERE part IS NOT NULL)$part$, places) $$;
 COMMENT ON FUNCTION streetgen._upsert_ramp_axis(jsonb) IS
     'Part of the one statement: the axes used that may be part of a ramp, as an array of street_ramp_axis.';

@@ -48,14 +48,6 @@ CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place
 COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
     'Whether a rule takes a place along an axis: the same share of all places, and the same places each time.';
 
-CREATE OR REPLACE FUNCTION streetgen._is_crossed_on_foot(kind text) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN streetgen._is_walked_along(kind) AND coalesce(kind !~ '^(service|track|path|footway|cycleway|steps|Chemin|'
-        'Sentier|Escalier|Piste cyclable)$', true);
-COMMENT ON FUNCTION streetgen._is_crossed_on_foot(text) IS
-    'Whether pedestrian crossings are built on streets of a class where a rule names none: not on motorways and their '
-    'links, nor on service ways and paths. NULL counts as a street.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_rule_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -92,11 +84,12 @@ BEGIN
         JOIN %1$I.object_type t USING (type) WHERE r.active),
     street AS MATERIALIZED (
         SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
-            a.kind, a.turn_forward, a.turn_backward, %3$s AS on_ring,
+            a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
+            %3$s AS on_ring,
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
             e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
-            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
+            LEFT JOIN %1$I.axis_class c ON c.class = a.kind LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
         WHERE axes IS NULL OR e.axis_id = ANY (axes)),
@@ -104,7 +97,7 @@ BEGIN
         SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
             AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
             AND CASE WHEN r.kind IS NOT NULL THEN s.kind = ANY (r.kind) WHEN r.type = ANY (crossings)
-                THEN streetgen._is_crossed_on_foot(s.kind) AND NOT s.on_ring ELSE true END),
+                THEN s.crossed AND NOT s.on_ring ELSE true END),
     place AS (
         SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
             (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,

@@ -105,7 +105,8 @@ beside AS MATERIALIZED (
     SELECT axis_id, geom FROM near
     UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
         FROM %1$I.axis WHERE axis_id = ANY ($1)) h JOIN %1$I.axis a ON ST_DWithin(a.geom, hull, $5)
-    WHERE streetgen._may_be_highway(a.kind) AND a.axis_id <> ALL ($1)
+        LEFT JOIN %1$I.axis_class c ON c.class = a.kind
+    WHERE streetgen._may_be_highway(a.kind, c.highway_role) AND a.axis_id <> ALL ($1)
         AND a.axis_id NOT IN (SELECT axis_id FROM near)),
 -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What meets
 -- those inside lies beside them.
