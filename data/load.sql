@@ -2,7 +2,7 @@
 -- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
 BEGIN;
 SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null
-SELECT streetgen.create_model(:'model', :srid, subjects => nullif(string_to_array(:'subjects', ','), '{all}')) WHERE NOT :again \g /dev/null
+SELECT streetgen.create_model(:'model', :srid, subjects => string_to_array(:'subjects', ',')) WHERE NOT :again \g /dev/null
 SELECT streetgen.set(:'model', 'driving_side', :'driving_side') WHERE :'driving_side' <> '' \g /dev/null
 SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;

@@ -1,11 +1,11 @@
 -- A quarter drawn by hand: every kind of junction that StreetGen must build, once each, and named.
 -- Metres, SRID 2154, about (650000, 6860000); the numbers below are offsets from there.
--- Variable subjects: what is computed, parted by commas; all where it is not set.
+-- Variable subjects: what is computed, parted by commas; default where it is not set.
 \if :{?subjects}
 \else
-\set subjects all
+\set subjects default
 \endif
-SELECT streetgen.create_model('quarter', 2154, subjects => nullif(string_to_array(:'subjects', ','), '{all}'));
+SELECT streetgen.create_model('quarter', 2154, subjects => string_to_array(:'subjects', ','));
 WITH drawn(name, wkt, width, width_end, lane_count, importance, level, kind, direction) AS (VALUES
     -- The grid: avenues and residential streets; squares of degree four.
     ('avenue west', 'LINESTRING(0 0, 120 0)', 14, NULL::float8, 4, 2, 0, NULL, 'both'),

@@ -113,7 +113,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_tables(model name) RETURNS name[]
 COMMENT ON FUNCTION streetgen._computed_tables(name) IS
     'The tables that generate writes in a model, in the order in which their rows are given.';
 
-CREATE OR REPLACE FUNCTION streetgen._with_needs(subjects text[]) RETURNS text[]
+CREATE OR REPLACE FUNCTION streetgen._require_words(subjects text[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
@@ -126,14 +126,23 @@ BEGIN
                 HINT = 'The subjects are ' || array_to_string(all_words, ', ') || '.';
         END IF;
     END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._require_words(text[]) IS 'Raises 22023 for the first word that is no subject.';
+
+CREATE OR REPLACE FUNCTION streetgen._with_needs(subjects text[]) RETURNS text[]
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._require_words(array_remove(array_remove(subjects, 'all'), 'default'));
     RETURN ARRAY(
         WITH RECURSIVE wanted(subject, needs) AS (
             SELECT s.subject, s.needs FROM streetgen._subject() s
-            WHERE s.always OR s.subject = ANY (subjects) OR subjects IS NULL AND s.by_default
+            WHERE s.always OR s.subject = ANY (subjects) OR 'all' = ANY (subjects)
+                OR s.by_default AND (subjects IS NULL OR 'default' = ANY (subjects))
             UNION SELECT s.subject, s.needs FROM wanted w JOIN streetgen._subject() s ON s.subject = ANY (w.needs))
         SELECT s.subject FROM streetgen._subject() s JOIN wanted w USING (subject) GROUP BY s.subject, s.place
         ORDER BY s.place);
 END $$;
 COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
-    'Subjects with all that they need and those of every model, in their order; NULL: those of a new model. Another '
-    'word: 22023.';
+    'Subjects with all that they need and those of every model, in their order. The word all stands for every subject, '
+    'default or NULL for those that a new model computes where nothing is said. Another word: 22023.';

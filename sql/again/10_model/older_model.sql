@@ -164,7 +164,9 @@ CREATE OR REPLACE FUNCTION streetgen._add_section_borders(model name) RETURNS vo
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('ALTER TABLE %I.section ADD IF NOT EXISTS borders float8[]', model);
+    IF streetgen._lacks_column(model, 'section', 'borders') THEN
+        EXECUTE format('ALTER TABLE %I.section ADD borders float8[]', model);
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._add_section_borders(name) IS
     'Adds the column that says where the borders of the roadway run, where a model was made before it; the next run '

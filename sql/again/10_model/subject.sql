@@ -97,7 +97,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('subject', subject, 'wanted', wanted::text);
-    PERFORM streetgen._with_needs(ARRAY[subject]);
+    PERFORM streetgen._require_words(ARRAY[subject]);
     PERFORM streetgen._lock_model(model, wait => true, alone => true);
     computed := streetgen._subjects(model);
     IF wanted = (subject = ANY (computed)) THEN
