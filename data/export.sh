@@ -52,7 +52,7 @@ write_layer() {
   shift 4
   IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'") ||
     fail "model $model has no layer $layer: it does not compute that subject (SELECT * FROM streetgen.subject($(quoted "$model")))"
-  remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" -sql "$query" 2>&1) && [ -z "$remark" ] ||
+  remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database options='-c jit=off'" -sql "$query" 2>&1) && [ -z "$remark" ] ||
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 

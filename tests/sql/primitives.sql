@@ -75,6 +75,11 @@ SELECT 'every function pins its search_path or is bound when made: ' || coalesce
       AND NOT (prokind = 'p' AND prosrc ~ 'COMMIT'); -- which PostgreSQL refuses under a pinned one: all that it names is qualified
 SELECT 'of which the temporary schema is last: ' || coalesce(string_agg(p.oid::regprocedure::text, ', '), 'all'), count(*) = 0
   FROM pg_proc p, unnest(proconfig) said WHERE pronamespace = 'streetgen'::regnamespace AND said LIKE 'search_path=%' AND said NOT LIKE '%, pg_temp';
+-- A procedure that commits has no SET: it calls functions that do.
+SELECT format('%s: %s', CASE WHEN takes_model THEN 'queries of a model are run, not compiled' ELSE 'what computes with its arguments says nothing of compiling' END,
+    coalesce(string_agg(signature, ', ' ORDER BY signature) FILTER (WHERE takes_model <> says_so), 'all')), bool_and(takes_model = says_so) AND count(*) > 40
+  FROM (SELECT oid::regprocedure::text AS signature, coalesce(proargtypes[0] = 'name'::regtype, false) AS takes_model, coalesce('jit=off' = ANY (proconfig), false) AS says_so FROM pg_proc
+      WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' AND prokind = 'f' AND prorettype <> 'trigger'::regtype) f GROUP BY takes_model ORDER BY 1;
 SELECT 'version is that of the extension', streetgen.version() = (SELECT extversion FROM pg_extension WHERE extname = 'streetgen');
 
 -- Nothing leaks: ten thousand calls, errors included.

@@ -156,7 +156,7 @@ COMMENT ON FUNCTION streetgen._run_stages(name, text[], bigint[]) IS
 
 CREATE OR REPLACE FUNCTION streetgen.design(model name, stages text[] DEFAULT NULL, links bigint[] DEFAULT NULL)
     RETURNS TABLE(stage text, computed bigint, written bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 6 SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 6 SET search_path = pg_catalog, public
     SET application_name = 'streetgen: design'
     AS $$
 DECLARE

@@ -36,7 +36,7 @@ COMMENT ON FUNCTION streetgen._tell_check(integer, text) IS
 
 CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     RETURNS TABLE(severity text, rule text, relation text, id bigint, measure float8, geom geometry)
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- Whatever happens, the name of the session comes back.
     SET application_name = 'streetgen: check'
     AS $$

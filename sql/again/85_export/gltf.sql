@@ -107,7 +107,7 @@ COMMENT ON FUNCTION streetgen._gltf_query() IS
 CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, part bytea)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100
-    SET search_path = pg_catalog, public SET jit = off SET work_mem = '4MB'
+    SET search_path = pg_catalog, public SET work_mem = '4MB'
     AS $$
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'gltf', 'surface', options);

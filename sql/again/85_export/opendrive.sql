@@ -267,7 +267,7 @@ COMMENT ON FUNCTION streetgen._opendrive_beside(name) IS
 CREATE OR REPLACE FUNCTION streetgen.export_opendrive(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000
-    SET search_path = pg_catalog, public SET jit = off SET work_mem = '4MB'
+    SET search_path = pg_catalog, public SET work_mem = '4MB'
     AS $$
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', options);

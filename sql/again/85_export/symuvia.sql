@@ -163,7 +163,7 @@ COMMENT ON FUNCTION streetgen._symuvia_connexion() IS
 CREATE OR REPLACE FUNCTION streetgen.export_symuvia(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000
-    SET search_path = pg_catalog, public SET jit = off SET work_mem = '4MB'
+    SET search_path = pg_catalog, public SET work_mem = '4MB'
     AS $$
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'symuvia', 'interconnection', options);

@@ -36,7 +36,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology text)
     RETURNS TABLE(name name, level integer, nodes bigint, edges bigint, faces bigint, doubled bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     -- Nothing is known of rows just computed: joins are on equal keys, or by an index.
-    SET jit = off SET enable_nestloop = off
+    SET enable_nestloop = off
     AS $$
 DECLARE
     target record;
