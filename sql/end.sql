@@ -31,3 +31,15 @@ BEGIN
         EXECUTE format('ALTER FUNCTION %s SET jit = off', f);
     END LOOP;
 END $$;
+
+-- Functions of models say by this setting that they compute. Where the server does not know it, only who was granted it
+-- may write it into the header of a function: owners make models and restore them.
+DO $$
+BEGIN
+    IF NOT EXISTS (SELECT FROM pg_catalog.pg_parameter_acl, pg_catalog.aclexplode(paracl)
+        WHERE parname = 'streetgen.computes' AND grantee = 0 AND privilege_type = 'SET') THEN
+        -- One installation at a time, of all databases.
+        LOCK TABLE pg_catalog.pg_parameter_acl IN SHARE ROW EXCLUSIVE MODE;
+        GRANT SET ON PARAMETER streetgen.computes TO PUBLIC;
+    END IF;
+END $$;
