@@ -108,7 +108,7 @@ SELECT format('%s, which is no name, is refused', quote_literal(word)), test.sta
 SELECT 'and one of another signature', test.state($q$SELECT streetgen.set('crossing', 'trajectory', 'st_makeline')$q$) = '22023';
 DO $$ BEGIN PERFORM streetgen.live('crossing', true); END $$;
 DROP FUNCTION public.by_centre;
-SELECT 'an edit where the function is gone names it', state = '42883' AND said LIKE '%public.by_centre is gone' AND hint <> '' FROM test.refusal('UPDATE crossing.axis SET width = 8 WHERE axis_id = 1');
+SELECT 'an edit where the function is gone names it', state = '22023' AND said LIKE 'setting "trajectory" of model "crossing" cannot be ''public.by_centre''' AND detail <> '' AND hint <> '' FROM test.refusal('UPDATE crossing.axis SET width = 8 WHERE axis_id = 1');
 DO $$ BEGIN PERFORM streetgen.live('crossing', false); END $$;
 SELECT pg_temp.again($q$SELECT streetgen.set('crossing', 'trajectory', 'bezier')$q$) \g /dev/null
 SELECT 'back to the paper''s rule', test.same('crossing', 'ruled');

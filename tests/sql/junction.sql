@@ -264,11 +264,11 @@ SELECT 'as the paper has it all are signals', (SELECT bool_and(kind IN ('signals
 CREATE FUNCTION public.by_width(arms streetgen.junction_arm[]) RETURNS text LANGUAGE sql IMMUTABLE AS $$ SELECT CASE WHEN max(a.width) > 100 THEN 'crossroads' WHEN count(*) > 3 THEN 'stop' ELSE 'end' END FROM unnest(arms) a $$;
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.by_width'), streetgen.generate('town', wait => true); END $$;
 SELECT 'a function of the user decides', (SELECT bool_or(kind = 'stop') FROM town.junction);
-SELECT 'an unknown word is refused', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier by_width gives "crossroads"%';
+SELECT 'an unknown word is refused', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier public.by_width gives "crossroads"%';
 SELECT 'a function that is not there too', test.state($q$SELECT streetgen.set('town', 'classifier', 'public.no_such')$q$) = '22023';
 CREATE FUNCTION public.broken(arms streetgen.junction_arm[]) RETURNS text LANGUAGE plpgsql IMMUTABLE AS $$ BEGIN IF (SELECT max(a.width) > 100 FROM unnest(arms) a) THEN RAISE EXCEPTION 'too wide' USING ERRCODE = '22003'; END IF; RETURN 'stop'; END $$;
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.broken'), streetgen.generate('town', wait => true); END $$;
-SELECT 'one that raises is named with its words, its SQLSTATE and the junction', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier broken fails at junction %: too wide' AND test.state($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) = '22003' AND (SELECT width = 7 FROM town.axis WHERE axis_id = 5);
+SELECT 'one that raises is named with its words, its SQLSTATE and the junction', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier public.broken fails at junction %: too wide' AND test.state($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) = '22003' AND (SELECT width = 7 FROM town.axis WHERE axis_id = 5);
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.

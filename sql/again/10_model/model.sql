@@ -142,6 +142,7 @@ BEGIN
     IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
         PERFORM streetgen._make_object_input_tables(model, srid);
     END IF;
+    PERFORM streetgen._keep_functions_for_owner(model);
     PERFORM streetgen._give_to_owner(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
@@ -335,6 +336,17 @@ COMMENT ON FUNCTION streetgen._take_back(name, name) IS
     'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner '
         'of the model: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(relname ORDER BY relname) FROM pg_class
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
+            AND (relname IN ('axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override'
+            OR relname = ANY (streetgen._object_table())
+            -- It names functions, which run with the rights of the owner.
+            AND relname <> 'specialised_type') $$;
+COMMENT ON FUNCTION streetgen._edited_tables(name) IS
+    'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';
+
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -349,15 +361,7 @@ BEGIN
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
     EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
     IF kind = 'editor' THEN
-        EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %1$I.axis, %1$I.turn_restriction, %1$I.transition_override, '
-            '%1$I.lane_override, %1$I.interconnection_override, %1$I.section_limit_override, %1$I.corner_override, '
-            '%1$I.lane_adjacency_override, %1$I.kerb_point_override, %1$I.sidewalk_override, %1$I.control_point, '
-            '%1$I.junction_override, %1$I.ramp_override, %1$I.controller_override, '
-            '%1$I.overpass_override, %1$I.road_override, '
-            '%1$I.height_override, '
-            '%1$I.roundabout_override TO %2$I', model, role);
-        FOR relation IN SELECT r FROM unnest(streetgen._object_table()) r
-            WHERE to_regclass(format('%I.%I', model, r)) IS NOT NULL LOOP
+        FOREACH relation IN ARRAY streetgen._edited_tables(model) LOOP
             EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);
         END LOOP;
     END IF;

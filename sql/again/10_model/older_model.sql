@@ -171,3 +171,34 @@ END $$;
 COMMENT ON FUNCTION streetgen._add_section_borders(name) IS
     'Adds the column that says where the borders of the roadway run, where a model was made before it; the next run '
     'fills it.';
+
+CREATE OR REPLACE FUNCTION streetgen._keep_functions_for_owner(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    named bigint[];
+    part text;
+BEGIN
+    IF NOT EXISTS (SELECT FROM pg_constraint WHERE conrelid = format('%I.controller_override', model)::regclass
+        AND conname = 'controller_override_program_check') THEN
+        EXECUTE format('WITH named AS (UPDATE %I.controller_override SET program = NULL '
+            'WHERE program NOT IN (''phases'', ''paper'') RETURNING controller_override_id) '
+            'SELECT array_agg(controller_override_id ORDER BY controller_override_id) FROM named', model) INTO named;
+        IF named IS NOT NULL THEN
+            RAISE WARNING 'rows % of %.controller_override named a function: they have the program of the model now',
+                named, model USING HINT = 'Setting signal_program names a function for all of them.';
+        END IF;
+        EXECUTE format('ALTER TABLE %I.controller_override ADD CONSTRAINT controller_override_program_check '
+            'CHECK (program IN (''phases'', ''paper''))', model);
+    END IF;
+    FOR part IN SELECT DISTINCT format('REVOKE INSERT, UPDATE, DELETE ON %I.specialised_type FROM %s', model,
+            CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END)
+        FROM pg_class c, aclexplode(relacl) WHERE c.oid = to_regclass(format('%I.specialised_type', model))
+            AND grantee <> relowner AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE')
+    LOOP
+        EXECUTE part;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._keep_functions_for_owner(name) IS
+    'Takes from the editors of a model made before that what names a function, which runs with the rights of the '
+    'owner: controller_override.program and table specialised_type.';

@@ -20,6 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('axis', 'lanes_backward', '0 to 30', 'Leave it empty to have it estimated.'),
     ('axis', 'lanes_both', '0 to 30', 'Leave it empty to have it estimated.'),
     ('axis', 'flow', '0 to 1000000 vehicles an hour', 'Leave it empty where it is unknown.'),
+    ('controller_override', 'program', 'phases or paper', 'Leave it empty for setting signal_program.'),
     ('controller_override', 'cycle', '10 to 3600 s', 'Leave it empty for as long as the states last.'),
     ('controller_override', 'durations', '0.1 to 3600 s for each state', 'Leave it empty to have them computed.'),
     ('controller_override', 'start_offset', '0 to 3600 s', 'Leave it empty for 0.'),

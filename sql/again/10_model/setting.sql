@@ -203,8 +203,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS text
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     known record;
@@ -218,44 +218,20 @@ BEGIN
     END IF;
     IF value IS NULL THEN
         IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area',
-            'transition_length', 'kerb_radius_minimal') THEN RETURN; END IF;
+            'transition_length', 'kerb_radius_minimal') THEN RETURN NULL; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
     IF setting = 'radius_function' THEN
-        PERFORM streetgen._radius_function(model, value);
-        RETURN;
-    ELSIF setting = 'roundabout_score' THEN
-        BEGIN
-            holds := streetgen._roundabout_score_function(value) IS NOT NULL;
-        -- The value is no name at all.
-        EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN
-            holds := false;
-        END;
-        expected := 'A function (shape float8, name float8, network float8, weights float8[]) returning float8, with '
-            'its schema.';
+        RETURN streetgen._radius_function(model, value);
+    ELSIF value = ANY (known.choice) OR value = known.value THEN
+        RETURN value;
+    ELSIF EXISTS (SELECT FROM streetgen._setting_function() f WHERE f.setting = _check_setting.setting) THEN
+        RETURN streetgen._called_function(model, setting, value);
     ELSIF known.choice IS NOT NULL THEN
-        holds := value = ANY (known.choice);
-        IF NOT holds AND setting = 'trajectory' THEN
-            BEGIN
-                holds := streetgen._trajectory_function(value) IS NOT NULL;
-            -- The value is no name at all.
-            EXCEPTION WHEN syntax_error_or_access_rule_violation OR data_exception OR feature_not_supported THEN
-            END;
-        ELSIF NOT holds AND setting = 'classifier' THEN
-            holds := streetgen._classifier_function(value) IS NOT NULL;
-        ELSIF NOT holds AND setting = 'signal_program' THEN
-            holds := streetgen._program_function(value) IS NOT NULL;
-        ELSIF NOT holds AND setting = 'placement_function' THEN
-            holds := streetgen._placement_function(value) IS NOT NULL;
-        END IF;
-        expected := 'One of ' || array_to_string(known.choice, ', ') || CASE setting WHEN 'trajectory'
-            THEN ', or a function (lane_in geometry, lane_out geometry, centre geometry, tolerance float8) returning '
-            'geometry' WHEN 'classifier' THEN ', or a function (arms streetgen.junction_arm[]) returning text'
-            WHEN 'signal_program' THEN ', or a function (movements streetgen.signal_request[]) returning SETOF '
-            'streetgen.signal_answer' WHEN 'placement_function' THEN ', or a function (model name, edges bigint[]) '
-            'returning SETOF streetgen.placement' ELSE '' END || '.';
+        holds := false;
+        expected := 'One of ' || array_to_string(known.choice, ', ') || '.';
     ELSIF known.minimum IS NOT NULL THEN
         holds := CASE WHEN value ~ '^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?\s*$'
             THEN value::float8 BETWEEN known.minimum AND known.maximum ELSE false END;
@@ -292,13 +268,15 @@ BEGIN
         RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value)
             USING ERRCODE = '22023', HINT = expected;
     END IF;
+    RETURN value;
 END $$;
 COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS
-    'Raises 22023 for an unknown setting or a value beyond the range, words or form of _default_setting, 22004 for '
-    'NULL, saying how to put the default back; a radius_function as _radius_function.';
+    'The value as the model keeps it: a function with its schema. Raises 22023 for an unknown setting or a value '
+    'beyond the range, words or form of _default_setting, 22004 for NULL, saying how to put the default back; for a '
+    'function as _called_function.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     -- A default is within its range.
@@ -314,10 +292,7 @@ CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) R
 BEGIN
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('setting', setting);
-    PERFORM streetgen._check_setting(model, setting, value);
-    IF setting = 'radius_function' THEN
-        value := streetgen._qualified(streetgen._radius_function(model, value));
-    END IF;
+    value := streetgen._check_setting(model, setting, value);
     -- One at a time, since each goes on to hold out the other.
     EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
     EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, '
@@ -329,6 +304,6 @@ EXCEPTION WHEN lock_not_available THEN
 END $$;
 COMMENT ON FUNCTION streetgen.set(name, text, text) IS
     'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a '
-    'radius_function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have '
+    'function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have '
     'ended; rows computed before are stale until generate. A lock_timeout that ends: 55P03, naming who holds the '
     'settings.';

@@ -73,7 +73,7 @@ BEGIN
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
             AND (privilege_type = 'SELECT'
-                OR (made.relname LIKE '%\_override' OR made.relname = ANY (streetgen._object_table()))
+                OR made.relname = ANY (streetgen._edited_tables(model))
                     AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
         EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege_type, model, held.relation, held.role);
@@ -81,7 +81,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._grant_like_axes(name, oid[]) IS
     'Who may read the axes of a model may read these tables and views of it. Who may write the axes may write the '
-    'tables of overrides among these.';
+    'tables of overrides and objects among these.';
 
 CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wanted boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,

@@ -23,8 +23,8 @@ decided AS MATERIALIZED (
 drawn AS MATERIALIZED (
     SELECT p.lane_in, p.lane_out, p.along_in, p.along_out, d.connecting, d.control, d.lane_in IS NOT NULL AS by_hand,
            CASE WHEN r.of_core AND d.control IS NULL THEN p.geom
-                ELSE streetgen._trajectory(r.name, i.geom, p.along_in, o.geom, p.along_out, n.geom, d.control,
-                    r.tolerance) END AS geom
+                ELSE streetgen._trajectory('{model_name}', r.name, i.geom, p.along_in, o.geom, p.along_out, n.geom,
+                    d.control, r.tolerance) END AS geom
     FROM rule r, streetgen._computed_interconnection((SELECT streets FROM computed), (SELECT ids FROM node_ids),
         (SELECT ids FROM lane_ids)) p
     JOIN new_node n USING (node_id) JOIN new_lane i ON i.lane_id = p.lane_in JOIN new_lane o ON o.lane_id = p.lane_out

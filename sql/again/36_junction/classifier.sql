@@ -42,47 +42,31 @@ CREATE OR REPLACE FUNCTION streetgen._least_angle(azimuths float8[]) RETURNS flo
 COMMENT ON FUNCTION streetgen._least_angle(float8[]) IS
     'The least angle between two of some azimuths, degrees; NULL where there are not two.';
 
-CREATE OR REPLACE FUNCTION streetgen._classifier_function(value text) RETURNS regprocedure
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    found oid := to_regprocedure(value || '(streetgen.junction_arm[])');
-BEGIN
-    RETURN (SELECT oid::regprocedure FROM pg_proc WHERE oid = found AND prorettype = 'text'::regtype);
-END $$;
-COMMENT ON FUNCTION streetgen._classifier_function(text) IS
-    'The function that setting classifier names, (arms streetgen.junction_arm[]) returning text; NULL: there is none.';
-
-CREATE OR REPLACE FUNCTION streetgen._classified(classifier text, junction bigint, arms streetgen.junction_arm[])
-    RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._classified(model name, classifier text, junction bigint,
+    arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    called constant regprocedure := streetgen._classifier_function(classifier);
+    called constant text := streetgen._called_function(model, 'classifier', classifier);
     kind text;
 BEGIN
-    IF called IS NULL THEN
-        RAISE EXCEPTION 'setting classifier names "%", and there is no such function', classifier
-            USING ERRCODE = '22023', HINT = 'A function (arms streetgen.junction_arm[]) returning text, with its '
-                'schema; streetgen.junction_kind is the default.';
-    END IF;
     BEGIN
-        EXECUTE format('SELECT %s($1)', called::regproc) INTO kind USING arms;
+        EXECUTE format('SELECT %s($1)', called) INTO kind USING arms;
     EXCEPTION WHEN OTHERS THEN
-        RAISE EXCEPTION 'classifier % fails at junction %: %', called::regproc, junction, SQLERRM
+        RAISE EXCEPTION 'classifier % fails at junction %: %', called, junction, SQLERRM
             USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set classifier to streetgen.junction_kind.';
     END;
     IF kind IS NULL OR kind NOT IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
         'continuation', 'end') THEN
-        RAISE EXCEPTION 'classifier % gives "%" for junction %', called::regproc, coalesce(kind, 'NULL'), junction
+        RAISE EXCEPTION 'classifier % gives "%" for junction %', called, coalesce(kind, 'NULL'), junction
             USING ERRCODE = '22023', HINT = 'The kinds are ramp, signals, stop, priority, right_before_left, '
                 'roundabout, continuation and end.';
     END IF;
     RETURN kind;
 END $$;
-COMMENT ON FUNCTION streetgen._classified(text, bigint, streetgen.junction_arm[]) IS
-    'The kind of a junction by a function of the user. One that is not there, or that gives another word: 22023; what '
-    'the function raises comes with its SQLSTATE, naming function and junction.';
+COMMENT ON FUNCTION streetgen._classified(name, text, bigint, streetgen.junction_arm[]) IS
+    'The kind of a junction by a function of the user, as _called_function has it. One that gives another word: '
+    '22023; what the function raises comes with its SQLSTATE, naming function and junction.';
 
 CREATE OR REPLACE FUNCTION streetgen._paper_kind(arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

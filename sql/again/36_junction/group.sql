@@ -166,7 +166,7 @@ BEGIN
         SELECT ROW (p.junction_id, CASE WHEN d.kind IS NOT NULL THEN d.kind
                 WHEN classifier = 'streetgen.junction_kind' THEN streetgen.junction_kind(arms)
                 WHEN classifier = 'paper' THEN streetgen._paper_kind(arms)
-                ELSE streetgen._classified(classifier, p.junction_id, arms) END,
+                ELSE streetgen._classified({name}, classifier, p.junction_id, arms) END,
             CASE WHEN d.kind IS NOT NULL THEN 'by_hand' WHEN p.nodes > 1 THEN 'grouped' ELSE 'hypothesis' END,
             p.geom, p.nodes)::streetgen.junction_made
         FROM place p LEFT JOIN arm USING (junction_id) LEFT JOIN LATERAL (
@@ -174,7 +174,8 @@ BEGIN
             ORDER BY d.junction_override_id DESC LIMIT 1) d ON true
         WHERE p.nodes > 1 OR cardinality(arms) <> 2 OR arm.controlled OR d.kind IS NOT NULL
         ORDER BY p.junction_id);
-END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'on_ring', streetgen._on_ring(model)));
+END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'name', quote_literal(model), 'on_ring',
+        streetgen._on_ring(model)));
     PERFORM streetgen._own_function(model, '_made_junctions(bigint[], streetgen.junction_member[])',
         'The junctions of a region with their kinds: by hand, or by the classifier from their arms');
 END $$;

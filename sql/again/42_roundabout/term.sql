@@ -106,32 +106,20 @@ COMMENT ON FUNCTION streetgen.roundabout_score(float8, float8, float8, float8[])
     'Setting roundabout_score names another function of this signature in its place. Weights that are not three of 0 '
     'and more, or are all 0: 22023. NULL for NULL. StreetGen paper, 2.8, which combines terms and gives no weights.';
 
-CREATE OR REPLACE FUNCTION streetgen._roundabout_score_function(given text) RETURNS regprocedure
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT p.oid FROM pg_proc p WHERE p.oid = to_regprocedure(given || '(float8, float8, float8, float8[])')
-        AND p.prorettype = 'float8'::regtype AND NOT p.proretset $$;
-COMMENT ON FUNCTION streetgen._roundabout_score_function(text) IS
-    'The function of that name, with its schema unless in public, of the signature of streetgen.roundabout_score; NULL '
-    'where there is none.';
-
-CREATE OR REPLACE FUNCTION streetgen._roundabout_score(given text, shape float8, name float8, network float8,
-    weights float8[], centre geometry) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._roundabout_score(model name, given text, shape float8, name float8,
+    network float8, weights float8[], centre geometry) RETURNS float8
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     score float8;
-    found regprocedure;
+    called text;
 BEGIN
     IF given = 'streetgen.roundabout_score' THEN
         RETURN streetgen.roundabout_score(shape, name, network, weights);
     END IF;
-    found := streetgen._roundabout_score_function(given);
-    IF found IS NULL THEN
-        RAISE EXCEPTION 'score function % is gone', given USING ERRCODE = '42883',
-            HINT = 'Make it again, or set roundabout_score to streetgen.roundabout_score.';
-    END IF;
+    called := streetgen._called_function(model, 'roundabout_score', given);
     BEGIN
-        EXECUTE format('SELECT %s($1, $2, $3, $4)', found::regproc) INTO score USING shape, name, network, weights;
+        EXECUTE format('SELECT %s($1, $2, $3, $4)', called) INTO score USING shape, name, network, weights;
     EXCEPTION WHEN data_exception OR raise_exception OR syntax_error_or_access_rule_violation THEN
         RAISE EXCEPTION 'score function % failed: %', given, SQLERRM USING ERRCODE = SQLSTATE,
             DETAIL = format('At the ring about %s.', ST_AsText(centre, 1)),
@@ -144,6 +132,6 @@ BEGIN
     END IF;
     RETURN score;
 END $$;
-COMMENT ON FUNCTION streetgen._roundabout_score(text, float8, float8, float8, float8[], geometry) IS
-    'The score of a ring by the function that setting roundabout_score names; centre is for messages. A function that '
-    'is gone: 42883; a result beyond 0 to 1: 22023; what it raises, with the place.';
+COMMENT ON FUNCTION streetgen._roundabout_score(name, text, float8, float8, float8, float8[], geometry) IS
+    'The score of a ring by the function that setting roundabout_score names; centre is for messages. One that may '
+    'not be called, as _called_function has it; a result beyond 0 to 1: 22023; what it raises, with the place.';

@@ -35,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._signal_column()
     ('controller_override', 'controller_override_id', 'key'),
     ('controller_override', 'axis_id', 'an axis of the junction'),
     ('controller_override', 'geom', 'a place near the node of that axis'),
-    ('controller_override', 'program', 'phases, paper, or a function; NULL: setting signal_program'),
+    ('controller_override', 'program', 'phases or paper; NULL: setting signal_program'),
     ('controller_override', 'cycle', 'seconds; greens stretch or shrink to it; NULL: as long as the states last'),
     ('controller_override', 'start_offset', 'seconds; NULL: 0'),
     ('controller_override', 'durations', 'seconds of the states in order; NULL in it: computed') $$;

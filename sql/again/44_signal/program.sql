@@ -19,20 +19,6 @@ COMMENT ON FUNCTION streetgen.signal_pairs(streetgen.signal_request[]) IS
     'within; who turns back goes with the first pair of his road. Arguments and errors are those of signal_phases. '
     'NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._program_function(value text) RETURNS regprocedure
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    found oid := to_regprocedure(CASE value WHEN 'phases' THEN 'streetgen.signal_phases'
-        WHEN 'paper' THEN 'streetgen.signal_pairs' ELSE value END || '(streetgen.signal_request[])');
-BEGIN
-    RETURN (SELECT oid::regprocedure FROM pg_proc
-        WHERE oid = found AND prorettype = 'streetgen.signal_answer'::regtype AND proretset);
-END $$;
-COMMENT ON FUNCTION streetgen._program_function(text) IS
-    'The function that a signal program names: phases, paper, or one (movements streetgen.signal_request[]) returning '
-    'SETOF streetgen.signal_answer; NULL: there is none.';
-
 CREATE OR REPLACE FUNCTION streetgen._check_signal_answers(program text, junction bigint,
     movements streetgen.signal_request[], answers streetgen.signal_answer[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -78,12 +64,12 @@ COMMENT ON FUNCTION streetgen._check_signal_answers(text, bigint, streetgen.sign
     'Raises 22023 where a signal program of the user leaves out a movement, lets protected ones meet, or gives states '
     'that are none.';
 
-CREATE OR REPLACE FUNCTION streetgen._signal_answers(program text, junction bigint,
+CREATE OR REPLACE FUNCTION streetgen._signal_answers(model name, program text, junction bigint,
     movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 30 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    called constant regprocedure := streetgen._program_function(program);
+    called text;
     answers streetgen.signal_answer[];
 BEGIN
     IF program = 'phases' THEN
@@ -92,25 +78,22 @@ BEGIN
     ELSIF program = 'paper' THEN
         RETURN QUERY SELECT * FROM streetgen.signal_pairs(movements);
         RETURN;
-    ELSIF called IS NULL THEN
-        RAISE EXCEPTION 'signal program "%" of junction % is no function', program, junction USING ERRCODE = '22023',
-            HINT = 'phases, paper, or a function (movements streetgen.signal_request[]) returning SETOF '
-                'streetgen.signal_answer, with its schema.';
     END IF;
+    called := streetgen._called_function(model, 'signal_program', program);
     BEGIN
-        EXECUTE format('SELECT coalesce(array_agg(a), ''{}'') FROM %s($1) a', called::regproc) INTO answers
+        EXECUTE format('SELECT coalesce(array_agg(a), ''{}'') FROM %s($1) a', called) INTO answers
             USING movements;
     EXCEPTION WHEN OTHERS THEN
-        RAISE EXCEPTION 'signal program % fails at junction %: %', called::regproc, junction, SQLERRM
+        RAISE EXCEPTION 'signal program % fails at junction %: %', called, junction, SQLERRM
             USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set signal_program to phases.';
     END;
     PERFORM streetgen._check_signal_answers(program, junction, movements, answers);
     RETURN QUERY SELECT * FROM unnest(answers);
 END $$;
-COMMENT ON FUNCTION streetgen._signal_answers(text, bigint, streetgen.signal_request[]) IS
-    'The states of a junction by a program: phases, paper, or a function of the user. One that is not there, or gives '
-    'what no controller can run: 22023; what the function raises comes with its SQLSTATE, naming function and '
-    'junction.';
+COMMENT ON FUNCTION streetgen._signal_answers(name, text, bigint, streetgen.signal_request[]) IS
+    'The states of a junction by a program: phases, paper, or a function of the user, as _called_function has it. '
+    'One that gives what no controller can run: 22023; what the function raises comes with its SQLSTATE, naming '
+    'function and junction.';
 
 CREATE OR REPLACE FUNCTION streetgen._timed(answers streetgen.signal_answer[], cycle float8, durations float8[])
     RETURNS SETOF streetgen.signal_answer

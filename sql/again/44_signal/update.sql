@@ -78,10 +78,10 @@ BEGIN
         t.along_in, t.along_out, t.right_of_way
     FROM place p LEFT JOIN decided d USING (junction_id) LEFT JOIN %1$I._signal_requests(ARRAY(SELECT junction_id
             FROM place)) r USING (junction_id) CROSS JOIN %1$I.setting s
-        LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(coalesce(d.program, s.value),
-            p.junction_id, r.movements) a), d.cycle, d.durations) t ON r.movements IS NOT NULL
+        LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(%2$L,
+            coalesce(d.program, s.value), p.junction_id, r.movements) a), d.cycle, d.durations) t ON r.movements IS NOT NULL
     WHERE s.name = 'signal_program';
-END $body$ $sql$, model);
+END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_found_signals(bigint[])',
         'The signals of junctions: a row for each movement in each state, and for each state without one');
 END $$;

@@ -31,6 +31,15 @@ END $$;
 COMMENT ON FUNCTION streetgen._hold_specialised_types(name) IS
     'Waits for who edits specialised objects, where a model has any: before an edit view locks an axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._specialised_function(model name, relation name, function text) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._called_function(model, format('the function of table "%s"', relation), function,
+        streetgen._function_named(function, format('%1$I.%2$I, %1$I.street_object', model, relation),
+            format('%I.%I', model, relation), false),
+        format('NULL, or a function of (%1$I.%2$I, %1$I.street_object) that returns one %1$I.%2$I', model, relation)) $$;
+COMMENT ON FUNCTION streetgen._specialised_function(name, name, text) IS
+    'The function that computes the rows of a specialised table, as _called_function has it.';
+
 CREATE OR REPLACE FUNCTION streetgen._compute_specialised(model name, relation name, function text, objects bigint[])
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
@@ -53,7 +62,7 @@ BEGIN
             FROM (SELECT r.street_object_id, %4$s(r, o) AS new FROM %1$I.%2$I r
                 JOIN %1$I.street_object o USING (street_object_id) WHERE street_object_id = ANY ($1) OFFSET 0) n
             WHERE n.street_object_id = r.street_object_id AND n.new::text IS DISTINCT FROM r::text',
-            model, relation, attributes, function) USING objects;
+            model, relation, attributes, streetgen._specialised_function(model, relation, function)) USING objects;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._compute_specialised(name, name, text, bigint[]) IS
@@ -289,7 +298,7 @@ BEGIN
         relation);
     EXECUTE format('INSERT INTO %1$I.specialised_type AS s (type, relation, function) VALUES ($1, $2, $3)
         ON CONFLICT (type) DO UPDATE SET relation = excluded.relation, function = excluded.function', model)
-        USING type, relation, function::regproc::text;
+        USING type, relation, streetgen._specialised_function(model, relation, streetgen._qualified(function));
     PERFORM streetgen._tie_specialised(model);
     EXECUTE format('SELECT coalesce(array_agg(street_object_id ORDER BY street_object_id), ''{}'')
         FROM %1$I.street_object o WHERE o.type = ANY (%1$I._types_below($1))', model) INTO objects USING type;
@@ -304,4 +313,5 @@ COMMENT ON FUNCTION streetgen.specialise(name, text, name, regprocedure) IS
     'an INSERT with it and without a key makes one. Called again with another table, the type lets go of the first '
     'one, whose rows stay. Returns how many objects there are. An unknown type, a table of the model itself or of '
     'another type, one without its key or with a column that has no default, a function of another signature: 22023; '
-    'no such table: 42P01. StreetGen paper, 4.6. NULL is refused: 22004.';
+    'no such table: 42P01; a function of a role without the rights of the owner of the model, now or at a later call, '
+    'or a caller without them: 42501. StreetGen paper, 4.6. NULL is refused: 22004.';

@@ -122,7 +122,7 @@ COMMENT ON TABLE %1$I.pedestrian_crossing
 COMMENT ON TABLE %1$I.parking_bay
     IS 'Parking bays: objects of type parking_bay, or of a type below it, with their ground';
 COMMENT ON TABLE %1$I.specialised_type
-    IS 'Types of objects with a table of their own, as streetgen.specialise makes them';$t$,
+    IS 'Types of objects with a table of their own: streetgen.specialise writes them, for the owner alone';$t$,
         model, srid, (streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
         streetgen._finite('geom'), (streetgen._usual_crossing()).width, (streetgen._usual_crossing()).angle);
     -- What users took away of a model that is there stays away.
@@ -257,7 +257,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('parking_bay', 'surface', 'the ground of the bay; NULL: its street ends before it, or it has none; computed'),
     ('specialised_type', 'type', 'key: this type, and those below it'),
     ('specialised_type', 'relation', 'the table, in the schema of the model'),
-    ('specialised_type', 'function', 'what computes its rows from their objects; NULL: nothing'),
+    ('specialised_type', 'function', 'what computes its rows from their objects, with its schema; NULL: nothing'),
     ('street_object', 'street_object_id', 'key'),
     ('street_object', 'type', 'what it is'),
     ('street_object', 'geom', 'where it stands: a point or a line. Computed for what an axis or a border places'),
