@@ -32,7 +32,8 @@ CREATE FUNCTION calls.geometry() RETURNS text LANGUAGE sql VOLATILE AS $$
     ELSE calls.one_of('NULL::geometry', '''POINT EMPTY''::geometry', '''LINESTRING EMPTY''::geometry', '''POLYGON EMPTY''::geometry', '''GEOMETRYCOLLECTION EMPTY''::geometry', '''LINESTRING(0 0,0 0)''::geometry', '''LINESTRING(1 1,1 1,1 1)''::geometry',
       '''POLYGON((0 0,9 0,9 9,0 0))''::geometry', '''POLYGON((0 0,2 2,2 0,0 2,0 0))''::geometry', '''MULTIPOINT(0 0,1 1)''::geometry', '''MULTILINESTRING((0 0,9 0),(9 0,9 9))''::geometry', '''CIRCULARSTRING(0 0,5 5,10 0)''::geometry',
       '''CIRCULARSTRING(0 0,1 1,0 0)''::geometry', '''COMPOUNDCURVE(CIRCULARSTRING(0 0,1 1,2 0),(2 0,9 0))''::geometry', '''CURVEPOLYGON(CIRCULARSTRING(0 0,4 0,4 4,0 4,0 0))''::geometry', '''TRIANGLE((0 0,0 9,9 0,0 0))''::geometry',
-      '''TIN(((0 0 0,0 0 1,0 1 0,0 0 0)))''::geometry', '''LINESTRING Z(0 0 1,50 0 2)''::geometry', '''LINESTRING M(0 0 1,50 0 2)''::geometry', '''LINESTRING ZM(0 0 1 2,50 0 2 3)''::geometry', '''LINESTRING(0 0,50 0,0 0)''::geometry',
+      '''TIN(((0 0 0,0 0 1,0 1 0,0 0 0)))''::geometry', '''POLYHEDRALSURFACE(((0 0 0,0 0 1,0 1 0,0 0 0)))''::geometry', '''MULTISURFACE(((0 0,9 0,9 9,0 0)))''::geometry', '''MULTICURVE((0 0,9 0),CIRCULARSTRING(0 0,5 5,10 0))''::geometry',
+      '''MULTIPOLYGON(((0 0,9 0,9 9,0 0)))''::geometry', '''GEOMETRYCOLLECTION(POINT(0 0),LINESTRING(0 0,9 0))''::geometry', '''LINESTRING Z(0 0 1,50 0 2)''::geometry', '''LINESTRING M(0 0 1,50 0 2)''::geometry', '''LINESTRING ZM(0 0 1 2,50 0 2 3)''::geometry', '''LINESTRING(0 0,50 0,0 0)''::geometry',
       '''LINESTRING(0 0,50 0,50 50,0 0)''::geometry', '''LINESTRING(0 0,10 10,10 0,0 10)''::geometry', '''LINESTRING(0 0,1e-12 0)''::geometry', '''LINESTRING(-1e300 0,1e300 0)''::geometry', '''LINESTRING(0 0,1e13 1e13)''::geometry',
       'ST_MakeLine(ST_MakePoint(''NaN'', 0), ST_MakePoint(5, 5))', 'ST_MakeLine(ST_MakePoint(0, 0), ST_MakePoint(''Infinity'', 5))', 'ST_SetSRID(ST_MakePoint(''NaN'', ''NaN''), 2154)', 'ST_MakePoint(0, 0, ''NaN'')',
       '(SELECT ST_MakeLine(ST_Point(i, i % 7) ORDER BY i) FROM generate_series(1, 2000) i)', '(SELECT ST_MakeLine(ST_Point(50 * cos(i), 50 * sin(i)) ORDER BY i) FROM generate_series(1, 200) i)',
@@ -60,9 +61,9 @@ BEGIN
     ELSE format('(%s)::%s', calls.word(), type) END;
 END $$;
 
--- What a user calls, and what one writes.
+-- What a user calls, and what one writes. A SELECT that only counts may inline a function and never compute it.
 CREATE VIEW calls.callable AS
-SELECT p.oid, proname AS name, CASE prokind WHEN 'p' THEN 'CALL' ELSE 'SELECT count(*) FROM' END AS verb, array_agg(format_type(t, NULL) ORDER BY n) AS arguments, p.pronargdefaults AS defaults
+SELECT p.oid, proname AS name, CASE prokind WHEN 'p' THEN 'CALL' ELSE 'SELECT' END AS verb, array_agg(format_type(t, NULL) ORDER BY n) AS arguments, p.pronargdefaults AS defaults
 FROM pg_proc p LEFT JOIN LATERAL unnest(proargtypes::oid[]) WITH ORDINALITY a(t, n) ON true WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' GROUP BY p.oid;
 CREATE VIEW calls.writable AS
 SELECT c.oid::regclass AS relation, array_agg(attname ORDER BY attnum) AS names, array_agg(format_type(atttypid, NULL) ORDER BY attnum) AS types FROM pg_class c JOIN pg_attribute a ON attrelid = c.oid

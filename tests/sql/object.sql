@@ -108,6 +108,8 @@ SELECT 'an orientation of NaN', pg_temp.said($$UPDATE town.street_object_editing
 SELECT 'no place at all', pg_temp.said($$INSERT INTO town.street_object (type) VALUES ('lamp')$$) = '22023 the new object has no place';
 SELECT 'a coordinate that is none', pg_temp.said($$INSERT INTO town.street_object_editing (type, geom) VALUES ('lamp', '01010000206A080000000000000000F87F000000000000F03F')$$) LIKE '22023 the new object has a coordinate that is no place';
 SELECT 'an unknown type', pg_temp.said($$INSERT INTO town.street_object_editing (type, geom) VALUES ('rocket', pg_temp.line('POINT(30 5)'))$$) = '22023 there is no object type "rocket"';
+SELECT 'no type', pg_temp.said($$INSERT INTO town.street_object_editing (geom) VALUES (pg_temp.line('POINT(30 5)'))$$) = '22023 the new object has no type';
+SELECT 'a type that is taken away', pg_temp.said('UPDATE town.street_object SET type = NULL WHERE street_object_id = 2') = '22023 object 2 has no type';
 SELECT 'another side', pg_temp.said($$UPDATE town.street_object SET placement = 'border', side = 'middle' WHERE street_object_id = 2$$) = '22023 the side of object 2 cannot be "middle"';
 SELECT 'an axis that is not there', pg_temp.said($$INSERT INTO town.street_object (type, axis_id, abscissa) VALUES ('lamp', 99, 5)$$) = '22023 the axis of the new object is gone';
 SELECT 'a type below itself', pg_temp.said($$UPDATE town.object_type SET parent = 'lamp' WHERE type = 'pole'$$) = '22023 object type "pole" cannot stand below "lamp"';

@@ -40,6 +40,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_given(text[]) IS
     'Raises 22004 for the first argument that is NULL; arguments as pairs of name and value.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_type(what text, geom geometry, expected text[], way_out text) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF GeometryType(ST_Force2D(geom)) <> ALL (expected) THEN
+        RAISE EXCEPTION '% is a %, expected a %', what, GeometryType(geom), array_to_string(expected, ' or ')
+            USING ERRCODE = '22023', HINT = way_out;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_type(text, geometry, text[], text) IS
+    'Raises 22023 for a geometry of another type than those expected, whatever its dimensions.';
+
 CREATE OR REPLACE FUNCTION streetgen._require_reader(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$

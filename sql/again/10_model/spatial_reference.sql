@@ -220,6 +220,18 @@ COMMENT ON FUNCTION streetgen._warn_misplaced(text) IS
     'A warning where some lines, given as a query of label and geom, are misplaced, about the first: for who types '
     'them.';
 
+CREATE OR REPLACE FUNCTION streetgen._transformed(what text, geom geometry, srid integer) RETURNS geometry
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN ST_Transform(geom, srid);
+EXCEPTION WHEN internal_error THEN
+    RAISE EXCEPTION '% cannot be transformed from SRID % to %', what, ST_SRID(geom), srid USING ERRCODE = '22023',
+        DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID.';
+END $$;
+COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS
+    'A geometry in another reference; 22023 saying what it is where the projection is not defined.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_extent(model name, extent geometry) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$

@@ -100,13 +100,15 @@ COMMENT ON FUNCTION streetgen.alignment_line(streetgen.alignment_element[], floa
 CREATE OR REPLACE FUNCTION streetgen.clothoid(start geometry, heading float8, length float8, curvature_start float8,
     curvature_end float8, tolerance float8 DEFAULT 0.01) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 100 SET search_path = pg_catalog, public
-    AS $$ SELECT streetgen._alignment_line(ARRAY[0, ST_X(start), ST_Y(start), heading, length, curvature_start,
+    AS $$
+    SELECT streetgen._check_type('start', start, '{POINT}', 'A clothoid begins at one point.');
+    SELECT streetgen._alignment_line(ARRAY[0, ST_X(start), ST_Y(start), heading, length, curvature_start,
         curvature_end], NULL, ST_SRID(start), 0, length, tolerance)::geometry $$;
 COMMENT ON FUNCTION streetgen.clothoid(geometry, float8, float8, float8, float8, float8) IS
     'A clothoid as a LINESTRING whose chords leave it by at most the tolerance, metres. start: POINT; heading: '
     'radians counter-clockwise from the x axis; length: metres; curvatures at both ends: 1/m, positive on left bends, '
-    'linear in between. Equal curvatures give an arc, or a straight line. Values that are not finite: 22023. NULL for '
-    'NULL.';
+    'linear in between. Equal curvatures give an arc, or a straight line. Another geometry, values that are not '
+    'finite: 22023. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._least_radius(speed float8, superelevation float8, friction float8) RETURNS float8
     LANGUAGE c IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_least_radius';

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen.path_cost(model name, line geometry, network text)
     RETURNS TABLE(term text, cost float8)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 8 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 8 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     along geometry;
@@ -12,18 +12,15 @@ DECLARE
     ends float8[];
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_design(model);
-    along := ST_RemoveRepeatedPoints(streetgen._in_model(model, line, 'the line'), 0.001);
-    IF GeometryType(along) <> 'LINESTRING' THEN
-        RAISE EXCEPTION 'the line is a %, expected a LINESTRING', GeometryType(along) USING ERRCODE = '22023',
-            HINT = 'ST_LineMerge makes one line of parts that meet.';
-    END IF;
+    along := ST_RemoveRepeatedPoints(streetgen._in_model(model, line, 'the line', '{LINESTRING}',
+        'ST_LineMerge makes one line of parts that meet.'), 0.001);
     site := streetgen._road_site(model, ST_Expand(along, 500), streetgen._road_rules(model, network));
     elements := ARRAY(SELECT v FROM streetgen._horizontal_alignment(ST_Force2D(along)::bytea,
         array_fill(0::float8, ARRAY[ST_NPoints(along)]), array_fill(0::float8, ARRAY[ST_NPoints(along)]),
         array_fill(0::float8, ARRAY[ST_NPoints(along)])) e,
         unnest(ARRAY[e.abscissa, e.x, e.y, e.heading, e.length, e.curvature_start, e.curvature_end])
             WITH ORDINALITY u(v, k) ORDER BY e.abscissa, k);
-    IF ST_NDims(along) = 3 THEN
+    IF ST_Zmflag(along) >= 2 THEN
         grades := ARRAY(SELECT v FROM (SELECT nth, z, coalesce(sum(run) OVER (ORDER BY nth), 0) AS s
             FROM (SELECT p.path[1] AS nth, ST_Z(p.geom) AS z,
                 ST_Distance(p.geom, lag(p.geom) OVER (ORDER BY p.path[1])) AS run FROM ST_DumpPoints(along) p) r) q,

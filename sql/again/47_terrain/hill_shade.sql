@@ -27,7 +27,7 @@ COMMENT ON FUNCTION streetgen._shaded_cells(name, geometry, float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen.hill_shade(model name, extent geometry DEFAULT NULL, columns integer DEFAULT 300)
     RETURNS TABLE(hill_shade_id bigint, grey integer, geom geometry)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10000 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     shown geometry := extent;

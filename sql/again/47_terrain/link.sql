@@ -29,7 +29,12 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('area', area::text, 'count', count::text, 'seed',
         seed::text, 'options', options::text), streetgen._require_design(model);
-    ground := streetgen._in_model(model, area, 'the area');
+    ground := streetgen._in_model(model, area, 'the area', '{POLYGON,MULTIPOLYGON}',
+        'ST_CurveToLine makes chords of curves, ST_Multi one area of several.');
+    IF NOT ST_IsValid(ground) THEN
+        RAISE EXCEPTION 'the area is no sound polygon: %', ST_IsValidReason(ground) USING ERRCODE = '22023',
+            HINT = 'ST_MakeValid repairs it.';
+    END IF;
     SELECT key INTO wrong FROM jsonb_each(options) WHERE key NOT IN ('cities', 'towns', 'largest', 'exponent',
         'spacing', 'steepest') OR jsonb_typeof(value) <> 'number' LIMIT 1;
     IF wrong IS NOT NULL THEN
@@ -56,7 +61,8 @@ COMMENT ON FUNCTION streetgen.design_nodes(name, geometry, integer, bigint, json
     'falls with the rank: largest / rank^exponent. Towns keep off zones and ground steeper than steepest, and keep '
     'spacing times the distance of an even spread. options: cities and towns (how many; the rest are villages), '
     'largest (500000), exponent (1), spacing (0.6), steepest (0.15). Equal arguments give equal towns. Nodes by hand '
-    'stay. Another option, a count beyond 1 to 1000: 22023; no design: 55000; not the owner of the model: 42501.';
+    'stay. Another option or geometry, a count beyond 1 to 1000: 22023; no design: 55000; not the owner of the '
+    'model: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_design_nodes(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

@@ -39,7 +39,7 @@ COMMENT ON FUNCTION streetgen._design_drawing() IS
 
 CREATE OR REPLACE FUNCTION streetgen.design_svg(model name, stage text DEFAULT 'axes', extent geometry DEFAULT NULL,
     width integer DEFAULT 1000) RETURNS text
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     at_stage constant integer := (SELECT s.place FROM streetgen._design_stage() s WHERE s.stage = design_svg.stage);
@@ -64,6 +64,9 @@ BEGIN
     END IF;
     shown := streetgen._in_model(model, ST_Envelope(shown), 'the extent');
     pixel := (ST_XMax(shown) - ST_XMin(shown)) / width;
+    IF pixel = 0 THEN
+        RAISE EXCEPTION 'the extent has no width' USING ERRCODE = '22023', HINT = 'A POLYGON says what to draw.';
+    END IF;
     svg := format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width,
         ceil((ST_YMax(shown) - ST_YMin(shown)) / pixel)) || E'\n<rect width="100%" height="100%" fill="#fff"/>\n'
         || coalesce(streetgen._svg_hill_shade(model, shown, pixel), '');
@@ -92,11 +95,11 @@ END $$;
 COMMENT ON FUNCTION streetgen.design_svg(name, text, geometry, integer) IS
     'A picture of a design (SVG) after a stage: hill shade, zones (blue: to be bridged, green: free, brown: '
     'forbidden), nodes, links (dashed), straight alignments (black), alignments (blue), structures (red), axes '
-    '(orange). extent: what is shown, NULL: the terrain. width: pixels, 100 to 4000. An unknown stage, no terrain: '
-    '22023; NULL for stage or width: 22004; a model without a design: 55000.';
+    '(orange). extent: what is shown, NULL: the terrain. width: pixels, 100 to 4000. An unknown stage, no terrain, '
+    'an extent without width: 22023; NULL for stage or width: 22004; a model without a design: 55000.';
 
 CREATE OR REPLACE FUNCTION streetgen.profile_svg(model name, link bigint, width integer DEFAULT 1000) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     road geometry;

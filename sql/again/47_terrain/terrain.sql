@@ -73,31 +73,29 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._tiles_of(name, geometry) IS 'The tiles of heights whose boxes meet that of an area.';
 
-CREATE OR REPLACE FUNCTION streetgen._in_model(model name, geom geometry, what text) RETURNS geometry
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._in_model(model name, geom geometry, what text, expected text[] DEFAULT NULL,
+    way_out text DEFAULT NULL) RETURNS geometry
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     target_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
-    PERFORM streetgen._check_edit_geometry(what, geom);
+    PERFORM streetgen._check_edit_geometry(what, geom), streetgen._check_type(what, geom, expected, way_out);
     RETURN CASE WHEN ST_SRID(geom) IN (0, target_srid) THEN ST_SetSRID(geom, target_srid)
-        ELSE ST_Transform(geom, target_srid) END;
+        ELSE streetgen._transformed(what, geom, target_srid) END;
 END $$;
-COMMENT ON FUNCTION streetgen._in_model(name, geometry, text) IS
-    'A geometry in the SRID of a model. NULL, empty or not finite: 22023.';
+COMMENT ON FUNCTION streetgen._in_model(name, geometry, text, text[], text) IS
+    'A geometry in the SRID of a model. NULL, empty, not finite or, where types are expected, of another: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen.terrain_height(model name, place geometry) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     at geometry;
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_design(model);
-    at := streetgen._in_model(model, place, 'the place');
-    IF GeometryType(at) <> 'POINT' THEN
-        RAISE EXCEPTION 'the place is a %, expected a POINT', GeometryType(at) USING ERRCODE = '22023',
-            HINT = 'streetgen.terrain_profile reads heights along a line.';
-    END IF;
+    at := streetgen._in_model(model, place, 'the place', '{POINT}',
+        'streetgen.terrain_profile reads heights along a line.');
     RETURN nullif((streetgen._ground_heights(streetgen._tiles_of(model, at), ARRAY[ST_X(at)], ARRAY[ST_Y(at)]))[1],
         'NaN');
 END $$;
@@ -107,17 +105,15 @@ COMMENT ON FUNCTION streetgen.terrain_height(name, geometry) IS
 
 CREATE OR REPLACE FUNCTION streetgen.terrain_profile(model name, line geometry, step float8)
     RETURNS TABLE(abscissa float8, height float8, geom geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 100 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     along geometry;
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_design(model);
-    along := ST_Force2D(streetgen._in_model(model, line, 'the line'));
-    IF GeometryType(along) <> 'LINESTRING' THEN
-        RAISE EXCEPTION 'the line is a %, expected a LINESTRING', GeometryType(along) USING ERRCODE = '22023',
-            HINT = 'ST_LineMerge makes one line of parts that meet.';
-    ELSIF NOT (step > 0 AND ST_Length(along) / step < 1e6) THEN
+    along := ST_Force2D(streetgen._in_model(model, line, 'the line', '{LINESTRING}',
+        'ST_LineMerge makes one line of parts that meet.'));
+    IF NOT (step > 0 AND ST_Length(along) / step < 1e6) THEN
         RAISE EXCEPTION 'step is % m for a line of % m', step, ST_Length(along) USING ERRCODE = '22023',
             HINT = 'Expected a step above 0 that makes less than a million heights.';
     END IF;

@@ -1,5 +1,23 @@
 -- Zones from a user's own table.
 
+CREATE OR REPLACE FUNCTION streetgen._zone_ground(geom geometry, srid integer, width float8) RETURNS geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    flat constant geometry := ST_Force2D(ST_CurveToLine(geom));
+    ground geometry;
+BEGIN
+    ground := ST_Transform(flat, srid);
+    RETURN ST_Multi(ST_CollectionExtract(ST_MakeValid(CASE ST_Dimension(ground) WHEN 2 THEN ground
+        ELSE ST_Buffer(ground, width / 2, 'endcap=flat') END), 3));
+EXCEPTION WHEN internal_error THEN
+    RAISE EXCEPTION 'the % of a zone, of SRID %, makes no ground of SRID %', GeometryType(geom), ST_SRID(geom), srid
+        USING ERRCODE = '22023', DETAIL = SQLERRM,
+        HINT = 'Mend its coordinates or its SRID, or make a polygon of it.';
+END $$;
+COMMENT ON FUNCTION streetgen._zone_ground(geometry, integer, float8) IS
+    'What a zone covers, in another reference: a line or point width metres wide. 22023 where it makes no polygon.';
+
 CREATE OR REPLACE FUNCTION streetgen.import_zones(model name, source regclass, mapping jsonb) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -30,10 +48,9 @@ BEGIN
     class_of := CASE WHEN jsonb_typeof(mapping -> 'class') = 'string' THEN format('%I::text', mapping ->> 'class')
         ELSE quote_literal(mapping -> 'class' ->> 'value') END;
     width_of := coalesce((mapping ->> 'width')::float8, 5)::text;
-    EXECUTE format('CREATE TEMPORARY TABLE _zone ON COMMIT DROP AS SELECT %s AS class, ST_Multi(ST_CollectionExtract(
-        ST_MakeValid(CASE ST_Dimension(g) WHEN 2 THEN g ELSE ST_Buffer(g, %s / 2.0, ''endcap=flat'') END), 3)) AS geom
-        FROM (SELECT s.*, ST_Transform(ST_Force2D(ST_CurveToLine(%I)), %s) AS g FROM %s s) s
-        WHERE NOT ST_IsEmpty(g)', class_of, width_of, geom_of, target_srid, source);
+    EXECUTE format('CREATE TEMPORARY TABLE _zone ON COMMIT DROP AS SELECT %s AS class,
+        streetgen._zone_ground(%I, %s, %L) AS geom FROM %s WHERE NOT ST_IsEmpty(%2$I)', class_of, geom_of, target_srid,
+        width_of, source);
     EXECUTE format('SELECT count(*) > 0 AS any, min(z.class) AS class FROM pg_temp._zone z WHERE NOT EXISTS (
         SELECT FROM %I.zone_class c WHERE c.class = z.class)', model) INTO wrong;
     IF wrong.any THEN
@@ -50,5 +67,6 @@ END $$;
 COMMENT ON FUNCTION streetgen.import_zones(name, regclass, jsonb) IS
     'Adds the rows of a table to the zones of a model; returns how many. mapping: class -> column (a string) or '
     '{"value": class}; geom -> column; width: breadth of zones that are lines, metres (5). A class that stands in no '
-    'row of zone_class, another mapping: 22023; a column that is not there: 42703; a model without a design: 55000; '
+    'row of zone_class, another mapping, a geometry that '
+    'makes no ground: 22023; a column that is not there: 42703; a model without a design: 55000; '
     'not its owner: 42501.';

@@ -232,7 +232,8 @@ BEGIN
         NEW.rule_place := NULL;
     END IF;
     IF NOT known THEN
-        RAISE EXCEPTION 'there is no object type "%"', NEW.type USING ERRCODE = '22023',
+        RAISE EXCEPTION USING ERRCODE = '22023', MESSAGE = CASE WHEN NEW.type IS NULL THEN subject || ' has no type'
+            ELSE format('there is no object type "%s"', NEW.type) END,
             HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA);
     ELSIF NEW.side NOT IN ('left', 'right') THEN
         RAISE EXCEPTION 'the side of % cannot be "%"', subject, NEW.side USING ERRCODE = '22023',

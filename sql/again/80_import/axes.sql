@@ -132,7 +132,7 @@ BEGIN
                 # CASE WHEN coalesce(i.change_forward, i.change_backward) IS NULL THEN 0
                     ELSE hash_record_extended(ROW(i.change_forward, i.change_backward), 3) END) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
-            ELSE streetgen._transformed(i.label, i.geom, target_srid) END) d;
+            ELSE streetgen._transformed('source row ' || i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref
         ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;

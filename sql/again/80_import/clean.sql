@@ -68,19 +68,6 @@ COMMENT ON FUNCTION streetgen._mend_heights() IS
     'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours '
     'along the line, or 0; reports the lines.';
 
-CREATE OR REPLACE FUNCTION streetgen._transformed(label text, geom geometry, srid integer) RETURNS geometry
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    RETURN ST_Transform(geom, srid);
-EXCEPTION WHEN internal_error THEN
-    RAISE EXCEPTION 'source row % cannot be transformed from SRID % to %', label, ST_SRID(geom), srid
-        USING ERRCODE = '22023',
-        DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID in the source.';
-END $$;
-COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS
-    'The geometry of a source row in another reference; 22023 naming the row where the projection is not defined.';
-
 CREATE OR REPLACE FUNCTION streetgen._doubled(axes bytea[], levels integer[], near float8) RETURNS float8[]
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_doubled';
 COMMENT ON FUNCTION streetgen._doubled(bytea[], integer[], float8) IS

@@ -48,8 +48,8 @@ BEGIN
         FROM pg_temp._import_control_point c WHERE c.geom IS NULL OR ST_IsEmpty(c.geom) GROUP BY c.kind;
     DELETE FROM pg_temp._import_control_point c WHERE c.geom IS NULL OR ST_IsEmpty(c.geom);
     ALTER TABLE pg_temp._import_control_point ALTER COLUMN geom TYPE geometry, ADD axis_id bigint;
-    UPDATE pg_temp._import_control_point c SET geom = ST_Transform(ST_Force2D(c.geom), m.srid)
-        FROM streetgen.model m WHERE m.name = model;
+    UPDATE pg_temp._import_control_point c SET geom = streetgen._transformed(
+        'control point ' || c.label, ST_Force2D(c.geom), m.srid) FROM streetgen.model m WHERE m.name = model;
     UPDATE pg_temp._import_control_point c SET axis_id = streetgen._axis_beside(model, c.geom);
     RETURN QUERY SELECT 'control point off all axes, ' || CASE WHEN only_on_axes THEN 'left out' ELSE 'kept' END,
         c.kind, count(*), array_agg(c.label ORDER BY c.label) FROM pg_temp._import_control_point c

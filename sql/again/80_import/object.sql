@@ -59,7 +59,8 @@ BEGIN
         FROM pg_temp._import_object o WHERE o.geom IS NULL OR ST_IsEmpty(o.geom) GROUP BY o.type;
     DELETE FROM pg_temp._import_object o WHERE o.geom IS NULL OR ST_IsEmpty(o.geom);
     ALTER TABLE pg_temp._import_object ALTER COLUMN geom TYPE geometry, ADD axis_id bigint, ADD source_hash bigint;
-    UPDATE pg_temp._import_object o SET geom = ST_Transform(ST_Force2D(o.geom), m.srid),
+    UPDATE pg_temp._import_object o SET geom = streetgen._transformed(
+        'object ' || o.label, ST_Force2D(o.geom), m.srid),
         source_hash = hash_record_extended(ROW(o.type, o.geom::bytea, o.orientation, o.name), 0)
         FROM streetgen.model m WHERE m.name = model;
     -- The nearest axis; one of its own name counts as half as far, and one of a name nearly alike as that much nearer.
