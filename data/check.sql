@@ -1,4 +1,4 @@
--- What is wrong with a model, for data/streetgen check: by rule, with the ids and the place of the worst. Variables: model, and the file for the number of errors.
+-- data/streetgen check shows what is wrong with a model: by rule, with the ids and the place of the worst. Variables: model, and the file for the number of errors.
 CREATE TEMPORARY TABLE finding AS
 SELECT *, row_number() OVER (PARTITION BY severity, rule, relation ORDER BY measure DESC NULLS LAST, id) AS turn FROM streetgen.check_model(:'model');
 SELECT severity, rule, relation, count(*), trim_scale(round(max(measure)::numeric, 2)) AS max,

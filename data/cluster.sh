@@ -29,7 +29,7 @@ install_packages() {
 
 install_qgis() { install_missing python3-qgis qgis-providers; }
 
-# What the tests of the core and of SQL need.
+# The tests of the core and of SQL need these.
 install_for_tests() { install_packages && install_missing libgtest-dev; }
 
 # The programs that judge what the suites write.
@@ -200,7 +200,7 @@ remove_all() {
 
 stop_cluster() { if running; then as_server "$(pg_bin)/pg_ctl" -D "$home/data" -m fast -w stop >/dev/null; fi; }
 
-# Of the SQL as built now: a database made by other SQL does not fit the module.
+# A number of the SQL as built now: a database made by other SQL does not fit the module.
 built_sql() { cat "$stage$(pg_config --sharedir)"/extension/streetgen--*.sql | cksum | cut -d' ' -f1; }
 
 # empty_database NAME [TEMPLATE]

@@ -1,6 +1,6 @@
 # Sourced by data/streetgen: layers of a model as files for a GIS, by ogr2ogr, its mesh, and networks for simulators.
 
-# What --plain, --options and --tolerance say.
+# Options --plain, --options and --tolerance set these.
 keep_plain= export_options='{}' sumo_tolerance=1
 
 # The layer that a file is named after: roads of roads.shp and of town_roads.shp.

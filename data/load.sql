@@ -1,4 +1,4 @@
--- What data/streetgen load does with the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, file, warning.
+-- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, file, warning.
 -- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
 BEGIN;
 SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null

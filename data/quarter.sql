@@ -81,7 +81,7 @@ WITH drawn(name, wkt, width, width_end, lane_count, importance, level, kind, dir
     ('taxiway, stand', 'LINESTRING(800 218.94736842, 806 160)', NULL, NULL, NULL, NULL, 0, 'taxiway', 'both'))
 INSERT INTO quarter.axis (name, geom, width, width_end, lane_count, importance, level, kind, direction, source, source_ref)
 SELECT name, ST_Translate(ST_GeomFromText(wkt, 2154), 650000, 6860000), width, width_end, lane_count, importance, level, kind, direction, 'quarter', name FROM drawn;
--- What is known of single lanes: three and one, a bus and a cycle lane with turns, parking, a cycle lane against the traffic.
+-- Single lanes: three and one, a bus and a cycle lane with turns, parking, a cycle lane against the traffic.
 UPDATE quarter.axis SET lanes_forward = 3, lanes_backward = 1 WHERE name = 'avenue middle';
 UPDATE quarter.axis SET lane_count = 5, kind_forward = 'general|general|bus|cycle', turn_forward = 'left|through|through;right', kind_backward = 'general|general' WHERE name = 'avenue west';
 UPDATE quarter.axis SET kind_forward = 'general|parking', kind_backward = 'general' WHERE name = 'cross street one, north';

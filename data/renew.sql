@@ -21,7 +21,7 @@ BEGIN
                 'corner_on_kerb', 'road_arc', 'movement', 'ramp_path', 'right_of_way', 'rim_marking', 'junction_link', 'signal_crossing', 'junction_crossing', 'roundabout_block', 'sidewalk_block', 'block_interior', 'axis_editing']) AS v
             UNION SELECT c.relname FROM pg_class c JOIN pg_trigger t ON t.tgrelid = c.oid JOIN pg_proc f ON f.oid = t.tgfoid
                 WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w);
-        -- Of the model's own functions, those that go with the extension, and the triggers that call them or it.
+        -- The model's own functions that go with the extension, and the triggers that call them or it.
         FOR part IN
             WITH called AS (SELECT d.objid AS oid, d.deptype FROM pg_depend d JOIN pg_extension e ON e.oid = d.refobjid
                             WHERE d.classid = 'pg_proc'::regclass AND d.refclassid = 'pg_extension'::regclass AND e.extname = 'streetgen' AND d.deptype IN ('e', 'x'))

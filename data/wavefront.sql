@@ -1,4 +1,4 @@
--- What data/streetgen export writes into an .obj file: the mesh of a model. Variable: model.
+-- data/streetgen export writes the mesh of a model into an .obj file. Variable: model.
 CREATE TEMPORARY TABLE corner AS
 SELECT CASE WHEN edge_id IS NULL THEN 'intersection_' || node_id ELSE 'section_' || edge_id END AS object, t.path[1] AS triangle, k,
     ST_X(p) AS x, ST_Y(p) AS y, ST_Z(p) AS z

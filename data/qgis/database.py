@@ -27,7 +27,7 @@ class Database:
         try:
             return self.connection.executeSql(sql)
         except QgsException as failed:
-            # Of the statement and the server's answer, message and hint.
+            # Message and hint, of the statement and the server's answer.
             answer = re.search(r'ERROR:\s*(.*?)\s*(CONTEXT:|LINE \d+:|\]$)', str(failed), re.DOTALL)
             raise Refused(answer[1] if answer else str(failed)) from failed
 

@@ -16,7 +16,7 @@ class Layer:
     writable: typing.Optional[tuple] = None
     shown: bool = False
     scale: int = 0  # drawn only when nearer than 1 : scale
-    # Of a layer that no relation holds: its rows, @ being the model, and the type of its geometry.
+    # A layer that no relation holds has these rows, @ being the model, and this type of geometry.
     query: typing.Optional[str] = None
     kind: typing.Optional[str] = None
 
@@ -25,7 +25,7 @@ class Layer:
         return f'{self.relation} {self.geometry}' if self.geometry in ('centre', 'border_line') else self.relation
 
 
-# What the layer roadway shows of each relation.
+# The layer roadway shows this of each relation.
 ROADWAY = {
     'section': "SELECT edge_id * 4 AS roadway_id, 'section' AS kind, edge_id AS id, level, method, surface FROM @.section",
     'intersection': "SELECT node_id * 4 + 1, 'intersection', node_id, level, method, surface FROM @.intersection",

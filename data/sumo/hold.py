@@ -11,7 +11,7 @@ import math
 import sys
 import xml.etree.ElementTree as tree
 
-# What moved by less is at its place; widths are written with two digits.
+# A line that moved by less is at its place; widths are written with two digits.
 PLACE, WIDTH = 0.1, 0.006
 
 
