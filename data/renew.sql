@@ -1,5 +1,6 @@
 -- The extension as built now in a database of another build, as one transaction: the models keep their rows and get the
 -- views of this build, and the tables that came with it.  Objects of others that depend on the extension or its views stop it.
+\set ON_ERROR_STOP on
 CREATE FUNCTION pg_temp.columns_of(model name) RETURNS SETOF text LANGUAGE sql AS $$
     SELECT format('%s.%s (%s)', c.relname, a.attname, format_type(a.atttypid, a.atttypmod))
     FROM pg_class c JOIN pg_attribute a ON a.attrelid = c.oid

@@ -1,9 +1,14 @@
 # The install script: all once-files, all again-files folder by folder, and the end.  An object
-# planted beforehand must make the install fail, so OR REPLACE is taken out.
+# planted beforehand must make the install fail, so OR REPLACE is taken out.  Its hash is the mark
+# of the build, which the script and the module (HEADER) both carry.
 set(script "\\echo Use \"CREATE EXTENSION streetgen CASCADE\" to load this file. \\quit\n")
 foreach(part IN LISTS ONCE AGAIN)
   file(READ ${part} text)
   string(REPLACE "CREATE OR REPLACE FUNCTION streetgen." "CREATE FUNCTION streetgen." text "${text}")
   string(APPEND script "\n${text}")
 endforeach()
+string(SHA256 mark "${script}")
+string(SUBSTRING ${mark} 0 16 mark)
+string(REPLACE "{build_mark}" ${mark} script "${script}")
 file(WRITE ${OUT} "${script}")
+file(WRITE ${HEADER} "#define STREETGEN_BUILD_MARK \"${mark}\"\n")

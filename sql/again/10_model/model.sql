@@ -9,6 +9,7 @@ CREATE OR REPLACE FUNCTION streetgen._require_model(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
+    PERFORM streetgen._require_one_build();
     IF model IS NULL THEN
         RAISE EXCEPTION 'the model is NULL' USING ERRCODE = '22004',
             HINT = 'SELECT name FROM streetgen.model lists them.';
@@ -24,7 +25,7 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_model(name) IS
-    'Raises 3F000 when the model does not exist, 22004 when it is NULL.';
+    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module and SQL differ.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -167,8 +168,8 @@ CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dime
 DECLARE
     wanted constant text[] := streetgen._with_needs(subjects);
 BEGIN
-    PERFORM streetgen._check_given('model', model, 'srid', srid::text, 'dimension', dimension::text,
-        'driving_side', driving_side);
+    PERFORM streetgen._require_one_build(), streetgen._check_given('model', model, 'srid', srid::text,
+        'dimension', dimension::text, 'driving_side', driving_side);
     IF model = '' THEN
         RAISE EXCEPTION 'the model needs a name' USING ERRCODE = '22023',
             HINT = 'It names the schema of the model''s tables.';
@@ -274,7 +275,7 @@ DECLARE
     missing text[];
     before oid[];
 BEGIN
-    PERFORM streetgen._check_given('schema', schema);
+    PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema);
     missing := ARRAY(SELECT name
         FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit',
         'section', 'corner', 'intersection', 'report']) name

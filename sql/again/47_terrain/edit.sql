@@ -102,6 +102,7 @@ DECLARE
     released constant boolean := is_now @> '{"by_hand": false}' AND was @> '{"by_hand": true}';
     at constant float8 := was ->> 'ordinality';
 BEGIN
+    PERFORM streetgen._require_one_build();
     EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
     IF relation <> 'design_vertex' THEN
         RETURN;

@@ -9,6 +9,7 @@ CREATE OR REPLACE FUNCTION %1$I.%3$I() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
+    PERFORM streetgen._require_one_build();
     IF TG_OP = 'DELETE' THEN
         DELETE FROM %1$I.street_object o USING before b WHERE o.street_object_id = b.street_object_id;
     ELSE

@@ -311,6 +311,7 @@ CREATE OR REPLACE FUNCTION %1$I.enter_rules() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
+    PERFORM streetgen._require_one_build();
     IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
         PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
     ELSIF TG_OP <> 'TRUNCATE' THEN

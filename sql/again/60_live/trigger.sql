@@ -127,6 +127,7 @@ CREATE OR REPLACE FUNCTION %1$I._begin_edit() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
+    PERFORM streetgen._require_one_build();
     -- A schema of another name, or a copy, that nobody adopted yet.
     IF TG_TABLE_SCHEMA <> %2$L THEN
         PERFORM streetgen._require_model(TG_TABLE_SCHEMA);

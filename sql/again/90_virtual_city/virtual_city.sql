@@ -103,7 +103,8 @@ CREATE OR REPLACE FUNCTION streetgen.create_virtual_city(model name, srid intege
 DECLARE
     drawn bigint;
 BEGIN
-    PERFORM streetgen._check_given('model', model), streetgen._check_city(srid, x, y, width, height, seed);
+    PERFORM streetgen._require_one_build(), streetgen._check_given('model', model);
+    PERFORM streetgen._check_city(srid, x, y, width, height, seed);
     PERFORM streetgen.create_model(model, srid);
     PERFORM streetgen._pause();
     EXECUTE format('INSERT INTO %I.axis (geom, width, lane_count, importance, name, direction, speed, source, '

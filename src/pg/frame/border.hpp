@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "frame/build_mark.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
@@ -25,6 +26,7 @@ extern "C" {
 
 // On PostgreSQL 15 PGDLLEXPORT is empty on Linux, and we build with hidden visibility.
 #define STREETGEN_FUNCTION(name)                                                   \
+  static Datum name##_of_one_build(PG_FUNCTION_ARGS);                              \
   extern "C" {                                                                     \
   __attribute__((visibility("default"))) const Pg_finfo_record* pg_finfo_##name(); \
   const Pg_finfo_record* pg_finfo_##name() {                                       \
@@ -32,8 +34,12 @@ extern "C" {
     return &record;                                                                \
   }                                                                                \
   __attribute__((visibility("default"))) Datum name(PG_FUNCTION_ARGS);             \
+  Datum name(PG_FUNCTION_ARGS) {                                                   \
+    streetgen::pg::require_one_build();                                            \
+    return name##_of_one_build(fcinfo);                                            \
   }                                                                                \
-  Datum name(PG_FUNCTION_ARGS)
+  }                                                                                \
+  static Datum name##_of_one_build(PG_FUNCTION_ARGS)
 
 namespace streetgen::pg {
 
