@@ -1,4 +1,4 @@
--- The tables of docs/development/quality.md for one model, a row per table and the failures: psql -v model=NAME -f tests/measure/quality.sql
+-- The tables of docs/figures/streets.md for one model, a row per table and the failures: psql -v model=NAME -f tests/measure/quality.sql
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '

@@ -31,7 +31,7 @@ Faults town_faults(const Made& made);
 Faults override_faults(const Made& made);
 
 // Ground of one owner each, edges covered.  Not reached yet in every such town:
-// docs/development/quality.md.
+// docs/figures/streets.md.
 Faults tiling_faults(const Made& made);
 
 // Lanes of random wishes and overrides on such towns: sound, numbered, filling the roadway, inside

@@ -1,4 +1,4 @@
--- The picture of docs/development/performance.md, as SVG: processor seconds by axes, and Paris 2014 beside what else could be done with it.
+-- The picture of docs/figures/cost.md, as SVG: processor seconds by axes, and Paris 2014 beside what else could be done with it.
 \ir taken.sql
 CREATE FUNCTION pg_temp.words(x float8, y float8, words text, anchor text DEFAULT 'start', colour text DEFAULT '#333') RETURNS text LANGUAGE sql AS $$
     SELECT format('<text x="%s" y="%s" text-anchor="%s" fill="%s">%s</text>', round(x::numeric, 1), round(y::numeric, 1), anchor, colour, words)

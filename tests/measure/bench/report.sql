@@ -1,4 +1,4 @@
--- The tables of docs/development/performance.md.
+-- The tables of docs/figures/cost.md.
 \ir taken.sql
 CREATE FUNCTION pg_temp.line(VARIADIC cells text[]) RETURNS text LANGUAGE sql AS $$ SELECT '| ' || array_to_string(cells, ' | ', '') || ' |' $$;
 CREATE FUNCTION pg_temp.header(VARIADIC cells text[]) RETURNS SETOF text LANGUAGE sql AS $$ SELECT '| ' || array_to_string(cells, ' | ') || ' |' UNION ALL SELECT '|' || repeat('---|', cardinality(cells)) $$;
