@@ -1,7 +1,7 @@
--- What tests/battery/calls runs: random calls of every public function, and random statements on what a user may write, each undone.
+-- Random calls of every public function, which tests/battery/calls runs, and random statements on what a user may write, each undone.
 CREATE SCHEMA calls;
 
--- What they find: a crossing, a street of three dimensions, a table of lines, a topology.
+-- The calls find a crossing, a street of three dimensions, a table of lines, a topology.
 SELECT streetgen.create_model('town', 2154), streetgen.create_model('hill', 2154, 3) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) SELECT i, ST_SetSRID(ST_Translate(line::geometry, 650000, 6860000), 2154), 5 + i
 FROM (VALUES (1, 'LINESTRING(0 0,50 0,100 0)'), (2, 'LINESTRING(100 0,200 0)'), (3, 'LINESTRING(100 0,100 90)'), (4, 'LINESTRING(100 0,100 -90)'), (5, 'LINESTRING(200 0,240 40)')) v(i, line);
@@ -61,7 +61,7 @@ BEGIN
     ELSE format('(%s)::%s', calls.word(), type) END;
 END $$;
 
--- What a user calls, and what one writes. A SELECT that only counts may inline a function and never compute it.
+-- The statements of a user: calls, and writes. A SELECT that only counts may inline a function and never compute it.
 CREATE VIEW calls.callable AS
 SELECT p.oid, proname AS name, CASE prokind WHEN 'p' THEN 'CALL' ELSE 'SELECT' END AS verb, array_agg(format_type(t, NULL) ORDER BY n) AS arguments, p.pronargdefaults AS defaults
 FROM pg_proc p LEFT JOIN LATERAL unnest(proargtypes::oid[]) WITH ORDINALITY a(t, n) ON true WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' GROUP BY p.oid;
@@ -90,7 +90,7 @@ BEGIN
     ELSE format('DELETE FROM %s%s', w.relation, calls.one_of('', format(' WHERE %I::text = ''1''', w.names[1]))) END;
 END $$;
 
--- What became of each: the SQLSTATE of its refusal, or none.
+-- The outcome of each: the SQLSTATE of its refusal, or none.
 CREATE TABLE calls.made (seed integer PRIMARY KEY, call text NOT NULL, state text, said text);
 CREATE FUNCTION calls.make(seed integer) RETURNS void LANGUAGE plpgsql VOLATILE AS $$
 DECLARE

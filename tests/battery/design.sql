@@ -7,7 +7,7 @@ SELECT test.make_design('edited'), test.make_design('anew') \g /dev/null
 SELECT * FROM streetgen.design('edited', links => '{1,2}') \g /dev/null
 SELECT * FROM streetgen.generate('edited') \g /dev/null
 
--- What an edit does, and whether it was refused; a refused one leaves everything as it was. Edits of nodes, zones and classes are followed at once.
+-- The effect of an edit, and whether it was refused; a refused one leaves everything as it was. Edits of nodes, zones and classes are followed at once.
 CREATE FUNCTION pg_temp.edit(turn integer) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
     what constant integer := abs(hashint4(turn)) % 10;

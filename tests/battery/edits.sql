@@ -1,4 +1,4 @@
--- What tests/battery/edits runs: random towns, edited statement by statement, against the same axes and overrides generated from scratch.
+-- Random towns, which tests/battery/edits runs, edited statement by statement, against the same axes and overrides generated from scratch.
 CREATE SCHEMA edits;
 
 -- A script: settings, the rows that the town begins with, the statements that edit it.

@@ -1,4 +1,4 @@
--- What tests/battery/objects runs: streets with objects, random edits of both, and where each object is to stand, in plain SQL.
+-- Streets with objects, which tests/battery/objects runs, random edits of both, and where each object is to stand, in plain SQL.
 SET client_min_messages = warning;
 CREATE EXTENSION IF NOT EXISTS streetgen CASCADE;
 SELECT streetgen.create_model('town', 2154, subjects => '{object}') \g /dev/null
@@ -14,7 +14,7 @@ INSERT INTO town.street_object_editing (type, geom) SELECT (ARRAY['lamp', 'tree'
 INSERT INTO town.street_object (type, placement, geom) SELECT 'kiosk', 'absolute', furnish.near(ST_SetSRID(ST_Point(650250, 6860250), 2154), 300) FROM generate_series(1, 20);
 CREATE TABLE furnish.stood AS SELECT street_object_id, geom FROM town.street_object WHERE placement = 'absolute';
 
--- How far an object is from where it is to stand.
+-- The distance of an object from where it is to stand.
 \ir ../sql/shared/astray.sql
 CREATE VIEW furnish.astray AS
   SELECT * FROM test.astray()

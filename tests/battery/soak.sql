@@ -1,4 +1,4 @@
--- What tests/battery/soak runs: a town of streets 80 m long, and one random edit of it.
+-- A town of streets 80 m long, and one random edit of it, which tests/battery/soak runs.
 SELECT streetgen.create_model('town', 2154, subjects => '{interconnection,object}'), streetgen.create_model('anew', 2154, subjects => '{interconnection,object}') \g /dev/null
 CREATE SCHEMA soak;
 
@@ -72,7 +72,7 @@ BEGIN
   END CASE;
 END $$;
 
--- How often a client has tried its transaction: a sequence counts on where the transaction is undone.
+-- The number of times that a client has tried its transaction: a sequence counts on where the transaction is undone.
 SELECT format('CREATE SEQUENCE soak.attempt_%s', client) FROM generate_series(0, :sessions - 1) client \gexec
 
 -- A transaction of several edits, and before each further attempt a random pause, longer each time: those that repeat at once

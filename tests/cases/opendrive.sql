@@ -1,4 +1,4 @@
--- What a file of OpenDRIVE of model :model shall hold: how many lanes and how many movements, parted by a space. An edge whose limits cross between two
+-- A file of OpenDRIVE of model :model shall hold so much: how many lanes and how many movements, parted by a space. An edge whose limits cross between two
 -- intersections is no road: a movement is a pair of lanes of which one is reached from the other by ways over such edges alone.
 WITH RECURSIVE inner_lane AS (
     SELECT l.lane_id FROM :"model".lane l JOIN :"model".section s USING (edge_id) JOIN :"model".edge e USING (edge_id)

@@ -1,4 +1,4 @@
--- What the axes of the model of variable model cost with variable subjects: prints axes, processor seconds of a first run, and processor milliseconds of an edit,
+-- The cost of the axes of the model of variable model with variable subjects: prints axes, processor seconds of a first run, and processor milliseconds of an edit,
 -- the mean of 80 axes widened by 0.3 m.
 \pset format unaligned
 \pset tuples_only on

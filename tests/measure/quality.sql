@@ -6,7 +6,7 @@ CREATE TEMPORARY TABLE surface AS SELECT 'section' AS kind, s.edge_id AS id, s.l
     UNION ALL SELECT 'intersection', node_id, level, surface, method, node_id, node_id FROM :"model".intersection WHERE NOT ST_IsEmpty(surface);
 CREATE INDEX ON surface USING gist (surface);
 ANALYZE surface;
--- What is left of ground or a line once surfaces are taken away, one by one: a union of them costs six times as much, and GEOS loses whole streets of one
+-- The rest of ground or a line once surfaces are taken away, one by one: a union of them costs six times as much, and GEOS loses whole streets of one
 -- whose surfaces touch in points. Noded at a grid, m, where one is given; where GEOS cannot do without, at a micrometre.
 CREATE FUNCTION pg_temp.remainder(geom geometry, taken geometry[], grid float8 DEFAULT -1) RETURNS geometry LANGUAGE plpgsql AS $$
 DECLARE
@@ -49,7 +49,7 @@ SELECT 'corners | ' || :'model', total, (SELECT string_agg(round(coalesce(100.0 
     (SELECT string_agg((SELECT count(*) FROM finding WHERE measure = 'no arc: ' || reason)::text, ' | ' ORDER BY i)
         FROM unnest(ARRAY['none wanted', 'no ground between', 'borders do not meet', 'under 1 mm fits', 'borders meet in one point']) WITH ORDINALITY AS r(reason, i)) || ' |'
 FROM (SELECT count(*) AS total FROM :"model".corner) k;
--- Where nothing was contested; 0.1 m as the importers' epsilon.
+-- Surfaces where nothing was contested; 0.1 m as the importers' epsilon.
 CREATE TEMPORARY TABLE whole AS SELECT edge_id, surface FROM :"model".section WHERE contested_area = 0 AND NOT ST_IsEmpty(surface);
 SELECT 'lanes | ' || :'model', count(*), round((sum(ST_Length(l.geom)) / 1000)::numeric, 1),
     (SELECT round((100 * sum(ST_Length(ST_Intersection(l.geom, ST_Buffer(w.surface, 0.1)))) / sum(ST_Length(l.geom)))::numeric, 3) FROM :"model".lane l JOIN whole w USING (edge_id)),

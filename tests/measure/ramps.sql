@@ -12,7 +12,7 @@ WHERE lanes_missing > 0 ORDER BY ST_X(r.geom);
 -- From the piece a b to the piece c d, degrees in (-180, 180].
 CREATE FUNCTION pg_temp.turned(a geometry, b geometry, c geometry, d geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
     SELECT degrees(atan2(sin(t), cos(t))) FROM (SELECT ST_Azimuth(c, d) - ST_Azimuth(a, b) AS t) s $$;
--- How far a path is from beginning as its lane ends: the chords of an arc that touches the lane begin with half a turn of theirs.
+-- The turn by which a path misses to begin as its lane ends: the chords of an arc that touches the lane begin with half a turn of theirs.
 CREATE FUNCTION pg_temp.jump(lane geometry, path geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
     SELECT least(abs(t), abs(t - coalesce(n, 0) / 2)) FROM (
         SELECT pg_temp.turned(ST_PointN(lane, -2), ST_PointN(lane, -1), ST_PointN(path, 1), ST_PointN(path, 2)) AS t,
@@ -23,7 +23,7 @@ SELECT p.interconnection_id, p.geom, u.speed,
 FROM ramp_path p JOIN interconnection c USING (interconnection_id) JOIN ramp r USING (ramp_id) JOIN edge e ON e.edge_id = r.edge_id JOIN axis_used u USING (axis_id)
     JOIN lane i ON i.lane_id = p.lane_in JOIN lane o ON o.lane_id = p.lane_out,
     LATERAL (SELECT CASE WHEN along_in THEN i.geom ELSE ST_Reverse(i.geom) END AS line_in, CASE WHEN along_out THEN o.geom ELSE ST_Reverse(o.geom) END AS line_out) l
--- Who turns back is on no ramp. Where limits crossed a lane has no roadway: there the path across the junction counts.
+-- Traffic that turns back is on no ramp. A lane whose limits crossed has no roadway: there the path across the junction counts.
 WHERE abs(c.angle) < 90 AND NOT EXISTS (SELECT FROM section s WHERE s.edge_id IN (i.edge_id, o.edge_id) AND s.method = 'crossed_limits');
 -- The least radius that a path has between its chords, against that of the link's speed by a friction of 0.35.
 CREATE TEMPORARY TABLE bend AS

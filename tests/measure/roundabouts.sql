@@ -1,4 +1,4 @@
--- How many roundabouts of a model are found, held against the tags of its source, which are hidden: psql -v model=M -f tests/measure/roundabouts.sql
+-- The roundabouts of a model that are found, held against the tags of its source, which are hidden: psql -v model=M -f tests/measure/roundabouts.sql
 -- The rings come from the axes and settings alone, so that no streets need be there. A hit agrees in centre within 5 m and in radius within 25 %.
 -- With -v guess=TABLE also the rings (geom) that another program guesses, as netconvert; with -v sheet=FILE a picture of each false hit and each miss.
 -- Prints recall and precision of both halves (by the id in the source, and by place) at setting roundabout_accept; with -v curve=FILE also the curves, as CSV.

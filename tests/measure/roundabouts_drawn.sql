@@ -1,4 +1,4 @@
--- How the accepted rings of a model are drawn: psql -v model=M -f tests/measure/roundabouts_drawn.sql, of a model with subjects interconnection and roundabout.
+-- The accepted rings of a model as they are drawn: psql -v model=M -f tests/measure/roundabouts_drawn.sql, of a model with subjects interconnection and roundabout.
 -- Each line counts the rings, corners or ways for which a truth holds, of all; then come those for which none does, to be looked at.
 \set ON_ERROR_STOP on
 \set QUIET on

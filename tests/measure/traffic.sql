@@ -1,4 +1,4 @@
--- How lanes are joined in the model of variable model, into temporary tables: what tests/measure/quality.sql counts.
+-- Joins of lanes in the model of variable model, into temporary tables: what tests/measure/quality.sql counts.
 
 -- Paths that traffic takes, with the least radius of the circles through successive quarter points.
 CREATE FUNCTION pg_temp.circumradius(a geometry, b geometry, c geometry) RETURNS float8 LANGUAGE sql IMMUTABLE AS $$
@@ -33,7 +33,7 @@ SELECT (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters
        (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.enters AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE (lane_in, along_in) = (lane_id, along) AND reason <> 'restriction')) AS sinks,
        (SELECT count(*) FROM joined_lane l JOIN degree d ON d.node_id = l.leaves AND d.degree > 1 WHERE NOT EXISTS (SELECT FROM :"model".interconnection WHERE (lane_out, along_out) = (lane_id, along) AND reason <> 'restriction')) AS sources;
 
--- What lanes that are marked with turns do where there is a choice: with the marks read, and without.
+-- Movements of lanes that are marked with turns, where there is a choice: with the marks read, and without.
 CREATE TEMPORARY TABLE choice AS
 SELECT c.lane_in, o.edge_id AS edge_out, bool_or(c.plausible) AS marked
 FROM :"model".interconnection c JOIN :"model".lane i ON i.lane_id = c.lane_in JOIN :"model".lane o ON o.lane_id = c.lane_out

@@ -1,4 +1,4 @@
--- How many roundabouts of a virtual city are found, whose rings are known: psql -v seed=1 -f tests/measure/virtual_roundabouts.sql
+-- The roundabouts of a virtual city that are found, whose rings are known: psql -v seed=1 -f tests/measure/virtual_roundabouts.sql
 -- Names are hidden, and each vertex lies up to half a metre off. Makes model city and removes it; prints as roundabouts.sql does.
 \set ON_ERROR_STOP on
 \set QUIET on

@@ -40,7 +40,7 @@ DECLARE
     inserted bigint;
 BEGIN
     rows := 0;
-    -- Where wal_level is minimal, rows in files that the same transaction began are not logged; generate does the same.
+    -- Rows in files that the same transaction began are not logged where wal_level is minimal; generate does the same.
     EXECUTE (SELECT 'TRUNCATE ' || string_agg(format('floor.%I', d), ', ') FROM bench.derived('timed') d);
     FOR relation IN SELECT bench.derived('timed') LOOP
         EXECUTE format('INSERT INTO floor.%1$I SELECT * FROM copy.%1$I', relation);

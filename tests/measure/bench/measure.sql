@@ -6,7 +6,7 @@ WHERE pid = pg_backend_pid() OR backend_type IN ('checkpointer', 'background wri
 \setenv PID :pid
 \setenv FILES :files
 \! echo 0 >"$WORK/peak"; "$BENCH/watch" "$PID" "$WORK/peak" 2>/dev/null >/dev/null &
--- What is short may end before a busy machine looks for the first time.
+-- A short part may end before a busy machine looks for the first time.
 \! for i in $(seq 500); do [ "$(cat "$WORK/peak")" = 0 ] || break; sleep 0.01; done
 \set ticks_before `cat /proc/$PID/stat $FILES | awk '{ t = $14 + $15; if (NR == 1) own = t; else all += t } END { print own, all }'`
 SELECT clock_timestamp() AS began \gset

@@ -1,4 +1,4 @@
--- What the papers' experiments compute: axes of model `timed`, about the 6th arrondissement where they lie in Paris, else about their middle. Made before it is.
+-- The papers' experiments: axes of model `timed`, about the 6th arrondissement where they lie in Paris, else about their middle. Made before it is.
 SET check_function_bodies = off;
 CREATE FUNCTION bench.middle() RETURNS geometry LANGUAGE sql STABLE AS $$
     SELECT CASE WHEN count(*) FILTER (WHERE ST_DWithin(geom, sixth, 500)) > 0 THEN sixth ELSE ST_SetSRID(ST_Centroid(ST_Extent(geom)::geometry(Polygon)), ST_SRID(sixth)) END

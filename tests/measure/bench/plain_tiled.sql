@@ -1,4 +1,4 @@
--- What overlaps on one level goes to intersections before sections, then to the smaller key: each point has one owner, as in model `timed`.
+-- Ground that overlaps on one level goes to intersections before sections, then to the smaller key: each point has one owner, as in model `timed`.
 DROP TABLE IF EXISTS plain.surface, plain.tile;
 CREATE TABLE plain.surface AS
 SELECT row_number() OVER (ORDER BY turn, key) AS surface_id, turn, key, level, surface

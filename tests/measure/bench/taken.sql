@@ -1,4 +1,4 @@
--- What was measured, from the file :measured: medians, and the axes of each input.
+-- The measures, from the file :measured: medians, and the axes of each input.
 CREATE TEMPORARY TABLE taken (input text, part text, phase text, turn integer, cpu float8, server float8, wall float8, rows bigint, peak bigint, bytes bigint);
 \set load '\\copy taken FROM ' :'measured'
 :load

@@ -1,4 +1,4 @@
--- What objects cost, in processor time of one session: psql -v objects=NUMBER in an empty database. A city of 25 x 16 km in a grid, each road with its share of trees beside it.
+-- The cost of objects, in processor time of one session: psql -v objects=NUMBER in an empty database. A city of 25 x 16 km in a grid, each road with its share of trees beside it.
 \set VERBOSITY terse
 SET client_min_messages = error;
 CREATE EXTENSION IF NOT EXISTS streetgen CASCADE;
