@@ -20,8 +20,8 @@
 
 namespace streetgen {
 
-// What radii may be. The radii of the bends are the greatest in this sense: no bend can have a
-// greater one unless another one that is not greater than it gets a smaller one.
+// The bounds of the radii. The radii of the bends are the greatest in this sense: no bend can have
+// a greater one unless another one that is not greater than it gets a smaller one.
 struct ArcRoadFit {
   double cap = 4000;            // greatest radius, metres
   std::optional<double> shift;  // how far the road may leave a point of the polyline, metres
@@ -67,10 +67,11 @@ class ArcRoad {
   double length() const;
   // Whether all of it lies at one height.
   bool flat() const;
-  // Of a road that was fitted, a row for each bend.
+  // A row for each bend of a road that was fitted.
   const std::vector<RoadArc>& arcs() const;
   CurvedLine curve() const;
-  // Where the pieces begin, and their signed radii: positive on left bends, 0 of straight pieces.
+  // The pieces from where they begin, and their signed radii: positive on left bends, 0 of straight
+  // pieces.
   struct Stretch {
     double start_abscissa = 0, end_abscissa = 0, radius = 0;
   };
@@ -92,7 +93,7 @@ class ArcRoad {
 
   // Clamped to the road.
   RoadPlace at(double abscissa) const;
-  // Of a road that is flat, heights do not count.
+  // Heights do not count of a road that is flat.
   RoadFoot locate(const Point& point) const;
 
   // The road at an offset; none where nothing is left. Exact where the road is flat: straight

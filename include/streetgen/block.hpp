@@ -41,9 +41,9 @@ struct BlocksInput {
   std::vector<Kerb> kerbs;
   BlockSettings settings;
   std::vector<BlockOverride> overrides;  // of two for one block the later holds
-  // Where not all edges of the level are given: sides of the given ones, or parts of these, beside
-  // faces that stay as they are.  Such faces do not come out, and all edges about the others have
-  // to be given.
+  // Not all edges of the level may be given: then sides of the given ones, or parts of these,
+  // beside faces that stay as they are.  Such faces do not come out, and all edges about the others
+  // have to be given.
   std::vector<EdgeSide> kept;
 };
 

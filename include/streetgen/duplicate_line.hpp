@@ -7,7 +7,7 @@
 
 namespace streetgen {
 
-// Of each line the metres that lie on one other line of its level, of that one where they are most:
+// The metres of each line that lie on one other line of its level, on that where they are most:
 // beside its segments, no farther than `near` from them and turned from them by less than ten
 // degrees, in either direction.  Lines that meet at an angle share no more than their node.
 std::vector<double> doubled(const std::vector<Line>& lines, const std::vector<int>& levels,

@@ -12,7 +12,7 @@
 
 namespace streetgen {
 
-// Which part of the border of a section or an intersection; directions are those of the edge.
+// A part of the border of a section or an intersection; directions are those of the edge.
 enum class KerbSide {
   left,             // of a section
   right,            // of a section: its kerbs run against the edge

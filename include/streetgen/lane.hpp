@@ -27,7 +27,8 @@ enum class LaneKind { general, bus, cycle, parking, merging };
 inline bool drives(LaneKind kind) { return kind == LaneKind::general || kind == LaneKind::bus; }
 enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
 
-// How lanes are numbered: from the middle outwards, 1 the centre lane where there is one.
+// The order in which lanes are numbered: from the middle outwards, 1 the centre lane where there is
+// one.
 enum class LaneOrder {
   left_first,   // the published data
   right_first,  // the paper
@@ -41,7 +42,7 @@ constexpr unsigned reverse = 1, sharp_left = 2, left = 4, slight_left = 8, throu
                    merge_right = 512;
 }  // namespace turn
 
-// What is known of one lane before it has a place.
+// One lane as it is known before it has a place.
 struct LaneWish {
   LaneKind kind = LaneKind::general;
   bool along_axis = true;

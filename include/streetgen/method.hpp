@@ -1,9 +1,9 @@
-// How the rows of a model came about.
+// The ways in which the rows of a model came about.
 #pragma once
 
 namespace streetgen {
 
-// How a row came about; the words are those of the `method` columns.
+// The way in which a row came about; the words are those of the `method` columns.
 enum class Method {
   hypothesis,       // as wanted
   radius_reduced,   // the wanted radius does not fit the axes: the largest that does

@@ -18,7 +18,7 @@
 
 namespace streetgen {
 
-// What happens where two axes of one level cross without a vertex.
+// Two axes of one level that cross without a vertex do so.
 enum class Crossing {
   over,   // no node; reported
   split,  // a node where they cross; reported
@@ -53,7 +53,7 @@ struct Edge {
   CurvedLine curve{};  // the arc road of which the line is chords; empty where there is none
 };
 
-// Where an edge touches a node.
+// The end of an edge that touches a node.
 struct EdgeEnd {
   int edge = 0;
   bool at_start = true;

@@ -10,7 +10,7 @@
 
 namespace streetgen {
 
-// Where a chain is, and where it goes there.
+// A place of a chain, and its direction there.
 struct ChainPlace {
   Point point;
   double heading = 0;  // radians, counter-clockwise from east
@@ -55,7 +55,7 @@ double length(const std::vector<PlanPiece>& chain);
 // At s metres along it, clamped.  A chain without a piece: degenerate.
 ChainPlace place_at(const std::vector<PlanPiece>& chain, double s);
 
-// Where a point lies beside a chain.
+// The place of a point beside a chain.
 struct ChainStation {
   double s = 0;        // metres along the chain to its place that is nearest
   double aside = 0;    // metres to the left of the chain there
@@ -63,7 +63,7 @@ struct ChainStation {
   double beyond = 0;   // metres straight on behind its end, negative before it begins; else 0
 };
 
-// Of two places that are as near, the first one.  A chain without a piece: degenerate.
+// The first one counts of two places that are as near.  A chain without a piece: degenerate.
 ChainStation station_of(const std::vector<PlanPiece>& chain, const Point& point);
 
 }  // namespace streetgen

@@ -38,8 +38,8 @@ enum class RampPart {
 // The lanes of one direction, general and bus lanes together.
 struct RampLanes {
   int count = 0;
-  // How many of these lanes are marked both to go on and to turn to that side.  Sides are those of
-  // the traffic.
+  // The number of these lanes that are marked both to go on and to turn to that side.  Sides are
+  // those of the traffic.
   int parting_left = 0, parting_right = 0;
 };
 

@@ -26,7 +26,8 @@ struct RoadMember {
   double start_abscissa = 0;  // metres along the road, where the edge begins
 };
 
-// It runs along the first of its edges in the order of the network, and a closed one starts there.
+// A road runs along the first of its edges in the order of the network, and a closed one starts
+// there.
 struct Road {
   int from_node = 0, to_node = 0;
   bool closed = false;  // a ring of nodes of degree two

@@ -14,7 +14,7 @@ struct LaneGround {
   double width = 0;
 };
 
-// How a lane begins or ends.
+// The place where a lane begins or ends.
 struct LaneLimit {
   ChainPlace middle;  // in the direction of the road
   double width = 0;   // metres

@@ -1,4 +1,4 @@
-// Which towns are linked: networks of highways, secondary and rural roads, each on top of the one
+// The links between towns: networks of highways, secondary and rural roads, each on top of the one
 // before. Campos, Leitao and Coelho, "Integrated Modeling of Road Environments for Driving
 // Simulation" (2015), section 3.1; equation 2 with the sign that makes a short cut worth building.
 #pragma once
@@ -51,7 +51,7 @@ struct NetworkWish {
 // Refused (invalid_input): two towns at one place, more than 1,000 towns.
 std::vector<TownLink> link_towns(const std::vector<Town>& towns, const NetworkWish& wish);
 
-// Where links of one network cross away from their ends: the place, and both links.
+// Links of one network that cross away from their ends: the place, and both links.
 struct LinkCrossing {
   Point point;
   std::size_t first = 0, second = 0;

@@ -1,4 +1,4 @@
-// What a base speed asks of a road: radii, lengths and grades by the laws of road design.
+// The demands of a base speed on a road: radii, lengths and grades by the laws of road design.
 #pragma once
 
 namespace streetgen {

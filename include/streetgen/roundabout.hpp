@@ -26,7 +26,7 @@ struct RingAxis {
 struct RingSettings {
   double tolerance = 0.5;  // metres, of the network
   Crossing crossing = Crossing::over;
-  // Of the circle fitted to a ring, metres; the smallest circle about it is no greater than the
+  // The circle fitted to a ring, metres; the smallest circle about it is no greater than the
   // second.
   double radius_least = 3, radius_greatest = 60;
   double shape_least = 0.5;       // a ring of less compactness is none
@@ -37,7 +37,7 @@ struct RingSettings {
 struct RingEdge {
   std::int64_t axis_id = 0;
   double start_abscissa = 0, end_abscissa = 0;  // metres along the axis
-  // Of the ring: whether traffic that goes round drives along the axis.  Of an arm: whether traffic
+  // The ring: whether traffic that goes round drives along the axis.  An arm: whether traffic
   // that comes to the ring does.
   bool along_axis = true;
   int face = 1;  // of the ring, whose face of that number it bounds

@@ -35,7 +35,7 @@ struct Sidewalk {
   Method method = Method::hypothesis;  // contested where other kerbs hold part of it, or by_hand
 };
 
-// Of the wanted kerbs, in their order, those with a sidewalk. A change of width takes `transition`
+// The wanted kerbs with a sidewalk, in their order. A change of width takes `transition`
 // metres of kerb. Kerbs follow each other where one ends as the next one starts.
 std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition);
 

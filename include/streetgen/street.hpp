@@ -54,7 +54,7 @@ enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axe
 // An axis may be too short for the wanted radius: the first remedy, before the other one.
 enum class ShortAxis { reduce, follow };
 
-// How the polyline of an edge becomes a line of straight pieces and arcs.
+// The polyline of an edge becomes a line of straight pieces and arcs by these.
 struct Smoothing {
   double shift = 0.5;       // metres by which the line may leave a point of the polyline, positive
   double tolerance = 0.01;  // metres by which chords may leave an arc, positive
@@ -84,7 +84,7 @@ struct StreetSettings {
   // an arc.  0: none.
   double kerb_radius_minimal = 0.5;  // metres
   ShortAxis short_axis = ShortAxis::reduce;
-  // Where two axes of different width meet and neither wants its own; where both do, that of the
+  // Two axes of different width meet by it where neither wants its own; where both do, that of the
   // smaller axis_id holds.  It is seen along the axis that wants it, here along the smaller
   // axis_id.
   Transition transition;
@@ -123,7 +123,7 @@ struct CornerOverride {
   double radius = 0;
 };
 
-// Where two overrides name one thing, the later holds.
+// The later one of two overrides that name one thing holds.
 struct StreetOverrides {
   std::vector<SectionLimitOverride> limits;
   std::vector<CornerOverride> corners;
@@ -239,7 +239,7 @@ struct Streets {
   std::vector<Ramp> ramps;        // by node
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
-  // What changed axes can change, and only for that sections and intersections come out: their
+  // All that changed axes can change, and only for that sections and intersections come out: their
   // edges and nodes, edges that they cut otherwise and where these meet others, corners that follow
   // an axis to there, limits that move, and claims on the same ground whose surface is not what it
   // was.  Where all axes changed, everything.
@@ -250,7 +250,7 @@ struct Streets {
   std::vector<bool> spreads_to;
   std::vector<Section> sections;            // one per affected edge
   std::vector<Intersection> intersections;  // one per affected node of degree two and more
-  // Of the sections and intersections whose border a change can move: those that are affected, and
+  // The kerbs of all whose border a change can move: those that are affected, and
   // those beside ground that changed.  Empty where kerbs are not wanted.
   std::vector<Kerb> kerbs;
   std::vector<bool> edges_with_kerbs, nodes_with_kerbs;  // those whose kerbs come out, if wanted

@@ -11,7 +11,8 @@
 
 namespace streetgen {
 
-// What is computed on the roadway.  A subject that needs another one comes out empty without it.
+// The subjects that are computed on the roadway.  A subject that needs another one comes out empty
+// without it.
 struct Subjects {
   bool lane = true;             // lanes, separators and markings
   bool interconnection = true;  // needs lane

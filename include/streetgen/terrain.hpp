@@ -45,7 +45,7 @@ class Terrain {
   std::vector<float> heights_;
 };
 
-// How a road may cross a zone.
+// The ways in which a road may cross a zone.
 enum class Passage { free, bridge, forbidden };
 
 struct ZoneClass {

@@ -19,8 +19,9 @@ struct CityExtent {
   double height = 0;
 };
 
-// What `city_options` describes, in metres, degrees, shares and numbers.  The values are the
-// paper's where it names them.  A list by level holds its last entry for all further levels.
+// The options that `city_options` describes, in metres, degrees, shares and numbers.  The values
+// are the paper's where it names them.  A list by level holds its last entry for all further
+// levels.
 struct CityOptions {
   double axes = 0;
   std::vector<double> centres = {0.5, 0.5};
@@ -67,7 +68,7 @@ void set_city_option(CityOptions& options, const std::string& name,
                      const std::vector<double>& values);
 std::vector<double> city_option(const CityOptions& options, const CityOption& option);
 
-// What a list by level has for a level.
+// The value of a list by level for a level.
 double at_level(const std::vector<double>& list, int level);
 
 enum class CityDirection { both, direct, reverse };

@@ -1,4 +1,4 @@
-// How wide a street is along an edge, on either side of its axis.
+// The width of a street along an edge, on either side of its axis.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct WidthProfile {
             before.right + (next->right - before.right) * share};
   }
 
-  // What is linear between two abscissas has these values at 0 and at `total`.
+  // A value that is linear between two abscissas has these values at 0 and at `total`.
   static std::pair<double, double> extended(double from, double value_from, double to,
                                             double value_to, double total) {
     const double slope = (value_to - value_from) / (to - from), start = value_from - slope * from;
