@@ -1,4 +1,4 @@
--- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, file, warning.
+-- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, file, warning, dry_run.
 -- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
 BEGIN;
 SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null
@@ -6,7 +6,16 @@ SELECT streetgen.create_model(:'model', :srid, subjects => string_to_array(:'sub
 SELECT streetgen.set(:'model', 'driving_side', :'driving_side') WHERE :'driving_side' <> '' \g /dev/null
 SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
-SELECT what, class, count, array_to_string(source_refs[:5] || CASE WHEN cardinality(source_refs) > 5 THEN '…' END, ', ') AS source_refs FROM load_report ORDER BY line;
+SELECT what, class, count, array_to_string(source_refs[:most] || CASE WHEN cardinality(source_refs) > most THEN '…' END, ', ') AS source_refs FROM load_report, (SELECT CASE WHEN :dry_run THEN 1000000 ELSE 5 END AS most) m ORDER BY line;
+-- What somebody is to settle, geometry by its length.
+SELECT EXISTS (SELECT FROM load_report WHERE what = 'in conflict') AS in_conflict \gset
+\if :in_conflict
+SELECT source_ref, coalesce(axis_id::text, relation || ' ' || row_id) AS axis_id, column_name, by_hand, source_old, source_new, stands FROM (
+    SELECT source_ref, axis_id, relation, row_id, column_name, stands, shown[1] AS by_hand, shown[2] AS source_old, shown[3] AS source_new
+    FROM :"model".import_conflict, LATERAL (SELECT array_agg(CASE WHEN column_name LIKE '%geom' THEN round(ST_Length(v::geometry)::numeric, 1) || ' m' ELSE left(v, 60) END ORDER BY n) AS shown
+        FROM unnest(ARRAY[by_hand, source_old, source_new]) WITH ORDINALITY u(v, n)) s) c
+ORDER BY source_ref, axis_id, column_name LIMIT CASE WHEN :dry_run THEN NULL ELSE 20 END;
+\endif
 -- The last words where less than half of the rows became axes: why, the most frequent reasons first, and what to do.
 WITH row AS (SELECT count(*) AS rows, (SELECT coalesce(sum(count), 0) FROM load_report WHERE what = 'taken') AS taken FROM :source),
 reason AS (SELECT row_number() OVER (ORDER BY count DESC, line) AS turn, * FROM load_report WHERE what LIKE 'not taken: %' OR what LIKE '%, left out')
@@ -18,5 +27,10 @@ UNION ALL SELECT words FROM row, (
         WHERE EXISTS (SELECT FROM reason WHERE what = 'not taken: unknown class')
     UNION ALL SELECT 8, format('  UPDATE %I.axis_class SET taken = true for the classes that are wanted, then load --again', :'model') WHERE EXISTS (SELECT FROM reason WHERE what = 'not taken: class')) w
 WHERE 2 * taken < rows \g (format=unaligned tuples_only=on) :warning
+\if :dry_run
+ROLLBACK;
+DROP TABLE :read;
+\else
 DROP TABLE :read;
 COMMIT;
+\endif

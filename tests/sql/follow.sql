@@ -62,17 +62,24 @@ UPDATE town.axis SET width = 11, name = 'by hand' WHERE source_ref = '16';
 UPDATE lines SET breite = 8 WHERE id = 8;
 SELECT 'what was edited by hand stays while its row does', width = 11 FROM town.axis WHERE source_ref = '16';
 UPDATE lines SET label = 'changed' WHERE id = 16;
-SELECT 'and gives way to a change of it, but for a width', (width, name) = (11, 'changed') FROM town.axis WHERE source_ref = '16';
+SELECT 'and where its row changes in what was edited', (width, name) = (11, 'by hand') FROM town.axis WHERE source_ref = '16';
+SELECT 'which is in conflict', array_agg((column_name, by_hand, source_old, source_new)::text) = ARRAY[('name', 'by hand', 'street 16', 'changed')::text] FROM town.import_conflict;
+SELECT streetgen.settle_conflict('town', axis_id, 'name', 'source') FROM town.axis WHERE source_ref = '16' \g /dev/null
+SELECT 'until somebody settles it', name = 'changed' AND NOT EXISTS (SELECT FROM town.import_conflict) FROM town.axis WHERE source_ref = '16';
 UPDATE town.axis SET width = NULL WHERE source_ref = '16';
 SELECT 'until that is emptied', a.width IS NOT DISTINCT FROM l.breite::float8 FROM town.axis a JOIN lines l ON l.id = 16 WHERE source_ref = '16';
 
--- Cut by hand: a change of the row, or its end, takes the pieces.
+-- Cut by hand: both pieces follow the row in what nobody edited, and stay where it ends.
 INSERT INTO lines VALUES (500, 6, NULL, 'cut', NULL, 'SRID=2154;LINESTRING(651000 6860000, 651100 6860000)'), (501, 6, NULL, 'same line', NULL, 'SRID=2154;LINESTRING(651000 6860000, 651100 6860000)');
 UPDATE town.axis SET geom = ST_LineSubstring(geom, 0, 0.4) WHERE source_ref = '500';
 INSERT INTO town.axis (geom, source, source_ref, source_geom) SELECT ST_LineSubstring(source_geom, 0.4, 1), source, '500_1', source_geom FROM town.axis WHERE source_ref = '500';
-UPDATE lines SET breite = '6.0' WHERE id = 500;
-SELECT 'an axis that was cut is whole again', array_agg(source_ref ORDER BY source_ref) = '{500,501}' AND min(ST_Length(geom)) = 100 FROM town.axis WHERE source_ref LIKE '50%';
+UPDATE town.axis SET width = 6, lane_count = 2, width_by_hand = false WHERE source_ref = '500_1';
+UPDATE lines SET kind = 'secondary' WHERE id = 500;
+SELECT 'pieces that were cut by hand', array_agg(concat_ws(' ', source_ref, kind, round(ST_Length(geom))) ORDER BY source_ref) = '{500 secondary 40,500_1 secondary 60,501 100}' FROM town.axis WHERE source_ref LIKE '50%';
 DELETE FROM lines WHERE id IN (500, 501);
+SELECT 'they stay, in conflict, where the row ends', array_agg(c.column_name ORDER BY a.source_ref) = '{*,*}' AND array_agg(a.source_ref ORDER BY a.source_ref) = '{500,500_1}' FROM town.axis a LEFT JOIN town.import_conflict c USING (axis_id) WHERE a.source_ref LIKE '50%';
+SELECT streetgen.settle_conflict('town', axis_id, '*', 'source') FROM town.import_conflict \g /dev/null
+SELECT 'until the source is to hold', count(*) = 0 FROM town.axis WHERE source_ref LIKE '50%';
 
 -- Refusals: those of import_axes, and the statement is undone.
 CREATE TABLE copy AS TABLE lines;

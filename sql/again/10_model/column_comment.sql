@@ -462,6 +462,7 @@ CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name
     UNION ALL SELECT relation, attribute, description FROM streetgen._junction_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._ramp_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._bridge_column()
+    UNION ALL SELECT relation, attribute, description FROM streetgen._delivered_column()
     UNION ALL SELECT relation, attribute, description FROM streetgen._object_column() $$;
 COMMENT ON FUNCTION streetgen._model_column() IS 'The columns of a model''s tables and views, and what each is.';
 

@@ -151,6 +151,7 @@ BEGIN
         streetgen._add_roundabout_faces(model), streetgen._add_section_borders(model),
         streetgen._add_class_meanings(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
+        streetgen._make_delivered_tables(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
     IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
         PERFORM streetgen._make_object_input_tables(model, srid);
@@ -377,6 +378,7 @@ BEGIN
         FOREACH relation IN ARRAY streetgen._edited_tables(model) LOOP
             EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);
         END LOOP;
+        EXECUTE format('GRANT DELETE ON %I.open_conflict TO %I', model, role);
     END IF;
     PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model),
         streetgen._grant_object_locks(model);

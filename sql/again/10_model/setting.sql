@@ -154,6 +154,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
     ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL),
     ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL),
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
+    ('delivery_wins', 'hand', NULL,
+        'where both somebody by hand and a new delivery of the source changed a column, this holds until view '
+        'import_conflict is settled: hand or source', NULL, NULL, ARRAY['hand', 'source']),
     ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000,
         NULL),
     ('cell_size', '200', 'm', 'cells of the grid on which sessions lock places', 50, 5000, NULL),

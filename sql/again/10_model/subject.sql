@@ -72,7 +72,7 @@ BEGIN
         FROM pg_class axis, aclexplode(axis.relacl), pg_class made
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
-            AND (privilege_type = 'SELECT'
+            AND (privilege_type = 'SELECT' OR made.relname = 'open_conflict' AND privilege_type = 'DELETE'
                 OR made.relname = ANY (streetgen._edited_tables(model))
                     AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
@@ -81,7 +81,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._grant_like_axes(name, oid[]) IS
     'Who may read the axes of a model may read these tables and views of it. Who may write the axes may write the '
-    'tables of overrides and objects among these.';
+    'tables of overrides and objects among these, and settle conflicts.';
 
 CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wanted boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,

@@ -27,7 +27,7 @@ SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
            concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
                THEN streetgen._predictor_definition(value) END), ',' ORDER BY name)%2$s, 2) AS setting_hash
 FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log', 'road_friction',
-    'object_names', 'object_snap')
+    'object_names', 'object_snap', 'delivery_wins')
     AND name <> ALL (streetgen._design_settings())
 $sql$, model, CASE WHEN with_rings THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
     FROM %I.roundabout_pattern), '')$sql$, model) END);
@@ -229,6 +229,7 @@ WITH RECURSIVE crossed AS (
 SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id)
     GROUP BY node_id, i.level
 $sql$, model);
+    PERFORM streetgen._make_import_conflict_view(model);
     IF 'lane' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_lane_driving_view(model), streetgen._make_lane_group_view(model),
             streetgen._make_lane_adjacency_views(model);

@@ -278,7 +278,8 @@ BEGIN
         streetgen._make_update_junctions(model), streetgen._make_renew_bridges(model),
         streetgen._make_object_triggers(model), streetgen._make_object_functions(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
-        streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model);
+        streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model),
+        streetgen._make_settling(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 

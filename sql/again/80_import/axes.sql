@@ -7,22 +7,22 @@ CREATE OR REPLACE FUNCTION streetgen._take_rows(model name)
 DECLARE
     target_srid integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
     flat boolean := (SELECT dimension = 2 FROM streetgen.model m WHERE m.name = model);
-    missing record;
+    mentioned text;
+    silent text;
+    lines_of constant text := 'SELECT ''source row '' || label AS label, source_geom AS geom FROM pg_temp._import_part';
     bad record;
 BEGIN
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE pg_temp._import ALTER COLUMN geom TYPE geometry;
-    -- Not every source knows of single lanes.
-    FOR missing IN SELECT name, type FROM (VALUES ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
-        ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
-            ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
-            ('change_forward', 'text'), ('change_backward', 'text'),
-            ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roadway_offset', 'float8'),
-            ('roundabout_tag', 'text')) c(name, type)
-        WHERE NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = c.name)
-    LOOP
-        EXECUTE format('ALTER TABLE pg_temp._import ADD %I %s', missing.name, missing.type);
-    END LOOP;
+    -- What a source does not mention it does not change.
+    SELECT string_agg(format('%s AS %I', streetgen._taken_value(name, 'i'), name), ', ') FILTER (WHERE there),
+        string_agg(format('ADD %I %s', name, type), ', ') FILTER (WHERE NOT there) INTO mentioned, silent
+        FROM (SELECT c.name, c.type, EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass
+            AND attname = CASE c.name WHEN 'kind' THEN 'class' ELSE c.name END) AS there
+        FROM streetgen._axis_input() c) m;
+    IF silent IS NOT NULL THEN
+        EXECUTE 'ALTER TABLE pg_temp._import ' || replace(silent, 'ADD kind text', 'ADD class text');
+    END IF;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM pg_temp._import i
         WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM pg_temp._import i WHERE i.left_out IS NOT NULL;
@@ -114,30 +114,23 @@ BEGIN
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
-    -- Lanes for both directions, tags of roundabouts and sidewalks are the seed of the hash, so that it stays the
-    -- same where a source has none.
-    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-        SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS line,
-            NULL::geometry AS cleaned, (d.path)[1] AS nth,
-            hash_record_extended(ROW(i.width, i.width_end, i.lane_count, coalesce(i.direction, 'both'), i.speed,
-                i.importance, i.name, coalesce(i.level, 0), i.class, i.radius, i.lanes_forward, i.lanes_backward,
-                i.kind_forward, i.kind_backward, i.lane_width_forward, i.lane_width_backward, i.turn_forward,
-                i.turn_backward),
-                coalesce(i.lanes_both, 0) + coalesce(hashtextextended(i.roundabout_tag, 1), 0)
-                # CASE WHEN coalesce(i.sidewalk_left, i.sidewalk_right) IS NULL THEN 0
-                    ELSE hash_record_extended(ROW(i.sidewalk_left, i.sidewalk_right), 0) END
-                # CASE WHEN i.flow IS NULL THEN 0 ELSE hashfloat8extended(i.flow, 1) END
-                # CASE WHEN coalesce(i.roadway_offset, 0) = 0 THEN 0
-                    ELSE hashfloat8extended(i.roadway_offset, 2) END
-                # CASE WHEN coalesce(i.change_forward, i.change_backward) IS NULL THEN 0
-                    ELSE hash_record_extended(ROW(i.change_forward, i.change_backward), 3) END) AS hash
-        FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
-            ELSE streetgen._transformed('source row ' || i.label, i.geom, target_srid) END) d;
+    EXECUTE format($sql$
+CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
+SELECT i.*, CASE WHEN $1 THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS source_geom,
+    NULL::geometry AS cleaned, (d.path)[1] AS nth, %s AS hash
+FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN $2 THEN i.geom
+    ELSE streetgen._transformed('source row ' || i.label, i.geom, $2) END) d $sql$,
+        streetgen._source_hash('i', '_import')) USING flat, target_srid;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref
-        ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0 HAVING count(*) > 0;
-    DELETE FROM pg_temp._import_part p WHERE NOT ST_Length(p.line) > 0;
-    ANALYZE pg_temp._import_part (source_ref, line);
+        ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.source_geom) > 0 HAVING count(*) > 0;
+    DELETE FROM pg_temp._import_part p WHERE NOT ST_Length(p.source_geom) > 0;
+    ANALYZE pg_temp._import_part (source_ref, source_geom);
+    -- Widths of sidewalks of a table of their own stay where the source says none.
+    EXECUTE format('CREATE TEMPORARY VIEW _import_said AS SELECT i.*, '
+        'coalesce(to_jsonb((SELECT r FROM (SELECT %s) r)), ''{}'') - ARRAY[CASE WHEN sidewalk_left IS NULL '
+        'THEN ''sidewalk_left'' END, CASE WHEN sidewalk_right IS NULL '
+        'THEN ''sidewalk_right'' END] AS said FROM pg_temp._import_part i', mentioned);
     SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref
         HAVING count(*) > 1 LIMIT 1;
     IF FOUND THEN
@@ -145,9 +138,9 @@ BEGIN
     END IF;
 
     PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
-        FROM (VALUES ('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part')) v(lines);
+        FROM (VALUES (lines_of)) v(lines);
     SELECT m.* INTO bad FROM
-        streetgen._misplaced('SELECT ''source row '' || label AS label, line AS geom FROM pg_temp._import_part') m;
+        streetgen._misplaced(lines_of) m;
     IF FOUND THEN
         RAISE EXCEPTION '%', bad.remark USING ERRCODE = '22023', HINT = bad.way_out;
     END IF;
@@ -156,97 +149,37 @@ COMMENT ON FUNCTION streetgen._take_rows(name) IS
     'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes '
     'that are taken; reports what it left out. Bad rows: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._drop_vanished(model name, source text, among text[] DEFAULT NULL)
-    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH among AS MATERIALIZED (SELECT a.axis_id, a.source_ref, a.source_geom FROM %1$I.axis a WHERE a.source = $1
-    AND a.source_ref = ANY ($2)),
-gone AS (
-    DELETE FROM %1$I.axis a WHERE a.source = $1 AND NOT EXISTS (SELECT FROM pg_temp._import_part p
-        WHERE p.source_ref = a.source_ref) %2$s RETURNING a.source_ref, a.source_geom),
--- Where a piece goes that was cut off by hand, the rest is taken whole again.
-rest AS (UPDATE %1$I.axis a SET source_geom = NULL FROM gone g WHERE a.source = $1 AND a.geom && g.source_geom
-    AND a.source_geom::bytea = g.source_geom::bytea
-    AND EXISTS (SELECT FROM pg_temp._import_part p WHERE p.source_ref = a.source_ref))
-SELECT 'vanished from the source, deleted; the first ten', NULL::text, count(*),
-    (array_agg(source_ref ORDER BY source_ref))[:10] FROM gone HAVING count(*) > 0 $sql$, model,
-        CASE WHEN among IS NOT NULL THEN format($sql$ AND a.axis_id IN (
-        SELECT axis_id FROM among
-        UNION ALL SELECT p.axis_id FROM among w JOIN %1$I.axis p ON p.geom && w.source_geom AND p.source = $1
-            AND p.source_geom::bytea = w.source_geom::bytea
-            AND (p.source_ref IS NULL OR starts_with(p.source_ref, w.source_ref || '_'))) $sql$, model) END)
-                USING source, among;
-END $$;
-COMMENT ON FUNCTION streetgen._drop_vanished(name, text, text[]) IS
-    'Deletes the axes of a source that no part of the import stands for: all, or those of some source_refs with the '
-    'pieces that were cut off them by hand; reports them.';
-
 CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    columns constant text := (SELECT string_agg(name, ', ') FROM streetgen._axis_input());
     number bigint;
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-SELECT 'width by hand kept, the source says another', NULL::text, count(*), array_agg(p.source_ref
-    ORDER BY p.source_ref)
-FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref = p.source_ref
-WHERE a.width_by_hand AND (a.width, a.width_end) IS DISTINCT FROM (p.width, p.width_end) HAVING count(*) > 0 $sql$,
-    model) USING source;
-    -- What the source says as before stays as it is, edited by hand or not.
-    EXECUTE format($sql$
-DELETE FROM pg_temp._import_part p USING %1$I.axis a WHERE a.source = $1 AND a.source_ref = p.source_ref
-    AND a.source_geom::bytea IS NOT DISTINCT FROM p.line::bytea
-    AND (a.source_hash = p.hash OR a.source_hash IS NULL AND (CASE WHEN a.width_by_hand THEN a.source_width
-        ELSE a.width END, CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.lane_count,
-        a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
-        a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
-        a.turn_backward, a.change_forward, a.change_backward, a.roundabout_tag, a.flow, coalesce(a.roadway_offset, 0),
-        a.sidewalk_left, a.sidewalk_right)
-        IS NOT DISTINCT FROM (p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed, p.importance,
-            p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
-            p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward,
-            p.turn_backward, p.change_forward, p.change_backward, p.roundabout_tag, p.flow,
-            coalesce(p.roadway_offset, 0),
-            coalesce(p.sidewalk_left, a.sidewalk_left),
-            coalesce(p.sidewalk_right, a.sidewalk_right))) $sql$, model) USING source;
+    PERFORM streetgen._drop_unchanged(model, 'axis', source), streetgen._bring_back(model, 'axis', source),
+        streetgen._forget_gone(model, 'axis', source);
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
+    PERFORM streetgen._merge_delivery(model, 'axis', source);
+    -- What a mapping does not mention is at its default.
     EXECUTE format($sql$
-INSERT INTO %1$I.axis AS a (geom, width, width_end, lane_count, direction, speed, importance, name, level, kind,
-    radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-    lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, roundabout_tag, flow,
-    roadway_offset, sidewalk_left, sidewalk_right, source, source_ref, source_geom, source_hash)
-SELECT coalesce(p.cleaned, p.line), p.width, p.width_end, p.lane_count, coalesce(p.direction, 'both'), p.speed,
-    p.importance, p.name, coalesce(p.level, 0), p.class, p.radius, p.lanes_forward, p.lanes_backward, p.lanes_both,
-    p.kind_forward, p.kind_backward, p.lane_width_forward, p.lane_width_backward, p.turn_forward, p.turn_backward,
-    p.change_forward, p.change_backward, p.roundabout_tag, p.flow, p.roadway_offset, p.sidewalk_left, p.sidewalk_right,
-    $1, p.source_ref, p.line, p.hash FROM pg_temp._import_part p ORDER BY p.source_ref
-ON CONFLICT (source, source_ref) DO UPDATE SET
-    width = CASE WHEN a.width_by_hand THEN a.width ELSE excluded.width END, source_width = CASE WHEN a.width_by_hand
-        THEN excluded.width END,
-    width_end = CASE WHEN a.width_by_hand THEN a.width_end ELSE excluded.width_end END,
-        source_width_end = CASE WHEN a.width_by_hand THEN excluded.width_end END,
-    %2$s, sidewalk_left = coalesce(excluded.sidewalk_left, a.sidewalk_left),
-        sidewalk_right = coalesce(excluded.sidewalk_right, a.sidewalk_right), source_geom = excluded.source_geom,
-        source_hash = excluded.source_hash $sql$, model,
-        -- Widths of sidewalks of a table of their own stay where the source says none.
-        (SELECT string_agg(format('%1$I = excluded.%1$I', attribute), ', ') FROM unnest(ARRAY['geom', 'lane_count',
-            'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward',
-            'lanes_both', 'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward',
-            'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'roundabout_tag', 'flow',
-            'roadway_offset']) attribute)) USING source;
+WITH written AS (
+INSERT INTO %1$I.axis (geom, %2$s, source, source_ref, source_geom, source_hash)
+SELECT coalesce(p.cleaned, p.source_geom), %3$s, $1, p.source_ref, p.source_geom, p.hash FROM pg_temp._import_part p
+WHERE NOT EXISTS (SELECT FROM %1$I.delivered d WHERE (d.relation, d.source, d.source_ref) = ('axis', $1, p.source_ref))
+ORDER BY p.source_ref RETURNING axis_id, source_ref)
+INSERT INTO %1$I.delivered (relation, source, source_ref, row_id, said, source_geom, cleaned)
+SELECT 'axis', $1, s.source_ref, w.axis_id, jsonb_strip_nulls('{"level": 0, "direction": "both"}' || s.said),
+    s.source_geom, s.cleaned FROM written w JOIN pg_temp._import_said s USING (source_ref) $sql$, model, columns,
+        (SELECT string_agg(streetgen._taken_value(name, 'p'), ', ') FROM streetgen._axis_input())) USING source;
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS
-    'Upserts the parts of the import that are new or changed into axis, by source and source_ref, cleaned if asked '
-    'to, with the width that was put by hand; reports how many, and widths by hand that are not the source''s.';
+    'Brings the axes of a source up to date with the parts of the import that are new or changed, cleaned if asked to; '
+    'reports how many.';
 
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -262,18 +195,22 @@ BEGIN
     CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM pg_temp._import_query;
     DROP VIEW pg_temp._import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model);
+    PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
-        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, source);
+        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, 'axis', source);
+        RETURN QUERY SELECT * FROM streetgen._drop_nameless(model, source);
     END IF;
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
+    RETURN QUERY SELECT * FROM streetgen._tell_by_hand(model, 'axis', source);
     EXECUTE format('SELECT array_agg(a.axis_id) FROM %I.axis a WHERE a.source = $1
         AND (a.source_ref IS NULL OR a.source_ref IN (SELECT p.source_ref FROM pg_temp._import_part p))', model)
             INTO written USING source;
     PERFORM streetgen._tell_unbelieved(model, written);
-    EXECUTE format('ANALYZE %I.axis', model);
+    EXECUTE format('ANALYZE %1$I.axis, %1$I.delivered (relation, source, source_ref)', model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);
+    DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;

@@ -43,14 +43,14 @@ BEGIN
     END IF;
     driving_side := streetgen._driving_side(model);
     query := format($sql$
-SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width, NULL::float8 AS width_end,
+SELECT %1$I AS geom, streetgen._number(s.width, 0, 200) AS width,
     streetgen._number(s.lane_count, 0, 30)::integer AS lane_count,
        direction,
        streetgen._number(s.speed, 0, 400) AS speed,
        CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END AS importance,
        s.name, CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
            ELSE 0 END AS level,
-       s.class, CASE s.class WHEN 'Rond-point' THEN s.class END AS roundabout_tag, NULL::float8 AS radius,
+       s.class, CASE s.class WHEN 'Rond-point' THEN s.class END AS roundabout_tag,
        streetgen.lane_kinds(forward, NULL, bus_forward, '%13$s', cycle_forward, false, false, false) AS kind_forward,
        streetgen.lane_kinds(backward, NULL, bus_backward, '%13$s', cycle_backward, false, false,
            false) AS kind_backward,
@@ -87,7 +87,13 @@ FROM (SELECT %1$I, %2$s AS id, %3$s AS width, %4$s AS lane_count, %5$s AS sens, 
             coalesce(found ->> 'importance', 'NULL::text'), coalesce(found ->> 'level', 'NULL::text'),
         found ->> 'class', coalesce(found ->> 'name', 'NULL::text'), coalesce(found ->> 'fictif', 'NULL::text'), source,
         driving_side, coalesce(found ->> 'bus', 'NULL::text'), coalesce(found ->> 'cycle', 'NULL::text'));
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
+    -- What the table has no column for it does not mention.
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT geom, %s, source_ref, label, '
+        'left_out, unread FROM (%s) q', (SELECT string_agg(name, ', ') FROM (VALUES ('width', '{width}'::text[]),
+        ('lane_count', '{lane_count}'), ('direction', '{sens}'), ('speed', '{speed}'), ('importance', '{importance}'),
+        ('name', '{name}'), ('level', '{level}'), ('class', '{class}'), ('roundabout_tag', '{class}'),
+        ('kind_forward', '{bus,cycle}'), ('kind_backward', '{bus,cycle}')) c(name, wants)
+        WHERE jsonb_strip_nulls(found) ?| wants), query));
 END $$;
 COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS
     'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, '

@@ -14,15 +14,20 @@ CREATE OR REPLACE FUNCTION streetgen._clean_parts(model name, source text) RETUR
 DECLARE
     cleaned bigint;
 BEGIN
+    -- A line that its source drew as before stays as it is.
     EXECUTE format($sql$
 WITH setting AS MATERIALIZED (
     SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon,
         (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
+drawn AS MATERIALIZED (
+    SELECT p.ctid AS id, p.source_ref, p.source_geom FROM pg_temp._import_part p LEFT JOIN %1$I.delivered d
+        ON (d.relation, d.source, d.source_ref) = ('axis', $1, p.source_ref)
+    WHERE d.source_geom::bytea IS DISTINCT FROM p.source_geom::bytea),
 neighbour AS (
-    SELECT DISTINCT ON (a.axis_id) a.geom FROM pg_temp._import_part p CROSS JOIN LATERAL (
-        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.line, (SELECT tolerance FROM setting)) OFFSET 0) a
-    WHERE NOT EXISTS (SELECT FROM pg_temp._import_part r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
-part AS (SELECT array_agg(ctid) AS ids, array_agg(line::bytea) AS lines FROM pg_temp._import_part)
+    SELECT DISTINCT ON (a.axis_id) a.geom FROM drawn p CROSS JOIN LATERAL (
+        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.source_geom, (SELECT tolerance FROM setting)) OFFSET 0) a
+    WHERE NOT EXISTS (SELECT FROM drawn r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
+part AS (SELECT array_agg(id) AS ids, array_agg(source_geom::bytea) AS lines FROM drawn)
 UPDATE pg_temp._import_part p SET cleaned = c.geom::geometry
 FROM (SELECT unnest(ids) AS id,
     unnest(streetgen._clean_network(lines, coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance,

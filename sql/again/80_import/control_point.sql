@@ -55,16 +55,17 @@ BEGIN
         c.kind, count(*), array_agg(c.label ORDER BY c.label) FROM pg_temp._import_control_point c
         WHERE c.axis_id IS NULL GROUP BY c.kind ORDER BY c.kind;
     DELETE FROM pg_temp._import_control_point c WHERE c.axis_id IS NULL AND only_on_axes;
-    EXECUTE format('DELETE FROM %I.control_point p WHERE p.source = $1 AND p.source_ref IS NOT NULL AND NOT EXISTS '
-        '(SELECT FROM pg_temp._import_control_point c WHERE c.source_ref = p.source_ref)', model) USING source;
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
+        SELECT c.source_ref, c.geom AS source_geom, NULL::geometry AS cleaned, c.kind, c.direction,
+            c.axis_id
+        FROM pg_temp._import_control_point c ORDER BY c.source_ref, c.label;
+    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'control_point', source);
+    -- Of what did not change the axis may be another one.
     EXECUTE format($sql$
-INSERT INTO %I.control_point AS p (geom, kind, direction, axis_id, source, source_ref)
-SELECT geom, kind, direction, axis_id, $1, source_ref FROM pg_temp._import_control_point ORDER BY source_ref, label
-ON CONFLICT (source, source_ref) DO UPDATE SET geom = excluded.geom, kind = excluded.kind,
-    direction = excluded.direction, axis_id = excluded.axis_id
-WHERE (p.geom::bytea, p.kind, p.direction, p.axis_id) IS DISTINCT FROM (excluded.geom::bytea, excluded.kind,
-    excluded.direction, excluded.axis_id)
-$sql$, model) USING source;
+UPDATE %1$I.control_point p SET axis_id = c.axis_id FROM pg_temp._import_control_point c
+WHERE p.source = $1 AND p.source_ref = c.source_ref AND p.geom::bytea = c.geom::bytea
+    AND p.axis_id IS DISTINCT FROM c.axis_id
+    AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = p.axis_id) $sql$, model) USING source;
     RETURN QUERY SELECT 'control points', c.kind, count(*), NULL::text[] FROM pg_temp._import_control_point c
         GROUP BY c.kind ORDER BY c.kind;
     DROP TABLE pg_temp._import_control_point;

@@ -38,6 +38,7 @@ CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, amo
 DECLARE
     told record;
     bad record;
+    concerned text[];
 BEGIN
     PERFORM streetgen._copy_classes(model);
     FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
@@ -48,15 +49,19 @@ BEGIN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
             HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
     END IF;
-    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.axis a ON a.source = $1 AND a.source_ref '
-        '= p.source_ref WHERE p.source_ref <> ALL ($2) LIMIT 1', model) INTO bad USING source, among;
+    concerned := among || ARRAY(SELECT p.source_ref FROM pg_temp._import_part p);
+    PERFORM streetgen._adopt_axes(model, source, clean, concerned);
+    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.delivered d ON (d.relation, d.source, '
+        'd.source_ref) = (''axis'', $1, p.source_ref) WHERE p.source_ref <> ALL ($2) AND NOT d.gone LIMIT 1', model)
+        INTO bad USING source, among;
     IF bad.source_ref IS NOT NULL THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
-    PERFORM streetgen._drop_vanished(model, source, among);
-    FOR told IN SELECT * FROM streetgen._write_axes(model, source, clean) t WHERE t.source_refs IS NOT NULL LOOP
+    PERFORM streetgen._drop_vanished(model, 'axis', source, among), streetgen._write_axes(model, source, clean);
+    FOR told IN SELECT * FROM streetgen._tell_by_hand(model, 'axis', source, concerned) LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
+    DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[], boolean) IS
@@ -85,8 +90,9 @@ DECLARE
     way_out text;
 BEGIN
     IF TG_OP = 'TRUNCATE' THEN
-        DELETE FROM %1$I.axis WHERE source = %2$L;
-        RETURN NULL;
+        EXECUTE format(%7$L, TG_RELID::regclass);
+        former := ARRAY(SELECT source_ref FROM %1$I.axis WHERE source = %2$L
+            UNION SELECT source_ref FROM %1$I.delivered WHERE source = %2$L AND relation = 'axis');
     ELSIF TG_OP = 'INSERT' THEN
         CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n;
     ELSIF TG_OP = 'DELETE' THEN
@@ -111,7 +117,8 @@ EXCEPTION WHEN lock_not_available THEN
     RAISE;
 END $body$, model, source, streetgen._mapped(source, mapping),
         format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')),
-            was, is_now));
+            was, is_now, format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %s FROM %%s n WHERE false',
+                replace(streetgen._mapped(source, mapping), '%', '%%'))));
     PERFORM streetgen._own_function(model, format('%I()', follower),
         'After an edit of ' || source || ': the axes follow');
     FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete', 'truncate'] LOOP

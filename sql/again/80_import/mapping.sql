@@ -1,5 +1,24 @@
 -- Columns of a user's own table as columns of axes.
 
+CREATE OR REPLACE FUNCTION streetgen._axis_input() RETURNS TABLE(name text, type text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 26 SET search_path = pg_catalog
+    AS $$ VALUES ('width', 'float8'), ('width_end', 'float8'), ('roadway_offset', 'float8'), ('lane_count', 'integer'),
+        ('direction', 'text'), ('speed', 'float8'), ('importance', 'integer'), ('name', 'text'), ('level', 'integer'),
+        ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
+        ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
+        ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
+        ('change_forward', 'text'), ('change_backward', 'text'), ('sidewalk_left', 'float8'),
+        ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roundabout_tag', 'text') $$;
+COMMENT ON FUNCTION streetgen._axis_input() IS 'The columns of axis that a source may fill besides geom.';
+
+CREATE OR REPLACE FUNCTION streetgen._taken_value(name text, alias text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE name WHEN 'kind' THEN format('%s.class', alias) WHEN 'direction'
+        THEN format('coalesce(%s.direction, ''both'')', alias) WHEN 'level' THEN format('coalesce(%s.level, 0)', alias)
+        ELSE format('%s.%I', alias, name) END $$;
+COMMENT ON FUNCTION streetgen._taken_value(text, text) IS
+    'SQL of what a column of axis gets from a row of the import.';
+
 CREATE OR REPLACE FUNCTION streetgen._refuse_number(label text, value text, column_name text, target text)
     RETURNS float8
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
@@ -33,43 +52,24 @@ BEGIN
             HINT = 'For example {"geom": "the_geom", "width": "largeur", "level": {"value": 0}}.';
     END IF;
     SELECT key INTO column_name FROM jsonb_object_keys(mapping) key
-        WHERE key NOT IN ('geom', 'width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed',
-            'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-                'kind_forward',
-            'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward',
-            'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag',
-            'source_ref') LIMIT 1;
+        WHERE key NOT IN (SELECT name FROM streetgen._axis_input() UNION ALL VALUES ('geom'), ('source_ref')) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'the mapping names "%", which is no column of axis to fill', column_name
-            USING ERRCODE = '22023',
-            HINT = 'geom, width, width_end, roadway_offset, lane_count, direction, speed, importance, name, level, '
-                'kind, '
-                'radius, '
-                'lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, '
-                'lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left, '
-                'sidewalk_right, flow, '
-                'roundabout_tag or source_ref';
+            USING ERRCODE = '22023', HINT = 'geom, ' || (SELECT string_agg(name, ', ') FROM streetgen._axis_input())
+                || ' or source_ref';
     END IF;
     -- A row without a source_ref is known by its place.
     label := CASE WHEN jsonb_typeof(mapping -> 'source_ref') = 'string'
         THEN format('coalesce(%I::text, ''number '' || row_number() OVER ())', mapping ->> 'source_ref')
         ELSE '''number '' || row_number() OVER ()' END;
-    FOR target IN SELECT * FROM (VALUES ('geom', 'geometry'), ('width', 'float8'), ('width_end', 'float8'),
-        ('roadway_offset', 'float8'), ('lane_count', 'integer'), ('direction', 'text'), ('speed', 'float8'),
-            ('importance', 'integer'), ('name', 'text'), ('level', 'integer'), ('kind', 'text'), ('radius', 'float8'),
-                ('lanes_forward', 'integer'), ('lanes_backward', 'integer'), ('lanes_both', 'integer'),
-                ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
-                ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
-                ('change_forward', 'text'), ('change_backward', 'text'),
-                ('sidewalk_left', 'float8'), ('sidewalk_right', 'float8'), ('flow', 'float8'),
-                ('roundabout_tag', 'text'),
-                ('source_ref', 'text')) t(name, type)
+    FOR target IN SELECT 'geom' AS name, 'geometry' AS type UNION ALL SELECT * FROM streetgen._axis_input()
+        UNION ALL VALUES ('source_ref', 'text')
     LOOP
         entry := mapping -> target.name;
         IF target.name = 'geom' AND entry IS NULL THEN entry := '"geom"'; END IF;
         IF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
-            expressions := expressions || format('NULL::%s AS %I', target.type, CASE target.name WHEN 'kind'
-                THEN 'class' ELSE target.name END);
+            -- What the mapping does not mention no import changes.
+            IF target.name = 'source_ref' THEN expressions := expressions || 'NULL::text AS source_ref'::text; END IF;
             CONTINUE;
         END IF;
         pattern := CASE target.type WHEN 'float8' THEN number_pattern WHEN 'integer' THEN whole_pattern END;

@@ -128,16 +128,16 @@ WITH line AS MATERIALIZED (
     FROM (SELECT geom, way_id, name::text, class::text, lanes, lanes_forward, lanes_backward, width, oneway, junction,
         layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
 meaning AS MATERIALIZED (
-SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width, NULL::float8 AS width_end,
+SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
     coalesce(offset_forward, -offset_backward) AS roadway_offset,
     coalesce(lanes_total, lanes_sum) AS lane_count,
     CASE WHEN tagged AND NOT stated THEN 'both' ELSE direction END AS direction,
     CASE WHEN tagged AND direction <> 'both' THEN junction END AS roundabout_tag,
-       CASE WHEN kmh <= 400 THEN kmh END AS speed, NULL::integer AS importance,
+       CASE WHEN kmh <= 400 THEN kmh END AS speed,
        coalesce(CASE WHEN layer ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, layer::integer)) END,
                 CASE WHEN coalesce(bridge, 'no') <> 'no' THEN 1 WHEN coalesce(tunnel, 'no') <> 'no' THEN -1
                     ELSE 0 END) AS level,
-       class, NULL::float8 AS radius, stated_forward AS lanes_forward, stated_backward AS lanes_backward,
+       class, stated_forward AS lanes_forward, stated_backward AS lanes_backward,
            nullif(centre, 0) AS lanes_both,
        streetgen.lane_kinds(coalesce(stated_forward, usual_forward), buses_forward, bus_forward
            OR streetgen._osm_beside('near', 'direct', direction, bus_near, bus_far), '%3$s',

@@ -69,14 +69,39 @@ UPDATE pg_temp._sidewalk_width w SET fate = CASE
     WHEN width > 0 AND width < low THEN 'narrower than sidewalk_width_minimal, left out'
     WHEN width > high THEN 'wider than sidewalk_width_maximal, left out'
     WHEN width = 0 THEN 'of zero: no sidewalk' ELSE 'taken' END FROM bound $sql$, model);
+    -- As any delivery: what is by hand stays where this table says as before, or where setting delivery_wins is hand.
     EXECUTE format($sql$
+WITH side AS MATERIALIZED (
+    SELECT a.axis_id, a.source, a.source_ref, 'sidewalk_' || w.side AS name, w.width AS wanted,
+        d.said IS NOT NULL AS known,
+        CASE w.side WHEN 'left' THEN a.sidewalk_left ELSE a.sidewalk_right END AS there,
+        (d.said ->> ('sidewalk_' || w.side))::float8 AS before
+    FROM pg_temp._sidewalk_width w JOIN %1$I.axis a ON split_part(a.source_ref, '/', 1) = w.source_ref
+    LEFT JOIN %1$I.delivered d ON (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref)
+    WHERE w.fate IN ('taken', 'of zero: no sidewalk')),
+judged AS MATERIALIZED (
+    SELECT *, known AND there IS DISTINCT FROM before AND there <> wanted AS by_hand FROM side),
+conflict AS (
+    INSERT INTO %1$I.open_conflict (relation, row_id, column_name, source, source_ref, by_hand, source_old, source_new,
+        stands)
+    SELECT 'axis', axis_id, name, source, source_ref, there, before, wanted, $1 FROM judged
+    WHERE by_hand AND before IS DISTINCT FROM wanted
+    ON CONFLICT (relation, row_id, column_name) DO UPDATE SET source_new = excluded.source_new),
+noted AS (
+    UPDATE %1$I.delivered d SET said = d.said || s.said
+    FROM (SELECT source, source_ref, jsonb_object_agg(name, wanted) AS said FROM judged GROUP BY source, source_ref) s
+    WHERE (d.relation, d.source, d.source_ref) = ('axis', s.source, s.source_ref))
 UPDATE %1$I.axis a SET sidewalk_left = coalesce(w.on_left, a.sidewalk_left),
     sidewalk_right = coalesce(w.on_right, a.sidewalk_right)
-FROM (SELECT source_ref, max(width) FILTER (WHERE side = 'left') AS on_left,
-          max(width) FILTER (WHERE side = 'right') AS on_right
-      FROM pg_temp._sidewalk_width WHERE fate IN ('taken', 'of zero: no sidewalk') GROUP BY source_ref) w
-WHERE split_part(a.source_ref, '/', 1) = w.source_ref AND (a.sidewalk_left, a.sidewalk_right)
-    IS DISTINCT FROM (coalesce(w.on_left, a.sidewalk_left), coalesce(w.on_right, a.sidewalk_right)) $sql$, model);
+FROM (SELECT axis_id, max(wanted) FILTER (WHERE name = 'sidewalk_left') AS on_left,
+          max(wanted) FILTER (WHERE name = 'sidewalk_right') AS on_right
+      FROM judged WHERE by_hand IS NOT TRUE OR $1 = 'source' AND before IS DISTINCT FROM wanted GROUP BY axis_id) w
+WHERE a.axis_id = w.axis_id AND (a.sidewalk_left, a.sidewalk_right)
+    IS DISTINCT FROM (coalesce(w.on_left, a.sidewalk_left), coalesce(w.on_right, a.sidewalk_right)) $sql$, model)
+        USING streetgen._delivery_wins(model);
+    RETURN QUERY EXECUTE format($sql$
+SELECT 'in conflict', column_name, count(*), array_agg(source_ref ORDER BY source_ref) FROM %I.open_conflict
+WHERE relation = 'axis' AND column_name LIKE 'sidewalk%%' GROUP BY column_name ORDER BY column_name $sql$, model);
     RETURN QUERY SELECT w.fate, w.side, pg_catalog.count(*), CASE WHEN w.fate LIKE '%left out'
         THEN array_agg(w.source_ref ORDER BY w.source_ref) END
         FROM pg_temp._sidewalk_width w GROUP BY w.fate, w.side ORDER BY w.fate DESC, w.side;
@@ -88,4 +113,6 @@ COMMENT ON FUNCTION streetgen.import_sidewalk_widths(name, regclass, jsonb) IS
     'each a column of the table; odd_side: left or right, where the odd numbers stand along the axis, left if not '
     'said. A width that is NULL changes nothing, 0 is no sidewalk. Each other width is taken or reported by '
     'source_ref: below setting sidewalk_width_minimal, above sidewalk_width_maximal, no number, or of no axis. class '
-    'is the side. Several rows of one source_ref, a bad mapping: 22023; no such column: 42703; no such model: 3F000.';
+    'is the side. A width by hand stays '
+    'where this table says as before; where it says another, setting delivery_wins decides and view import_conflict '
+    'shows it. Several rows of one source_ref, a bad mapping: 22023; no such column: 42703; no such model: 3F000.';

@@ -24,10 +24,8 @@ BEGIN
     END IF;
     -- A network is clean already: every vertex stays.
     RETURN QUERY SELECT * FROM streetgen._import(model, format('%I.edge_data', topology), format($sql$
-SELECT geom, NULL::float8 AS width, NULL::float8 AS width_end, NULL::integer AS lane_count, NULL::text AS direction,
-    NULL::float8 AS speed,
-       NULL::integer AS importance, NULL::text AS name, %s AS level, NULL::text AS class, NULL::float8 AS radius,
-           edge_id::text AS source_ref, edge_id::text AS label, NULL::text AS left_out, NULL::text[] AS unread
+SELECT geom, %s AS level, edge_id::text AS source_ref, edge_id::text AS label, NULL::text AS left_out,
+    NULL::text[] AS unread
 FROM %I.edge_data$sql$, level, topology), clean => false);
     RETURN QUERY EXECUTE format($sql$
 SELECT 'node within the tolerance of an edge that does not end there, generate joins them', NULL::text, count(*),

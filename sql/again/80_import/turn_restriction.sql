@@ -66,21 +66,11 @@ $sql$, restriction, model, line::text, model, excepted, via_ways);
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
         WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
     DELETE FROM pg_temp._import_restriction r WHERE r.left_out IS NOT NULL;
-    EXECUTE format('DELETE FROM %I.turn_restriction t WHERE source = %L AND NOT EXISTS (SELECT FROM '
-        'pg_temp._import_restriction r WHERE r.source_ref = t.source_ref)', model, restriction::text);
-    EXECUTE format($sql$
-INSERT INTO %I.turn_restriction AS t (from_axis, to_axis, geom, kind, turn, except_kinds, via_axes, via_geom, to_geom,
-    source, source_ref)
-SELECT DISTINCT ON (source_ref) from_axis, to_axis, geom, kind, turn, except_kinds, via_axes, via_geom, to_geom, %L,
-    source_ref FROM pg_temp._import_restriction ORDER BY source_ref
-ON CONFLICT (source, source_ref) DO UPDATE SET from_axis = excluded.from_axis, to_axis = excluded.to_axis,
-    geom = excluded.geom, kind = excluded.kind, turn = excluded.turn, except_kinds = excluded.except_kinds,
-    via_axes = excluded.via_axes, via_geom = excluded.via_geom, to_geom = excluded.to_geom
-WHERE (t.from_axis, t.to_axis, t.geom::bytea, t.kind, t.turn, t.except_kinds, t.via_axes, t.via_geom::bytea,
-        t.to_geom::bytea)
-    IS DISTINCT FROM (excluded.from_axis, excluded.to_axis, excluded.geom::bytea, excluded.kind, excluded.turn,
-        excluded.except_kinds, excluded.via_axes, excluded.via_geom::bytea, excluded.to_geom::bytea)
-$sql$, model, restriction::text);
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
+        SELECT DISTINCT ON (r.source_ref) r.source_ref, r.geom AS source_geom, NULL::geometry AS cleaned, r.from_axis,
+            r.to_axis, r.kind, r.turn, r.except_kinds, r.via_axes, r.via_geom, r.to_geom
+        FROM pg_temp._import_restriction r ORDER BY r.source_ref;
+    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'turn_restriction', restriction::text);
     RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.except_others GROUP BY r.class
         ORDER BY r.class;

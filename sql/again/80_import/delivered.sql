@@ -1,0 +1,175 @@
+-- What sources said last of each row, beside the rows as they are, and the conflicts that wait for somebody.
+
+CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS text[]
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE relation WHEN 'axis' THEN ARRAY(SELECT name FROM streetgen._axis_input())
+        WHEN 'control_point' THEN '{kind,direction}'
+        WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
+        END || '{geom}' $$;
+COMMENT ON FUNCTION streetgen._delivered_columns(text) IS
+    'The columns of a table of a model that a delivery may fill: axis, control_point or turn_restriction.';
+
+CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, columns text[] DEFAULT NULL) RETURNS text
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT format('to_jsonb((SELECT r FROM (SELECT %s) r))', string_agg(format(CASE atttypid
+            WHEN 'geometry'::regtype THEN '%1$I.%2$I::text AS %2$I' ELSE '%1$I.%2$I' END, alias, attname), ', '
+            ORDER BY attnum))
+        FROM pg_attribute WHERE attrelid = relation AND attnum > 0 AND NOT attisdropped
+            AND (columns IS NULL OR attname = ANY (columns)) $$;
+COMMENT ON FUNCTION streetgen._row_json(regclass, text, text[]) IS
+    'SQL that gives a row, or some columns of it, as jsonb with geometries as EWKB: those of PostGIS lose digits.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_delivered_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE TABLE IF NOT EXISTS %1$I.delivered (
+    relation text NOT NULL, source text NOT NULL, source_ref text NOT NULL, row_id bigint NOT NULL, said jsonb,
+    source_geom geometry, cleaned geometry, gone boolean NOT NULL DEFAULT false,
+    PRIMARY KEY (source, source_ref, relation));
+COMMENT ON TABLE %1$I.delivered IS
+    'What sources said last: importers write it, and tell by it what is by hand. Delete a row that has no axis any '
+    'more, and the next delivery brings the axis anew';
+CREATE TABLE IF NOT EXISTS %1$I.open_conflict (
+    relation text NOT NULL, row_id bigint NOT NULL, column_name text NOT NULL, source text, source_ref text,
+    by_hand text, source_old text, source_new text, stands text NOT NULL CHECK (stands IN ('hand', 'source')),
+    PRIMARY KEY (relation, row_id, column_name));
+COMMENT ON TABLE %1$I.open_conflict IS
+    'Conflicts of view import_conflict: streetgen.settle_conflict ends one'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_delivered_tables(name) IS
+    'Makes the tables of a model that keep what sources said last and the conflicts with it, where they are missing.';
+
+CREATE OR REPLACE FUNCTION streetgen._delivered_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('delivered'::name, 'relation'::name, 'key: the table that it became a row of'),
+    ('delivered', 'source', 'key: the source, as in that table'),
+    ('delivered', 'source_ref', 'key: its identity in the source'),
+    ('delivered', 'row_id', 'the key of that row, which may have been deleted by hand'),
+    ('delivered', 'said', 'what the source said last, column by column; NULL: an older build did not keep it'),
+    ('delivered', 'source_geom', 'its line or point as the source has it, in the reference of the model'),
+    ('delivered', 'cleaned', 'its line as it was cleaned; NULL: as source_geom'),
+    ('delivered', 'gone', 'has the source deleted it since? The row stays for what was edited by hand'),
+    ('open_conflict', 'relation', 'key: the table of the row'),
+    ('open_conflict', 'row_id', 'key: the key of the row'),
+    ('open_conflict', 'column_name', 'key: the column; *: the whole row, deleted by hand or by the source'),
+    ('open_conflict', 'source', 'the source, as in that table'),
+    ('open_conflict', 'source_ref', 'its identity in the source'),
+    ('open_conflict', 'by_hand', 'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand'),
+    ('open_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
+    ('open_conflict', 'source_new', 'what the source says now; NULL: nothing, or of *: deleted by the source'),
+    ('open_conflict', 'stands', 'hand or source: whose value the row has, by setting delivery_wins'),
+    ('import_conflict', 'axis_id', 'the axis; NULL: a row of another table'),
+    ('import_conflict', 'column_name', 'its column; *: the whole row, deleted by hand or by the source'),
+    ('import_conflict', 'by_hand', 'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand'),
+    ('import_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
+    ('import_conflict', 'source_new', 'what the source says now; NULL: nothing, or of *: deleted by the source'),
+    ('import_conflict', 'stands', 'hand or source: whose value the row has, by setting delivery_wins'),
+    ('import_conflict', 'relation', 'the table of the row: axis, control_point or turn_restriction'),
+    ('import_conflict', 'row_id', 'the key of the row'),
+    ('import_conflict', 'source', 'the source, as in that table'),
+    ('import_conflict', 'source_ref', 'its identity in the source') $$;
+COMMENT ON FUNCTION streetgen._delivered_column() IS
+    'The columns of what was delivered and of the conflicts with it, and what each is.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_import_conflict_view(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.import_conflict WITH (security_invoker = true) AS
+SELECT CASE relation WHEN 'axis' THEN row_id END AS axis_id, column_name, by_hand, source_old, source_new, stands,
+    relation, row_id, source, source_ref FROM %1$I.open_conflict;
+COMMENT ON VIEW %1$I.import_conflict IS
+    'Columns that both somebody by hand and a delivery of the source changed, until one is settled: the column gets '
+    'the other value, or streetgen.settle_conflict says whose holds'
+$sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_import_conflict_view(name) IS 'Makes view import_conflict of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_settling(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    relation name;
+    settler name;
+    event record;
+BEGIN
+    FOREACH relation IN ARRAY '{axis,control_point,turn_restriction}'::name[] LOOP
+        CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
+        settler := '_settle_' || relation;
+        EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+BEGIN
+    IF TG_OP = 'TRUNCATE' THEN
+        DELETE FROM %1$I.open_conflict WHERE relation = %3$L;
+        DELETE FROM %1$I.delivered WHERE relation = %3$L;
+    ELSIF NOT EXISTS (SELECT FROM %1$I.open_conflict) THEN
+        RETURN NULL;
+    ELSIF TG_OP = 'DELETE' THEN
+        DELETE FROM %1$I.open_conflict c USING before b WHERE c.relation = %3$L AND c.row_id = b.%4$I;
+    ELSE
+        WITH now AS (SELECT c.row_id, c.column_name, %5$s ->> c.column_name AS value
+            FROM %1$I.open_conflict c JOIN after a ON c.relation = %3$L AND c.row_id = a.%4$I
+            WHERE c.column_name <> '*'),
+        settled AS (DELETE FROM %1$I.open_conflict c USING now n
+            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name
+                AND n.value IS NOT DISTINCT FROM CASE c.stands WHEN 'hand' THEN c.source_new ELSE c.by_hand END)
+        UPDATE %1$I.open_conflict c SET by_hand = n.value FROM now n
+            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name AND c.stands = 'hand'
+                AND n.value IS DISTINCT FROM c.by_hand AND n.value IS DISTINCT FROM c.source_new;
+    END IF;
+    RETURN NULL;
+END $body$ $sql$, model, settler, relation, relation || '_id',
+            streetgen._row_json(format('%I.%I', model, relation)::regclass, 'a',
+                streetgen._delivered_columns(relation)));
+        FOR event IN SELECT * FROM (VALUES ('update', 'REFERENCING NEW TABLE AS after'),
+            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
+            EXECUTE format('CREATE OR REPLACE TRIGGER settle_%1$s AFTER %1$s ON %2$I.%3$I %4$s FOR EACH STATEMENT '
+                'EXECUTE FUNCTION %2$I.%5$I()', event.name, model, relation, event.tables, settler);
+            EXECUTE format('COMMENT ON TRIGGER settle_%s ON %I.%I IS %L', event.name, model, relation,
+                'After an edit: conflicts with a delivery that it settles end');
+        END LOOP;
+        PERFORM streetgen._own_function(model, format('%I()', settler),
+            'After an edit: conflicts with a delivery that it settles end');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_settling(name) IS
+    'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it.';
+
+CREATE OR REPLACE FUNCTION streetgen._rows_delivered(model name, relation name) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('SELECT m.* FROM %1$I.%2$I m WHERE m.source = d.source AND m.source_ref = d.source_ref',
+        model, relation) || CASE relation WHEN 'axis' THEN format(
+        -- Pieces that were cut off it by hand.
+        ' UNION ALL SELECT m.* FROM %1$I.axis m WHERE m.geom && ST_Expand(d.source_geom, 100) AND m.source = d.source
+            AND m.source_geom::bytea = d.source_geom::bytea AND streetgen._is_piece(m.source_ref, d.source_ref)
+            AND NOT EXISTS (SELECT FROM %1$I.delivered o WHERE o.source = m.source AND o.source_ref = m.source_ref
+                AND o.relation = ''axis'')', model) ELSE '' END $$;
+COMMENT ON FUNCTION streetgen._rows_delivered(name, name) IS
+    'SQL of the rows of a model that stand for a row d of delivered: the row itself, and pieces cut off it by hand.';
+
+CREATE OR REPLACE FUNCTION streetgen._values_there(model name, relation name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._row_json(format('%I.%I', model, relation)::regclass, 't',
+            array_remove(streetgen._delivered_columns(relation), 'geom'))
+        -- An emptied width is estimated until the source says another: it is not by hand.
+        || CASE relation WHEN 'axis' THEN ' || CASE WHEN t.width IS NULL AND NOT t.width_by_hand THEN '
+            'jsonb_build_object(''width'', d.said -> ''width'', ''width_end'', coalesce(to_jsonb(t.width_end), '
+            'd.said -> ''width_end'')) ELSE ''{}'' END' ELSE '' END $$;
+COMMENT ON FUNCTION streetgen._values_there(name, name) IS
+    'SQL of what a row t has, but for its geometry, to be compared with what a row d of delivered said.';
+
+CREATE OR REPLACE FUNCTION streetgen._is_piece(source_ref text, of_ref text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT source_ref IS NULL OR starts_with(source_ref, of_ref || '_') $$;
+COMMENT ON FUNCTION streetgen._is_piece(text, text) IS
+    'May an axis with this source_ref be a piece of one of that, as clients name what they cut off: none, or 12_1 '
+    'of 12?';
