@@ -55,7 +55,12 @@ INSERT INTO long_call VALUES
   ('check_model, town', 'SELECT streetgen.check_model(''town'')'),
   ('summary, town', 'SELECT streetgen.summary(''town'')'),
   ('svg, town', 'SELECT streetgen.svg(''town'')'),
+  ('roundabout_candidates, town', 'SELECT streetgen.roundabout_candidates(''town'')'),
+  ('road_mesh, town', 'SELECT streetgen.road_mesh(''town'')'),
   ('export_topology, town', 'SELECT streetgen.export_topology(''town'', ''town_topology'')');
+-- The writers of files, which make a town's in one call.
+INSERT INTO long_call SELECT format('export_%s, town', writer), format('SELECT streetgen.export_%s(''town''%s)', writer, part)
+  FROM (VALUES ('cityjson', ''), ('gltf', ''), ('lanelet2', ''), ('opendrive', ''), ('symuvia', ''), ('sumo', ', ''connections''')) w(writer, part);
 
 -- Milliseconds that a statement takes, under the statement_timeout of the statement around it; what it wrote is taken back.
 CREATE FUNCTION pg_temp.run(statement text, OUT ms float8, OUT state text, OUT said text) LANGUAGE plpgsql AS $$
