@@ -52,9 +52,9 @@ BEGIN
         END IF;
     END IF;
     RETURN NEW;
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
-    PERFORM streetgen._refuse_wait(TG_TABLE_SCHEMA, way_out);
+    PERFORM streetgen._refuse_wait(TG_TABLE_SCHEMA, CASE SQLSTATE WHEN '55P03' THEN way_out END);
     RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_axis() IS
@@ -69,7 +69,7 @@ BEGIN
     EXECUTE format('UPDATE %I.axis SET geom = geom WHERE false', model);
     BEGIN
         EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
-    EXCEPTION WHEN lock_not_available THEN
+    EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
         PERFORM streetgen._refuse_place(model);
     END;
 END $$;

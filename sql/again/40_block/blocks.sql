@@ -168,18 +168,17 @@ CREATE OR REPLACE FUNCTION streetgen._make_block_functions(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    touched text := 'SELECT 0::bigint, 0::bigint WHERE false';
+    about text := 'SELECT 0::bigint, 0::bigint WHERE false';
     renewed text := '';
 BEGIN
     IF 'block' = ANY (streetgen._subjects(model)) THEN
         -- The face about an axis that lies alone is the one at the nearest edge: at all edges of its nodes, since the
         -- nearest place may be a node.
-        touched := format($sql$
+        about := format($sql$
 WITH reach AS MATERIALIZED (SELECT value::float8 AS reach FROM %1$I.setting WHERE name = 'reach'),
 ground AS MATERIALIZED (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level'),
 street AS MATERIALIZED (
-    SELECT e.axis_id, e.from_node, e.to_node FROM %1$I.edge e WHERE e.axis_id = ANY (axes)
-    UNION ALL SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, %1$I.axis a
+    SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, %1$I.axis a
     -- As _nearest_axis: the nearest box bounds the distance.
     LEFT JOIN LATERAL (SELECT e.geom FROM %1$I.edge e WHERE e.axis_id <> a.axis_id AND e.level = ground.level
         ORDER BY e.geom <#> a.geom LIMIT 1) b ON true
@@ -206,7 +205,15 @@ WHERE b.there OR e.edge_id IS NULL$sql$, model);
     END IF;
     FOREACH by_place IN ARRAY ARRAY[false, true] LOOP
         IF by_place THEN
-            blocks := ARRAY(SELECT unnest(blocks) UNION SELECT block_id FROM %2$I._touched_blocks(axes));
+            -- As far as this session holds them, or nobody does.
+            blocks := ARRAY(SELECT unnest(blocks) UNION SELECT block_id FROM (
+                SELECT DISTINCT coalesce(b.block_id, 0) AS block_id FROM %2$I.edge s, LATERAL (
+                    SELECT edge_id FROM %2$I.edge e WHERE e.from_node IN (s.from_node, s.to_node)
+                    UNION ALL SELECT edge_id FROM %2$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e,
+                    LATERAL (SELECT block_id FROM %2$I.block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
+                WHERE s.axis_id = ANY (axes) OFFSET 0) t
+                WHERE pg_try_advisory_xact_lock(hashtext('streetgen.' || %3$L),
+                    streetgen._chain_key('block', block_id)));
         END IF;
         FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %1$s LOOP
             found := true;
@@ -215,17 +222,17 @@ WHERE b.there OR e.edge_id IS NULL$sql$, model);
         EXIT WHEN found;
     END LOOP;$sql$, regexp_replace(regexp_replace(regexp_replace(
             streetgen._block_statement(streetgen._upsert_places(model, 'part')),
-            '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'), model);
+            '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'), model, model);
     END IF;
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._touched_blocks(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
+CREATE OR REPLACE FUNCTION %1$I._blocks_about(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
     RETURN QUERY %2$s;
-END $body$ $sql$, model, touched);
+END $body$ $sql$, model, about);
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._renew_blocks(blocks bigint[], axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
@@ -239,13 +246,12 @@ DECLARE
 BEGIN
     %2$s
 END $body$ $sql$, model, renewed);
-    PERFORM streetgen._own_function(model, '_touched_blocks(bigint[])',
-        'The blocks at the edges of axes, at the nodes of these edges, and at the place of an axis that lies alone, '
-        'beside the axis; 0: what lies in no block'),
+    PERFORM streetgen._own_function(model, '_blocks_about(bigint[])',
+        'Of axes that lie alone: the blocks that they may lie in, beside the axis; 0: what lies in no block'),
         streetgen._own_function(model, '_renew_blocks(bigint[], bigint[])',
         'Computes and writes blocks that changed, or came with new edges of the axes that were written, a row per '
         'table');
 END $$;
 COMMENT ON FUNCTION streetgen._make_block_functions(name) IS
-    'Makes the functions of a model that tell which blocks a run may change, and renew them; in a model without '
+    'Makes the functions of a model that tell which blocks lie about an axis, and renew blocks; in a model without '
     'blocks they do nothing.';

@@ -23,7 +23,7 @@ BEGIN
         EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
     END IF;
     PERFORM streetgen._hold_axes(model, axes, CASE WHEN ruled THEN array_remove(places, NULL) END, wait => true);
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     RAISE EXCEPTION 'another session edits the street of the object' USING ERRCODE = '55P03',
         DETAIL = streetgen._holders(model), HINT = 'Repeat the edit when it has ended, or raise lock_timeout.';
 END $$;

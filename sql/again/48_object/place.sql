@@ -177,7 +177,7 @@ BEGIN
     EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
         model) INTO line, width, width_end, roadway_offset USING axis;
     borders := (SELECT b.borders FROM streetgen._axis_borders(model, ARRAY[axis]) b);
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     RAISE EXCEPTION 'another session edits axis %, by which % stands, or its borders', axis,
         coalesce(holder, 'the object') USING ERRCODE = '55P03', DETAIL = streetgen._holders(model),
         HINT = CASE WHEN holder IS NULL THEN 'Repeat the edit when it has ended, or raise lock_timeout.'

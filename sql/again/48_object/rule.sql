@@ -287,7 +287,7 @@ BEGIN
     PERFORM streetgen._lock_places(%2$L, beside, wait => true);
     PERFORM set_config('lock_timeout', timeout, true);
     RETURN beside;
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     IF holding THEN
         RAISE EXCEPTION 'another session works beside the objects of this edit' USING ERRCODE = '55P03',
             DETAIL = streetgen._holders(%2$L), HINT = streetgen._object_edit_waits();

@@ -3,49 +3,54 @@
 CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touched text, at_end boolean)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $f$ VALUES
-    ('block'::name, 'SELECT axis_id, block_id AS chain FROM {model}._touched_blocks(axes)', false),
+    ('block'::name, $q$
+        SELECT t.axis_id, coalesce(b.block_id, 0) AS chain FROM touched t, LATERAL (
+            SELECT block_id FROM {model}.block_edge b WHERE b.edge_id = t.edge_id OFFSET 0) b
+        UNION ALL SELECT axis_id, block_id FROM {model}._blocks_about(axes)$q$, false),
     -- All that is off the ground is one chain: few edits touch it, and what is lifted has no end that is known before.
     ('profile', $q$
-        SELECT e.axis_id, 0::bigint AS chain FROM {model}.edge e JOIN {model}.profile p USING (edge_id)
-            WHERE e.axis_id = ANY (axes) AND p.method <> 'ground'
-        UNION SELECT e.axis_id, 0 FROM {model}.edge e JOIN {model}.overpass o ON o.edge_above = e.edge_id
-            WHERE e.axis_id = ANY (axes)
-        UNION SELECT e.axis_id, 0 FROM {model}.edge e JOIN {model}.overpass o ON o.edge_below = e.edge_id
-            WHERE e.axis_id = ANY (axes)
+        SELECT t.axis_id, 0::bigint AS chain FROM touched t JOIN {model}.profile p USING (edge_id)
+            WHERE p.method <> 'ground'
+        UNION SELECT t.axis_id, 0 FROM touched t JOIN {model}.overpass o ON o.edge_above = t.edge_id
+        UNION SELECT t.axis_id, 0 FROM touched t JOIN {model}.overpass o ON o.edge_below = t.edge_id
         UNION SELECT axis_id, 0 FROM {model}.height_override WHERE axis_id = ANY (axes)
         UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.axis b ON ST_Crosses(a.geom, b.geom)
             WHERE a.axis_id = ANY (axes) AND a.level <> b.level$q$, true),
+    -- A run that changes a road of one edge, or a junction of one node, holds an axis there.
     ('road'::name, $q$
-        SELECT a.axis_id, r.road_id AS chain FROM {model}.edge a, LATERAL (
-            SELECT edge_id FROM {model}.edge e WHERE e.from_node IN (a.from_node, a.to_node)
-            UNION ALL SELECT edge_id FROM {model}.edge e WHERE e.to_node IN (a.from_node, a.to_node) OFFSET 0) e,
-            LATERAL (SELECT road_id FROM {model}.road_edge r WHERE r.edge_id = e.edge_id OFFSET 0) r
-        WHERE a.axis_id = ANY (axes)$q$, true),
+        SELECT t.axis_id, r.road_id AS chain FROM touched t, LATERAL (
+            SELECT road_id FROM {model}.road_edge r WHERE r.edge_id = t.edge_id OFFSET 0) r
+        WHERE (SELECT true FROM {model}.road_edge o
+            WHERE o.road_id = r.road_id AND o.edge_id <> t.edge_id LIMIT 1)$q$,
+        true),
+    -- Junctions are read and written by several statements: also what is only computed again is locked.
     ('junction'::name, $q$
-        SELECT a.axis_id, j.junction_id AS chain FROM {model}.edge a, LATERAL (
-            SELECT junction_id FROM {model}.junction_node j
-            WHERE j.node_id IN (a.from_node, a.to_node) OFFSET 0) j
-        WHERE a.axis_id = ANY (axes)$q$, false) $f$;
+        SELECT e.axis_id, j.junction_id AS chain FROM {model}.edge e, LATERAL (
+            SELECT junction_id, node_id FROM {model}.junction_node j
+            WHERE j.node_id IN (e.from_node, e.to_node) OFFSET 0) j
+        WHERE e.axis_id = ANY (written) AND (SELECT true FROM {model}.junction_node o
+            WHERE o.junction_id = j.junction_id AND o.node_id <> j.node_id LIMIT 1)$q$, false) $f$;
 COMMENT ON FUNCTION streetgen._chain() IS
     'The kinds of chains. relation: the computed table that has a row for each chain. touched: a query of axis_id and '
-    'chain, the id of each chain that a run may change, split, join or take away when it writes rows of that axis; '
-    '{model} is the schema, axes an array of the axes. The query sees a model before the run. So it names each chain '
-    'at the edges of the axes, at the nodes of these edges, and at the place of an axis that has no edge yet. A chain '
-    'after the run is then made of new rows and of pieces of the chains named. at_end: a first run by clusters leaves '
+    'chain, the id of each chain that a run may change, split, join or take away when it changes edges: touched has '
+    'their edge_id, and of each the axis_id that it is looked up for; axes, an array, those that change; written, an '
+    'array, all whose rows it writes; {model} is the schema. The query sees a model before the run. A chain after the '
+    'run is made of new rows and of pieces of chains at these edges. at_end: a first run by clusters leaves '
     'the table to its end, since its part of the one statement reads nothing but new_node, new_edge, setting, '
     'found_overpass and tables in a run for all of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_key(relation name, chain bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
-    BEGIN ATOMIC SELECT 4096 + (hashtextextended(relation::text, chain) & 1073741823)::integer; END;
+    BEGIN ATOMIC SELECT 4096 + (hashtextextended(relation::text, chain) & 536870911)::integer; END;
 COMMENT ON FUNCTION streetgen._chain_key(name, bigint) IS
-    'The key (4096 to 1073745919) that locks a chain, by the table and the id of its row.';
+    'The key (4096 to 536875007) that locks a chain, by the table and the id of its row.';
 
 CREATE OR REPLACE FUNCTION streetgen._all_chains() RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     BEGIN ATOMIC SELECT 4095; END;
 COMMENT ON FUNCTION streetgen._all_chains() IS
-    'The key of all chains of a model: whoever locks single chains shares it, whoever locks too many holds it alone.';
+    'The key of all axes and chains of a model: whoever locks some of them shares it, whoever locks too many holds it '
+    'alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._has_chains(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -65,36 +70,26 @@ CREATE OR REPLACE FUNCTION streetgen._make_chain_keys(model name) RETURNS void
     AS $$
 BEGIN
     EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._chain_keys(axes bigint[]) RETURNS TABLE(axis_id bigint, key integer)
+CREATE OR REPLACE FUNCTION %1$I._chain_keys(axes bigint[], written bigint[], touching bigint[], edges bigint[])
+    RETURNS TABLE(axis_id bigint, key integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
-    SET plan_cache_mode = force_generic_plan
+    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
-    RETURN QUERY %2$s;
+    RETURN QUERY WITH touched AS MATERIALIZED (
+        SELECT axis_id, edge_id FROM unnest(touching, edges) t(axis_id, edge_id))
+    %2$s;
 END $body$ $sql$, model, (SELECT coalesce(string_agg(format('SELECT t.axis_id, streetgen._chain_key(%L, t.chain)
         FROM (%s) t', c.relation, streetgen._fill_template(c.touched, jsonb_build_object('model', quote_ident(model)))),
         ' UNION ALL '), 'SELECT 0::bigint, 0 WHERE false')
     FROM streetgen._chain() c WHERE c.relation = ANY (streetgen._computed_tables(model))));
-    PERFORM streetgen._own_function(model, '_chain_keys(bigint[])',
-        'The keys of all chains that a run for the axes may change, beside the axis that touches each');
+    PERFORM streetgen._own_function(model, '_chain_keys(bigint[], bigint[], bigint[], bigint[])',
+        'The keys of all chains that a run may change: the axes that change, all whose rows it writes, and two lists '
+        'side by side, the edges that it changes and for which axis each is looked up; that axis beside each key');
 END $$;
 COMMENT ON FUNCTION streetgen._make_chain_keys(name) IS
     'Makes the function of a model that tells which chains a run touches.';
-
-CREATE OR REPLACE FUNCTION streetgen._places_of(cells integer[], chains integer[], OUT alone integer[],
-    OUT shared integer[])
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-    -- More keys than these are not worth their locks.
-    SELECT CASE WHEN many_cells THEN ARRAY[-1] ELSE cells END
-            || CASE WHEN many_chains THEN ARRAY[streetgen._all_chains()] ELSE chains END,
-        CASE WHEN many_cells THEN '{}' ELSE ARRAY[-1] END
-            || CASE WHEN many_chains OR chains = '{}' THEN '{}' ELSE ARRAY[streetgen._all_chains()] END
-    FROM (SELECT cardinality(cells) > 64 AS many_cells, cardinality(chains) > 128 AS many_chains) m $$;
-COMMENT ON FUNCTION streetgen._places_of(integer[], integer[]) IS
-    'The keys that lock cells and chains, for oneself and shared: above 64 cells one key of all cells, above 128 '
-    'chains one key of all chains.';
 
 CREATE OR REPLACE FUNCTION streetgen._axes_at_chains(model name, axes bigint[], chains integer[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -102,9 +97,19 @@ CREATE OR REPLACE FUNCTION streetgen._axes_at_chains(model name, axes bigint[], 
 DECLARE
     touching bigint[] := '{}';
 BEGIN
-    IF chains <> '{}' THEN
-        EXECUTE format('SELECT ARRAY(SELECT DISTINCT axis_id FROM %I._chain_keys($1)
-            WHERE key = ANY ($2) OR streetgen._all_chains() = ANY ($2))', model) INTO touching USING axes, chains;
+    IF streetgen._all_chains() = ANY (chains) THEN
+        touching := axes;
+    ELSIF chains <> '{}' THEN
+        EXECUTE format($sql$
+WITH street AS MATERIALIZED (
+    SELECT axis_id, edge_id, from_node, to_node FROM %1$I.edge WHERE axis_id = ANY ($1)),
+-- With what meets them, since that may go on from them.
+at_node AS (
+    SELECT DISTINCT s.axis_id, e.edge_id FROM street s JOIN %1$I.edge e ON e.from_node IN (s.from_node, s.to_node)
+    UNION SELECT s.axis_id, e.edge_id FROM street s JOIN %1$I.edge e ON e.to_node IN (s.from_node, s.to_node)),
+touched AS (SELECT array_agg(axis_id) AS axes, array_agg(edge_id) AS edges FROM at_node)
+SELECT ARRAY(SELECT DISTINCT k.axis_id FROM touched t, %1$I._chain_keys($1, $1, t.axes, t.edges) k WHERE key = ANY ($2))
+$sql$, model) INTO touching USING axes, chains;
     END IF;
     RETURN touching;
 END $$;

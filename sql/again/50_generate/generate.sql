@@ -69,7 +69,7 @@ BEGIN
             GROUP BY u.relation ORDER BY array_position(streetgen._computed_tables(model), u.relation);
     END IF;
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     PERFORM streetgen._refuse_tables(model, CASE WHEN wait THEN 'Repeat the call, or raise lock_timeout.'
         ELSE 'Repeat the call when it has ended, or call generate with wait => true.' END);
 END $$;
@@ -80,5 +80,5 @@ COMMENT ON FUNCTION streetgen.generate(name, bigint[], boolean) IS
     'holds; rows or tables that another session locked: 55P03, and the model as it was (wait => true waits for both, '
     'within lock_timeout). Needs read committed (0A000). A part after a change of settings: 55000. An axis over '
     'axis_length_maximal, or where the SRID is more than 1 % off in scale: 22023. A setting that is missing: 22004; '
-    'out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may deadlock '
-    'with another session (40P01): repeat the transaction.';
+    'out of its range: 22023. Of two calls in one transaction, a part and then all with wait, the second may wait for '
+    'a session that waits for it: 55P03, repeat the transaction.';

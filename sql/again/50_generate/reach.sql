@@ -1,21 +1,4 @@
--- How far an edit or a run reaches: the axes that it writes, those it computes with, the cells of both, and chains.
-
-CREATE OR REPLACE FUNCTION streetgen._cell(west float8, south float8, east float8, north float8, size float8)
-    RETURNS SETOF integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    -- Bound when made, and thus inlined.
-    BEGIN ATOMIC
-        -- Of four times as many places as cells hardly a cell is free.
-        SELECT generate_series(1, 1024)
-            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) > 4096
-        UNION ALL SELECT 1 + (hashint8(x * 1000003 + y) & 1023)
-            FROM generate_series(floor(west / size)::bigint, floor(east / size)::bigint) x,
-                generate_series(floor(south / size)::bigint, floor(north / size)::bigint) y
-            WHERE (floor(east / size) - floor(west / size) + 1) * (floor(north / size) - floor(south / size) + 1) <=
-                4096;
-    END;
-COMMENT ON FUNCTION streetgen._cell(float8, float8, float8, float8, float8) IS
-    'Cells (1 to 1024, hashed from a grid of the given size) of a box.';
+-- How far an edit or a run reaches: the axes that it writes, those it computes with, and the keys that lock both.
 
 CREATE OR REPLACE FUNCTION streetgen._reach_value() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -37,7 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
 BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
-    OUT gathered bigint[], OUT cells integer[], OUT chains integer[])
+    OUT gathered bigint[], OUT cells integer[], OUT districts integer[], OUT chains integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
     AS $body$
@@ -50,6 +33,11 @@ DECLARE
     -- The requested axes that are there, and how wide they are.
     present bigint[];
     widths float8[];
+    -- The edges that the requested axes can change, and their axes: NULL where nothing but a surface can change.
+    edges bigint[];
+    turned bigint[];
+    -- Do the requested axes lie as their edges say? What changed is a width, or another value.
+    still boolean;
 BEGIN
     -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
     SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
@@ -68,40 +56,48 @@ BEGIN
         + 2 * abs(u.roadway_offset)) INTO present, widths FROM %1$I.axis_used u
         WHERE u.axis_id = ANY (requested);
     -- What the requested axes can change: along the network, and by their roadway.
-    written := ARRAY(
-        WITH line AS MATERIALIZED (
-            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-            UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
-                WHERE axis_id = ANY (requested)
-            -- Too short for an edge, it joined others.
-            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
-        near AS MATERIALIZED (
-            SELECT e.*, distance <= 3 * tolerance AS met
-            FROM line l, LATERAL (
-                SELECT edge_id, axis_id, from_node, to_node, e.geom,
-                    greatest(e.width, width_end) + 2 * abs(roadway_offset) AS width,
-                    ST_Distance(e.geom, l.geom) AS distance
-                FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
-                    3 * tolerance)) OFFSET 0) e
-            WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
-        -- Where limits cross, the far end of an edge moves too, however far.
-        far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
-        -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
-        reaching AS MATERIALIZED (
-            SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
-                SELECT FROM %1$I.section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start'
-                    THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach))
-        SELECT axis_id FROM near
-        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
-        UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
-        UNION SELECT e.axis_id FROM reaching l
+    WITH line AS MATERIALIZED (
+        SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
+        UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
+            WHERE axis_id = ANY (requested)
+        -- Too short for an edge, it joined others.
+        UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
+    near AS MATERIALIZED (
+        SELECT e.*, distance <= 3 * tolerance AS met
+        FROM line l, LATERAL (
+            SELECT edge_id, axis_id, from_node, to_node, e.geom,
+                greatest(e.width, width_end) + 2 * abs(roadway_offset) AS width,
+                ST_Distance(e.geom, l.geom) AS distance
+            FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
+                3 * tolerance)) OFFSET 0) e
+        WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
+    -- Where limits cross, the far end of an edge moves too, however far.
+    far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
+    -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
+    reaching AS MATERIALIZED (
+        SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
+            SELECT FROM %1$I.section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start'
+                THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach)),
+    part AS MATERIALIZED (
+        SELECT axis_id, edge_id, true AS turns FROM %1$I.edge
+            WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
+        UNION SELECT axis_id, edge_id, true FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
+        -- An axis put between others may turn those that lie nearest.
+        UNION SELECT axis_id, edge_id, NOT EXISTS (SELECT FROM near n WHERE n.met AND n.axis_id <> ALL (requested))
+            FROM near
+        UNION SELECT e.axis_id, e.edge_id, false FROM reaching l
             JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
-                + abs(e.roadway_offset))
-        -- What joined its ends may part them.
-        UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
-            WHERE issue = 'collapsed_axis'
-        UNION SELECT unnest(requested));
+                + abs(e.roadway_offset)))
+    SELECT ARRAY(SELECT axis_id FROM part
+            -- What joined its ends may part them.
+            UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
+                WHERE issue = 'collapsed_axis'
+            UNION SELECT unnest(requested)),
+        e.edges, e.turned
+        INTO written, edges, turned
+        FROM (SELECT coalesce(array_agg(edge_id), '{}') AS edges,
+            coalesce(array_agg(CASE WHEN turns THEN axis_id END), '{}') AS turned FROM part) e;
     stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written)
         AND axis_id NOT IN (SELECT unnest(requested))
         AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id),
@@ -152,34 +148,49 @@ BEGIN
             AND EXISTS (SELECT FROM %1$I.axis a JOIN %1$I.node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
                 WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
         EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
-    -- A run writes every axis near the requested ones whole, ends included. Most lie in the same few cells: the
-    -- middles of their outermost.
+    -- A run writes every axis near the requested ones whole, ends included. Most lie in the same few districts.
     box AS MATERIALIZED (
-        SELECT DISTINCT (floor((ST_XMin(extent) - margin) / size) + 0.5) * size AS west,
-            (floor((ST_YMin(extent) - margin) / size) + 0.5) * size AS south,
-            (floor((ST_XMax(extent) + margin) / size) + 0.5) * size AS east,
-                (floor((ST_YMax(extent) + margin) / size) + 0.5) * size AS north
+        SELECT DISTINCT streetgen._district_of(ST_XMin(extent) - margin, size) AS west,
+            streetgen._district_of(ST_YMin(extent) - margin, size) AS south,
+            streetgen._district_of(ST_XMax(extent) + margin, size) AS east,
+            streetgen._district_of(ST_YMax(extent) + margin, size) AS north
         FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(requested)) THEN reach + widest ELSE 10 END AS margin
             FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own
                 UNION ALL SELECT NULL, box3d(geom) FROM run) l OFFSET 0) m)
     SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
         UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
-           (SELECT array_agg(DISTINCT cell ORDER BY cell)
-               FROM box, streetgen._cell(west, south, east, north, size) cell)
-        INTO gathered, cells;
-    chains := ARRAY(SELECT DISTINCT key FROM %1$I._chain_keys(written));
+           ARRAY(SELECT DISTINCT key FROM box, streetgen._districts(west, south, east, north) key),
+           ARRAY(SELECT streetgen._axis_key(axis_id) FROM (SELECT unnest(written) AS axis_id
+               UNION SELECT axis_id FROM run) a)
+        INTO gathered, districts, chains;
+    still := NOT EXISTS (SELECT FROM unnest(requested) r(axis_id) LEFT JOIN %1$I.axis a USING (axis_id)
+        WHERE NOT coalesce((SELECT bool_and(e.level = a.level AND e.input_hash <> 0)
+                AND ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
+            FROM %1$I.edge e WHERE e.axis_id = r.axis_id), false));
+    -- Two sessions that change an axis each have half of the way each: both know the axes that are there.
+    cells := ARRAY(
+        SELECT DISTINCT key FROM (
+            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
+            UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
+                WHERE axis_id = ANY (requested) AND NOT still
+            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'
+                AND NOT still) l,
+            streetgen._cells(l.geom, greatest(reach + (l.width + widest) / 2, 3 * tolerance) / 2, size) key);
+    -- The outside changes with edges alone.
+    chains := chains || ARRAY(SELECT DISTINCT key FROM %1$I._chain_keys(requested, written, turned, edges)
+        WHERE NOT still AND axis_id IS NOT NULL OR key <> streetgen._chain_key('block', 0));
 END $body$ $sql$, model, streetgen._reach_value(), streetgen._reach_names(model),
         streetgen._merging_run_of(model, 'written'));
     PERFORM streetgen._own_function(model, '_reach(bigint[])',
         'Of requested axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
-        'these are computed with, the cells of all that it reads or writes, ascending, and the keys of the chains that '
-        'it touches');
+        'these are computed with, and the keys of the cells about the requested ones, of the districts of all that '
+        'it writes, and of the axes and chains that it may change');
 END $$;
 COMMENT ON FUNCTION streetgen._make_reach(name) IS
     'Makes the function of a model that tells how far a run for some axes reaches.';
 
 CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT requested bigint[], OUT written bigint[],
-    OUT gathered bigint[], OUT cells integer[], OUT chains integer[])
+    OUT gathered bigint[], OUT cells integer[], OUT districts integer[], OUT chains integer[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -188,19 +199,19 @@ BEGIN
     requested := '{}';
     written := '{}';
     gathered := '{}';
-    cells := '{}';
-    chains := '{}';
     -- An axis that changed while nobody followed changes what is around it too.
     WHILE stale <> '{}' LOOP
         requested := requested || stale;
-        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells, chains
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells, districts, chains
             USING requested;
     END LOOP;
     cells := coalesce(cells, '{}');
+    districts := coalesce(districts, '{}');
+    chains := coalesce(chains, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._reach_of(name, bigint[]) IS
-    'What a run for some axes requests, writes and gathers, its cells and the keys of its chains: stale axes near the '
-    'requested ones are requested too.';
+    'What a run for some axes requests, writes and gathers, and the keys of its cells, districts, axes and chains: '
+    'stale axes near the requested ones are requested too.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -1,7 +1,7 @@
 -- Clusters computed one by one in many sessions: what each locks, progress, and the keys at the end.
 
 CREATE OR REPLACE FUNCTION streetgen._footprint(model name, requested bigint[], written bigint[], OUT near bigint[],
-    OUT cells integer[], OUT blocks integer[])
+    OUT districts integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 DECLARE
@@ -13,7 +13,6 @@ BEGIN
     EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
         FILTER (WHERE name = 'cell_size') FROM %1$I.setting WHERE name IN ('cell_size', %3$s)$sql$, model,
         streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, size;
-    -- A block is five cells wide. Its key is below those of cells.
     EXECUTE format($sql$
 WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
     UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
@@ -31,29 +30,23 @@ id AS MATERIALIZED (
 near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near)
     UNION ALL SELECT e.geom FROM id JOIN %1$I.edge e ON axis_id = ANY (near)),
 box AS MATERIALIZED (
-    SELECT DISTINCT floor((ST_XMin(geom) - margin) / $4)::bigint AS west,
-        floor((ST_YMin(geom) - margin) / $4)::bigint AS south, floor((ST_XMax(geom) + margin) / $4)::bigint AS east,
-        floor((ST_YMax(geom) + margin) / $4)::bigint AS north
+    SELECT DISTINCT streetgen._district_of(ST_XMin(geom) - margin, $4) AS west,
+        streetgen._district_of(ST_YMin(geom) - margin, $4) AS south,
+        streetgen._district_of(ST_XMax(geom) + margin, $4) AS east,
+        streetgen._district_of(ST_YMax(geom) + margin, $4) AS north
     FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near
         UNION ALL SELECT geom, 10 FROM %2$s) g)
 SELECT (SELECT near FROM id),
-       (SELECT array_agg(DISTINCT cell ORDER BY cell)
-           FROM box, streetgen._cell(west * $4, south * $4, east * $4, north * $4, $4) cell),
-       (SELECT array_agg(DISTINCT key ORDER BY key)
-           FROM box, generate_series(floor(west / 5.0)::bigint, floor(east / 5.0)::bigint) x,
-           generate_series(floor(south / 5.0)::bigint, floor(north / 5.0)::bigint) y,
-            LATERAL (SELECT -2 - (hashint8(x * 1000003 + y) & 1073741823) AS key) k)
-$sql$, model, streetgen._merging_run_of(model, '$1 || $2')) INTO near, cells, blocks
+       (SELECT array_agg(DISTINCT key) FROM box, streetgen._districts(west, south, east, north) key)
+$sql$, model, streetgen._merging_run_of(model, '$1 || $2')) INTO near, districts
     USING requested, written, reach + widest, size;
     -- Of an axis that is gone without a trace nothing is to be locked.
     near := near || requested || written;
-    cells := coalesce(cells, '{}');
-    blocks := coalesce(blocks, '{}');
+    districts := coalesce(districts, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS
-    'The places of a model that a run for many axes (requested) may read or write: cells, by which it keeps edits '
-    'away, and the larger blocks, by which it keeps other clusters away; both ascending. near: the axes that lie there '
-    'whole, requested and written among them.';
+    'The keys of the districts of a model in which a run for many axes (requested) may read or write, by which it '
+    'keeps edits and other clusters away. near: the axes that lie there whole, requested and written among them.';
 
 CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT requested bigint[],
     OUT written bigint[], OUT gathered bigint[])
@@ -149,7 +142,7 @@ CREATE OR REPLACE FUNCTION streetgen._lock_cluster(model name, cluster integer, 
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Keys of clusters are below those of blocks.
+    -- Keys of clusters are below those of districts.
     cluster_key constant integer := -1073741826;
     places record;
     reach record;
@@ -165,11 +158,9 @@ BEGIN
                         FROM unnest(streetgen._clusters_beside(model, cluster)) beside), wait);
             ELSE
                 places := coalesce(places, streetgen._footprint(model, axes, '{}'));
-                -- Cells are hashed, so that clusters share them with each other.
                 -- A cluster touches more chains than are worth their locks.
-                free := streetgen._lock_places(model, places.blocks || CASE WHEN streetgen._has_chains(model)
-                    THEN ARRAY[streetgen._all_chains()] ELSE '{}' END, ARRAY[streetgen._door(), -1] || places.cells,
-                    wait);
+                free := streetgen._lock_places(model, places.districts || CASE WHEN streetgen._has_chains(model)
+                    THEN ARRAY[streetgen._all_chains()] ELSE '{}' END, ARRAY[streetgen._door(), -1], wait);
             END IF;
             IF NOT free THEN
                 RAISE SQLSTATE 'SG001';
@@ -190,7 +181,7 @@ BEGIN
             WHEN SQLSTATE 'SG001' THEN
                 EXIT WHEN NOT free;
                 CONTINUE;
-            WHEN lock_not_available THEN
+            WHEN lock_not_available OR deadlock_detected THEN
                 PERFORM streetgen._refuse_place(model);
         END;
         EXIT;
@@ -222,12 +213,12 @@ FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
              sum(cardinality(k.axes))
                  FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
                  0)::float8 AS rate_of_one FROM %I.cluster k) c,
-     -- Keys of blocks are negative, that of the door is the least; who waits does not compute.
+     -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute.
      (SELECT count(*)::integer AS sessions FROM (SELECT FROM pg_locks GROUP BY pid HAVING bool_and(granted)
           AND bool_or(locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database
               WHERE datname = current_database())
               AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid
-                  AND objid::bigint BETWEEN 2147483649 AND 4294967294)) l) s,
+                  AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')) l) s,
      LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS

@@ -23,6 +23,7 @@ CREATE OR REPLACE FUNCTION streetgen._update_streets(model name, changed bigint[
 DECLARE
     locked record;
     spreads_to bigint[];
+    way_out text;
 BEGIN
     IF changed IS NULL OR changed = '{}' THEN
         RETURN;
@@ -45,6 +46,10 @@ BEGIN
                 RAISE;
             END IF;
             changed := changed || spreads_to;
+        WHEN lock_not_available OR deadlock_detected THEN
+            GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
+            PERFORM streetgen._refuse_wait(model, CASE SQLSTATE WHEN '55P03' THEN way_out END);
+            RAISE;
         END;
     END LOOP;
     PERFORM pg_notify('qgis', model);
@@ -344,13 +349,13 @@ BEGIN
     RETURN QUERY
     SELECT l.pid, a.usename, a.application_name, a.xact_start,
            CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'
-                WHEN bool_or(l.granted AND l.objid = 4294967295 AND l.mode = 'ExclusiveLock') THEN 'more than 64 places'
+                WHEN bool_or(l.granted AND l.objid = 4294967295 AND l.mode = 'ExclusiveLock') THEN 'all places'
                 WHEN bool_or(l.granted AND l.objid = 2147483648 AND l.mode = 'ExclusiveLock')
                     THEN 'all places that were free'
                 WHEN bool_or(l.granted AND l.mode = 'ShareRowExclusiveLock') THEN 'the settings'
-                -- Keys of cells, and those of chains.
-                ELSE format('%s places', count(*) FILTER (WHERE l.granted AND (l.objid::bigint BETWEEN 1 AND 1024
-                    OR l.objid::bigint BETWEEN 4096 AND 1073745919))) END,
+                -- Keys of cells, districts, axes and chains.
+                ELSE format('%s places', count(*) FILTER (WHERE l.granted AND l.locktype = 'advisory'
+                    AND l.mode = 'ExclusiveLock' AND l.objid <> 0)) END,
            pg_blocking_pids(l.pid), a.query
     FROM pg_locks l LEFT JOIN pg_stat_activity a ON a.pid = l.pid
     WHERE l.database = (SELECT oid FROM pg_database WHERE datname = current_database()) AND CASE l.locktype

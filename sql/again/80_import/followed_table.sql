@@ -111,9 +111,9 @@ BEGIN
     END IF;
     PERFORM streetgen._import_change(%1$L, %2$L, former);
     RETURN NULL;
-EXCEPTION WHEN lock_not_available THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
-    PERFORM streetgen._refuse_wait(%1$L, way_out);
+    PERFORM streetgen._refuse_wait(%1$L, CASE SQLSTATE WHEN '55P03' THEN way_out END);
     RAISE;
 END $body$, model, source, streetgen._mapped(source, mapping),
         format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')),

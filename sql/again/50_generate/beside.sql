@@ -1,0 +1,116 @@
+-- A run that does not wait goes beside the sessions that hold places: what it leaves out.
+
+CREATE OR REPLACE FUNCTION streetgen._held_by_others(model name, OUT axes bigint[], OUT places integer[],
+    OUT chains integer[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- The key of a lock, as it was before pg_locks shows it without a sign. Who holds a part shares what it lies in.
+    SELECT coalesce(array_agg(key) FILTER (WHERE key < 0 OR key >= 1073741824), '{}'),
+        coalesce(array_agg(key) FILTER (WHERE key BETWEEN 4095 AND 1073741823), '{}')
+        INTO places, chains
+    FROM (SELECT DISTINCT (CASE WHEN objid::bigint > 2147483647 THEN objid::bigint - 4294967296 ELSE objid::bigint
+                END)::integer AS key
+            FROM pg_locks WHERE locktype = 'advisory' AND objsubid = 2 AND granted AND pid <> pg_backend_pid()
+                AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
+                AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid
+                AND mode = 'ExclusiveLock') k;
+    EXECUTE format($sql$
+SELECT ARRAY(SELECT axis_id FROM %1$I.axis WHERE streetgen._axis_key(axis_id) = ANY ($1)
+    UNION SELECT axis_id FROM %1$I.edge WHERE streetgen._axis_key(axis_id) = ANY ($1))
+$sql$, model) INTO axes USING chains;
+END $$;
+COMMENT ON FUNCTION streetgen._held_by_others(name) IS
+    'The axes of which other sessions write rows, as far as this session sees these axes, and the keys of cells and '
+    'districts, and of axes and chains, that others hold.';
+
+CREATE OR REPLACE FUNCTION streetgen._stale_beside(model name, axes bigint[], places integer[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    beside bigint[];
+    reach record;
+BEGIN
+    IF places = '{}' THEN
+        RETURN '{}';
+    END IF;
+    -- What others write is not seen: what changed may lie beside an axis that is new there.
+    EXECUTE format($sql$
+WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
+far AS (
+    SELECT max(%2$s) + coalesce((SELECT max(greatest(width, width_end) + 2 * abs(roadway_offset))
+        FROM %1$I.axis_used), 0) AS far
+    FROM %1$I.setting WHERE name IN (%3$s)),
+stale AS MATERIALIZED (
+    SELECT axis_id, geom FROM %1$I.axis_used u
+    WHERE coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id), true)
+    UNION ALL SELECT axis_id, geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a
+        WHERE a.axis_id = e.axis_id)),
+line AS MATERIALIZED (
+    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
+SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM stale s
+WHERE axis_id <> ALL ($1) AND (EXISTS (SELECT FROM far, line l WHERE ST_DWithin(l.geom, s.geom, far))
+    OR -1 = ANY ($2)
+    OR EXISTS (SELECT FROM size, far, streetgen._cells(s.geom, far / 2, size) key WHERE key = ANY ($2))
+    OR EXISTS (SELECT FROM size, streetgen._districts(streetgen._district_of(ST_XMin(geom) - 10, size),
+            streetgen._district_of(ST_YMin(geom) - 10, size), streetgen._district_of(ST_XMax(geom) + 10, size),
+            streetgen._district_of(ST_YMax(geom) + 10, size)) key WHERE key = ANY ($2)))
+$sql$, model, streetgen._reach_value(), streetgen._reach_names(model)) INTO beside USING axes, places;
+    -- What changed leads on from one to the next.
+    LOOP
+        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO reach USING axes || beside;
+        EXIT WHEN reach.stale = '{}';
+        beside := beside || reach.stale;
+    END LOOP;
+    RETURN beside;
+END $$;
+COMMENT ON FUNCTION streetgen._stale_beside(name, bigint[], integer[]) IS
+    'Axes that changed, or came, since their streets were computed, and lie beside the axes, or at the cells and '
+    'districts, that others hold.';
+
+CREATE OR REPLACE FUNCTION streetgen._lock_places_beside(
+    model name, axes bigint[], OUT requested bigint[], OUT changed bigint[], OUT written bigint[],
+    OUT gathered bigint[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- Who takes places holds the door for a moment.
+    SET lock_timeout = '100ms' SET jit = off
+    AS $$
+DECLARE
+    others record;
+    held bigint[];
+    reach record;
+BEGIN
+    requested := '{}';
+    changed := '{}';
+    written := '{}';
+    gathered := '{}';
+    PERFORM streetgen._lock_places(model, ARRAY[streetgen._door()], '{}', wait => true);
+    others := streetgen._held_by_others(model);
+    IF axes IS NULL THEN
+        EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
+            INTO requested;
+        changed := requested;
+        written := requested;
+        gathered := requested;
+    ELSE
+        reach := streetgen._reach_of(model, axes);
+        requested := axes;
+        changed := reach.requested;
+        written := reach.written;
+        gathered := reach.gathered;
+    END IF;
+    held := others.axes || streetgen._axes_at_chains(model, written, others.chains);
+    held := held || streetgen._stale_beside(model, held, others.places);
+    requested := ARRAY(SELECT unnest(requested) EXCEPT SELECT unnest(held));
+    changed := ARRAY(SELECT unnest(changed) EXCEPT SELECT unnest(held));
+    written := ARRAY(SELECT unnest(written) EXCEPT SELECT unnest(held));
+EXCEPTION WHEN lock_not_available THEN
+    RETURN;
+END $$;
+COMMENT ON FUNCTION streetgen._lock_places_beside(name, bigint[]) IS
+    'Of the axes (NULL: all of a model) those of which no other session writes rows, for who does not wait: it shuts '
+        'the door '
+    'for this transaction. What changed while nobody followed waits where it lies beside what others write. Gives what '
+    'streetgen._lock_places gives; nothing where others compute clusters, mark many axes as stale, or have shut '
+    'the door.';
+
