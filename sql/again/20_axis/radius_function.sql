@@ -42,8 +42,8 @@ DECLARE
     mend constant text := 'Mend the function, or set radius_function to NULL.';
 BEGIN
     BEGIN
-        EXECUTE format('SELECT %s($1, $2, $3, $4, $5)', predictor) INTO radius USING width, speed, importance, lane_count,
-            kind;
+        EXECUTE format('SELECT %s($1, $2, $3, $4, $5)', predictor) INTO radius USING width, speed, importance,
+            lane_count, kind;
     EXCEPTION WHEN OTHERS THEN
         RAISE EXCEPTION 'radius function % failed for axis %: %', predictor, axis, SQLERRM USING ERRCODE = SQLSTATE,
             HINT = mend;

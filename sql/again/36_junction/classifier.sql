@@ -6,9 +6,9 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text, highway_role text, sp
         WHEN highway_role = 'highway' OR highway_role = 'fast_road' AND coalesce(speed, 60) >= 60 THEN 'highway'
         WHEN highway_role IN ('highway_link', 'link') THEN 'link' END;
 COMMENT ON FUNCTION streetgen._ramp_part(text, text, float8) IS
-    'What an axis of a class, the role of that class (axis_class.highway_role) and a speed, km/h, is at a ramp: highway '
-    '(a fast_road from 60 km/h on or of unknown speed), link, unclassed (NULL); NULL: it takes no part. On a slower '
-    'fast_road a link is a turning lane of a junction.';
+    'What an axis of a class, the role of that class (axis_class.highway_role) and a speed, km/h, is at a ramp: '
+    'highway (a fast_road from 60 km/h on or of unknown speed), link, unclassed (NULL); NULL: it takes no part. On a '
+    'slower fast_road a link is a turning lane of a junction.';
 
 CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -30,7 +30,8 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
     'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
     'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (by the roles of classes: a link at a '
-    'highway or at a fast_road of 60 km/h and more, or highways and links alone; where no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
+    'highway or at a fast_road of 60 km/h and more, or highways and links alone; where '
+    'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
     'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
     'unknown, and gives end; an arm may leave out all that is unknown.';
 

@@ -35,8 +35,9 @@ ring AS MATERIALIZED (
     SELECT *, coalesce(confirmed, score >= (v ->> 'roundabout_accept')::float8) AS accepted,
         CASE WHEN confirmed IS NOT NULL THEN 'by_hand' ELSE 'hypothesis' END AS method
     FROM (SELECT r.*, v, CASE WHEN tagged THEN 1 ELSE streetgen._roundabout_score('{model_name}',
-            v ->> 'roundabout_score', term_shape, term_name, term_network, ARRAY[v ->> 'roundabout_weight_shape', v ->> 'roundabout_weight_name',
-                v ->> 'roundabout_weight_network']::float8[], centre) END AS score FROM ring_named r, setting) s)$part$,
+            v ->> 'roundabout_score', term_shape, term_name, term_network, ARRAY[v ->> 'roundabout_weight_shape',
+                v ->> 'roundabout_weight_name', v ->> 'roundabout_weight_network']::float8[],
+            centre) END AS score FROM ring_named r, setting) s)$part$,
     places) $$;
 COMMENT ON FUNCTION streetgen._upsert_ring_score(jsonb) IS
     'Part of the one statement: ring, the rings of the axes used with their terms, scores and what is decided.';

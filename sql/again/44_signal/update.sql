@@ -79,7 +79,8 @@ BEGIN
     FROM place p LEFT JOIN decided d USING (junction_id) LEFT JOIN %1$I._signal_requests(ARRAY(SELECT junction_id
             FROM place)) r USING (junction_id) CROSS JOIN %1$I.setting s
         LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(%2$L,
-            coalesce(d.program, s.value), p.junction_id, r.movements) a), d.cycle, d.durations) t ON r.movements IS NOT NULL
+            coalesce(d.program, s.value), p.junction_id, r.movements) a), d.cycle, d.durations) t
+        ON r.movements IS NOT NULL
     WHERE s.name = 'signal_program';
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_found_signals(bigint[])',

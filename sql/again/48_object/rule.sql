@@ -89,7 +89,8 @@ BEGIN
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
             e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
         FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
-            LEFT JOIN %1$I.axis_class c ON c.class = a.kind LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
+            LEFT JOIN %1$I.axis_class c ON c.class = a.kind
+            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
             JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
         WHERE axes IS NULL OR e.axis_id = ANY (axes)),

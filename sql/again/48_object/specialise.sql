@@ -36,7 +36,8 @@ CREATE OR REPLACE FUNCTION streetgen._specialised_function(model name, relation 
     AS $$ SELECT streetgen._called_function(model, format('the function of table "%s"', relation), function,
         streetgen._function_named(function, format('%1$I.%2$I, %1$I.street_object', model, relation),
             format('%I.%I', model, relation), false),
-        format('NULL, or a function of (%1$I.%2$I, %1$I.street_object) that returns one %1$I.%2$I', model, relation)) $$;
+        format('NULL, or a function of (%1$I.%2$I, %1$I.street_object) that returns one %1$I.%2$I', model,
+            relation)) $$;
 COMMENT ON FUNCTION streetgen._specialised_function(name, name, text) IS
     'The function that computes the rows of a specialised table, as _called_function has it.';
 
