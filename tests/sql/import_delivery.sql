@@ -85,6 +85,27 @@ UPDATE osm_hand_right SET conflicts = '{}'; UPDATE osm_source_right SET conflict
 SELECT format('%s: settled as %s%s', model, other, (SELECT ': ' || string_agg(a, '; ') FROM (SELECT a FROM test.amiss(model, other) a LIMIT 5) s)), NOT EXISTS (SELECT FROM test.amiss(model, other))
 FROM (VALUES ('osm_hand'::name, 'osm_source_right'::regclass), ('bd_hand', 'bd_source_right'), ('osm_source', 'osm_hand_right'), ('bd_source', 'bd_hand_right')) m(model, other);
 
+-- Control points and widths of sidewalks go the same way.
+CREATE TABLE sign AS SELECT i AS id, 'stop' AS what, 'direct' AS way, ST_StartPoint(test.street(i)) AS geom FROM generate_series(1, 5) i;
+\set signs 'SELECT count(*) FROM streetgen.import_control_points(''bd_fresh'', ''sign'', ''{"source_ref": "id", "kind": "what", "direction": "way"}'')'
+:signs \g /dev/null
+UPDATE bd_fresh.control_point SET kind = 'yield' WHERE source_ref = '1';
+UPDATE bd_fresh.control_point SET direction = 'reverse' WHERE source_ref = '2';
+DELETE FROM bd_fresh.control_point WHERE source_ref = '3';
+UPDATE sign SET way = 'both' WHERE id IN (1, 2);
+DELETE FROM sign WHERE id = 4;
+:signs \g /dev/null
+SELECT 'control points by hand stay', array_agg(concat_ws(' ', source_ref, kind, direction) ORDER BY source_ref) = '{1 yield both,2 stop reverse,5 stop direct}' FROM bd_fresh.control_point;
+SELECT 'and what both changed is in conflict', array_agg(concat_ws(' ', relation, source_ref, column_name, by_hand, source_old, source_new)) = '{control_point 2 direction reverse direct both}' FROM bd_fresh.import_conflict;
+CREATE TABLE walk AS SELECT 'T' || i AS id, 2.0 AS l FROM generate_series(1, 3) i;
+\set walks 'SELECT count(*) FROM streetgen.import_sidewalk_widths(''bd_fresh'', ''walk'', ''{"source_ref": "id", "left": "l"}'')'
+:walks \g /dev/null
+UPDATE bd_fresh.axis SET sidewalk_left = 5 WHERE source_ref IN ('T1', 'T2');
+UPDATE walk SET l = 3 WHERE id IN ('T2', 'T3');
+:walks \g /dev/null
+SELECT 'widths of sidewalks by hand stay', array_agg(sidewalk_left ORDER BY source_ref) = '{5,5,3}' FROM bd_fresh.axis WHERE source_ref IN ('T1', 'T2', 'T3');
+SELECT 'and are in conflict where the table says another', array_agg(concat_ws(' ', source_ref, column_name, by_hand, source_old, source_new)) = '{T2 sidewalk_left 5 2 3}' FROM bd_fresh.import_conflict WHERE relation = 'axis';
+
 -- A model of a plain role, its editor and its reader.
 CREATE ROLE delivery_owner; CREATE ROLE delivery_editor; CREATE ROLE delivery_reader;
 SELECT format('GRANT CREATE ON DATABASE %I TO delivery_owner', current_database()) \gexec
