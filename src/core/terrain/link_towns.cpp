@@ -1,9 +1,12 @@
 // Networks of links: all pairs, the worst removed first.
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <set>
 #include <string>
+#include <tuple>
 
+#include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
@@ -22,15 +25,30 @@ Pair pair_of(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a,
 // A link that may go, and the shortest way without it.
 struct Candidate {
   TownLink link;
-  double alternative = infinite;
-  std::vector<Pair> way;
+  TownWay way;
   double worth() const { return link.benefit - link.cost; }
 };
+
+// A candidate in the queue of those to go: no link is worth less than it was known to be, since
+// the ways beside it get longer as links go.
+struct Queued {
+  double worth;
+  std::size_t candidate;
+  bool operator<(const Queued& other) const {
+    return std::tie(worth, candidate) > std::tie(other.worth, other.candidate);
+  }
+};
+
+std::vector<Point> places_of(const std::vector<Town>& towns) {
+  std::vector<Point> places;
+  for (const Town& town : towns) places.push_back(planar(town.point) * 1e-3);
+  return places;
+}
 
 class NetworkBuilder {
  public:
   NetworkBuilder(const std::vector<Town>& towns, const NetworkWish& wish)
-      : towns_(towns), wish_(wish), graph_(towns.size()) {
+      : towns_(towns), wish_(wish), graph_(places_of(towns)) {
     for (const auto& [a, b] : wish.rejected) taken_.insert(pair_of(a, b));
   }
 
@@ -39,16 +57,20 @@ class NetworkBuilder {
       if (link.network == network) keep(measured(link.a, link.b, network, true));
     const int lowest = static_cast<int>(network);
     std::vector<Candidate> candidates;
-    for (std::size_t a = 0; a < towns_.size(); ++a)
+    for (std::size_t a = 0; a < towns_.size(); ++a) {
+      poll_cancel();
       for (std::size_t b = a + 1; b < towns_.size(); ++b) {
         const int kind_a = static_cast<int>(towns_[a].kind),
                   kind_b = static_cast<int>(towns_[b].kind);
         if (std::max(kind_a, kind_b) != lowest || taken_.count({a, b}) > 0) continue;
-        candidates.push_back({measured(a, b, network, false), infinite, {}});
-        graph_.put(a, b, candidates.back().link.length);
+        candidates.push_back({measured(a, b, network, false), {}});
+        graph_.put(a, b);
       }
-    for (Candidate& candidate : candidates) find_alternative(candidate);
-    remove_worst(candidates);
+    }
+    if (wish_.benefit == LinkBenefit::of_network)
+      remove_worst_shared(candidates);
+    else
+      remove_worst(candidates);
     for (const Candidate& candidate : candidates) keep(candidate.link);
   }
 
@@ -57,7 +79,7 @@ class NetworkBuilder {
  private:
   TownLink measured(std::size_t a, std::size_t b, RoadNetwork network, bool by_hand) const {
     TownLink link{a, b, network, 0, 0, 0, 0, by_hand};
-    link.length = link.cost = distance(planar(towns_[a].point), planar(towns_[b].point)) / 1000;
+    link.length = link.cost = graph_.length(a, b);
     link.utilisation =
         towns_[a].importance * towns_[b].importance / 1e6 / link.length / link.length;
     link.benefit = infinite;
@@ -67,27 +89,63 @@ class NetworkBuilder {
   void keep(const TownLink& link) {
     links_.push_back(link);
     taken_.insert(pair_of(link.a, link.b));
-    graph_.put(link.a, link.b, link.length);
+    graph_.put(link.a, link.b);
   }
 
-  void find_alternative(Candidate& candidate) {
-    TownLink& link = candidate.link;
-    graph_.remove(link.a, link.b);
-    const LinkGraph::Ways ways = graph_.ways(link.a, link.b);
-    graph_.put(link.a, link.b, link.length);
-    candidate.alternative = ways.length[link.b];
-    candidate.way.clear();
-    if (candidate.alternative < infinite)
-      for (std::size_t at = link.b; at != link.a; at = ways.before[at])
-        candidate.way.push_back(pair_of(at, ways.before[at]));
+  void find_way(Candidate& candidate) {
+    const TownLink& link = candidate.link;
+    const double least = candidate.way.towns.empty() ? link.length : candidate.way.length;
+    candidate.way = graph_.way_beside(link.a, link.b, least);
     settle_benefit(candidate);
   }
 
   void settle_benefit(Candidate& candidate) const {
     TownLink& link = candidate.link;
-    link.benefit = candidate.alternative == infinite
+    link.benefit = candidate.way.length == infinite
                        ? infinite
-                       : wish_.factor * link.utilisation * (candidate.alternative - link.length);
+                       : wish_.factor * link.utilisation * (candidate.way.length - link.length);
+  }
+
+  // Whether all links of the way that was found are still there.
+  bool way_stands(const Candidate& candidate) const {
+    const std::vector<std::size_t>& towns = candidate.way.towns;
+    for (std::size_t i = 1; i < towns.size(); ++i)
+      if (!graph_.has(towns[i - 1], towns[i])) return false;
+    return !towns.empty();
+  }
+
+  // The worst goes first. A link is looked at when it may be the worst, and one that is worth its
+  // cost stays so.
+  void remove_worst(std::vector<Candidate>& candidates) {
+    std::vector<bool> gone(candidates.size(), false);
+    std::vector<Queued> entries;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const TownLink& link = candidates[i].link;
+      // No benefit, less what rounding may take of it.
+      entries.push_back({-link.cost - wish_.factor * link.utilisation * link.length * 1e-12, i});
+    }
+    std::priority_queue<Queued> queue(std::less<Queued>(), std::move(entries));
+    while (!queue.empty()) {
+      poll_cancel();
+      const std::size_t i = queue.top().candidate;
+      queue.pop();
+      Candidate& worst = candidates[i];
+      if (way_stands(worst)) {
+        graph_.remove(worst.link.a, worst.link.b);
+        gone[i] = true;
+        continue;
+      }
+      find_way(worst);
+      if (worst.worth() < 0) queue.push({worst.worth(), i});
+    }
+    std::vector<Candidate> left;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (gone[i]) continue;
+      // What it is worth among those that stay.
+      if (!way_stands(candidates[i])) find_way(candidates[i]);
+      left.push_back(std::move(candidates[i]));
+    }
+    candidates = std::move(left);
   }
 
   // Trips of all pairs of towns go the shortest way, and count on each link of it.
@@ -100,8 +158,7 @@ class NetworkBuilder {
       const LinkGraph::Ways ways = graph_.ways(from);
       for (std::size_t to = from + 1; to < n; ++to) {
         if (towns_[to].importance <= 0 || ways.length[to] == infinite) continue;
-        const double straight =
-            distance(planar(towns_[from].point), planar(towns_[to].point)) / 1000;
+        const double straight = graph_.length(from, to);
         const double both =
             towns_[from].importance * towns_[to].importance / 1e6 / straight / straight;
         for (std::size_t at = to; at != from; at = ways.before[at]) {
@@ -116,21 +173,18 @@ class NetworkBuilder {
     }
   }
 
-  void remove_worst(std::vector<Candidate>& candidates) {
-    const bool shared = wish_.benefit == LinkBenefit::of_network;
-    while (!candidates.empty()) {
-      poll_cancel();
-      if (shared) share_trips(candidates);
+  // Trips move to other links as links go, so that all are known anew each time.
+  void remove_worst_shared(std::vector<Candidate>& candidates) {
+    for (;;) {
+      for (Candidate& candidate : candidates)
+        if (!way_stands(candidate)) find_way(candidate);
+      share_trips(candidates);
       const auto worst = std::min_element(
           candidates.begin(), candidates.end(),
           [](const Candidate& p, const Candidate& q) { return p.worth() < q.worth(); });
-      if (!(worst->worth() < 0)) break;
-      const Pair gone = pair_of(worst->link.a, worst->link.b);
-      graph_.remove(gone.first, gone.second);
+      if (worst == candidates.end() || !(worst->worth() < 0)) break;
+      graph_.remove(worst->link.a, worst->link.b);
       candidates.erase(worst);
-      for (Candidate& candidate : candidates)
-        if (std::find(candidate.way.begin(), candidate.way.end(), gone) != candidate.way.end())
-          find_alternative(candidate);
     }
   }
 
@@ -168,15 +222,23 @@ std::vector<TownLink> link_towns(const std::vector<Town>& towns, const NetworkWi
 
 std::vector<LinkCrossing> link_crossings(const std::vector<Town>& towns,
                                          const std::vector<TownLink>& links) {
-  std::vector<LinkCrossing> found;
+  std::vector<Box> boxes(links.size());
   for (std::size_t i = 0; i < links.size(); ++i)
-    for (std::size_t k = i + 1; k < links.size(); ++k) {
+    for (std::size_t end : {links[i].a, links[i].b}) boxes[i].add(planar(towns[end].point));
+  const BoxIndex index(boxes);
+  std::vector<LinkCrossing> found;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    poll_cancel();
+    for (const int near : index.near(boxes[i], 0)) {
+      const std::size_t k = static_cast<std::size_t>(near);
       const TownLink &p = links[i], &q = links[k];
-      if (p.network != q.network || p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b) continue;
+      if (k <= i || p.network != q.network || p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b)
+        continue;
       const auto place = crossing(planar(towns[p.a].point), planar(towns[p.b].point),
                                   planar(towns[q.a].point), planar(towns[q.b].point));
       if (place) found.push_back({*place, i, k});
     }
+  }
   return found;
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/polyline.hpp"
 #include "made_terrain.hpp"
+#include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/road_network.hpp"
 #include "support/disjoint_sets.hpp"
@@ -76,6 +77,139 @@ TEST(LinkTowns, ALevelStaysConnectedAndEachLinkIsWorthItsCost) {
       EXPECT_GE(link.benefit, link.cost);
     }
     for (std::size_t i = 1; i < towns.size(); ++i) EXPECT_EQ(sets.of(static_cast<int>(i)), 0);
+  }
+}
+
+std::vector<Town> random_towns(std::mt19937& random, std::size_t count) {
+  std::uniform_real_distribution<double> share(0, 1);
+  std::vector<Town> towns;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TownKind kind = i < count / 6   ? TownKind::city
+                          : i < count / 2 ? TownKind::town
+                                          : TownKind::village;
+    towns.push_back({kind, 500000.0 / (1 + i), {2e5 * share(random), 1e5 * share(random), 0}});
+  }
+  return towns;
+}
+
+// The rule word by word: the worst link goes, all benefits are known anew.
+class WorstFirst {
+ public:
+  explicit WorstFirst(const std::vector<Town>& towns)
+      : towns_(towns), linked_(towns.size(), std::vector<bool>(towns.size(), false)) {}
+
+  std::vector<std::pair<std::size_t, std::size_t>> links() {
+    for (int kind = 0; kind < 3; ++kind) add(kind);
+    std::vector<std::pair<std::size_t, std::size_t>> links;
+    for (std::size_t a = 0; a < towns_.size(); ++a)
+      for (std::size_t b = a + 1; b < towns_.size(); ++b)
+        if (linked_[a][b]) links.emplace_back(a, b);
+    return links;
+  }
+
+ private:
+  double length(std::size_t a, std::size_t b) const {
+    return distance(towns_[a].point, towns_[b].point) / 1000;
+  }
+  void link(std::size_t a, std::size_t b, bool there) { linked_[a][b] = linked_[b][a] = there; }
+
+  double way_beside(std::size_t a, std::size_t b) const {
+    const double infinite = std::numeric_limits<double>::infinity();
+    std::vector<double> reached(towns_.size(), infinite);
+    reached[a] = 0;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 0; i < towns_.size(); ++i)
+        for (std::size_t k = 0; k < towns_.size(); ++k) {
+          if (!linked_[i][k] || (i == a && k == b) || (i == b && k == a)) continue;
+          if (!(reached[i] + length(i, k) < reached[k] * (1 - 1e-14))) continue;
+          reached[k] = reached[i] + length(i, k);
+          changed = true;
+        }
+    }
+    return reached[b];
+  }
+
+  void add(int kind) {
+    std::vector<std::pair<std::size_t, std::size_t>> open;
+    for (std::size_t a = 0; a < towns_.size(); ++a)
+      for (std::size_t b = a + 1; b < towns_.size(); ++b)
+        if (std::max(static_cast<int>(towns_[a].kind), static_cast<int>(towns_[b].kind)) == kind) {
+          open.emplace_back(a, b);
+          link(a, b, true);
+        }
+    for (;;) {
+      double worst = 0;
+      std::size_t at = open.size();
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        const auto [a, b] = open[i];
+        const double straight = length(a, b);
+        const double used =
+            towns_[a].importance * towns_[b].importance / 1e6 / straight / straight;
+        const double worth = 27.5 * used * (way_beside(a, b) - straight) - straight;
+        if (worth < worst) worst = worth, at = i;
+      }
+      if (at == open.size()) return;
+      link(open[at].first, open[at].second, false);
+      open.erase(open.begin() + at);
+    }
+  }
+
+  const std::vector<Town>& towns_;
+  std::vector<std::vector<bool>> linked_;
+};
+
+TEST(LinkTowns, TheWorstGoesFirst) {
+  std::mt19937 random(5);
+  for (std::size_t count : {2, 3, 7, 14, 18, 22}) {
+    const std::vector<Town> towns = random_towns(random, count);
+    std::vector<std::pair<std::size_t, std::size_t>> links;
+    for (const TownLink& link : link_towns(towns, {})) links.emplace_back(link.a, link.b);
+    std::sort(links.begin(), links.end());
+    EXPECT_EQ(links, WorstFirst(towns).links()) << count;
+  }
+}
+
+thread_local std::size_t asked = 0, stops_at = 0;
+bool count_and_stop() noexcept { return ++asked == stops_at; }
+
+// How often a computation asks whether it should stop.
+std::size_t times_asked(std::size_t towns, LinkBenefit benefit) {
+  std::mt19937 random(3);
+  NetworkWish wish;
+  wish.benefit = benefit;
+  asked = stops_at = 0;
+  set_cancel_check(count_and_stop);
+  link_towns(random_towns(random, towns), wish);
+  set_cancel_check(nullptr);
+  return asked;
+}
+
+TEST(LinkTowns, EachSearchAsksWhetherItShouldStopAndIsDoneAFewTimesALink) {
+  const auto pairs = [](std::size_t n) { return n * (n - 1) / 2; };
+  for (std::size_t n : {30, 60, 120, 240}) {
+    const std::size_t times = times_asked(n, LinkBenefit::of_ends);
+    EXPECT_GE(times, 2 * pairs(n)) << n;
+    EXPECT_LE(times, 8 * pairs(n)) << n;
+  }
+  EXPECT_GE(times_asked(20, LinkBenefit::of_network), 20 * pairs(20) / 2);
+}
+
+TEST(LinkTowns, ItStopsWhenAsked) {
+  std::mt19937 random(3);
+  const std::vector<Town> towns = random_towns(random, 60);
+  const std::size_t times = times_asked(60, LinkBenefit::of_ends);
+  for (std::size_t k = 1; k < times; k += times / 20) {
+    asked = 0, stops_at = k;
+    set_cancel_check(count_and_stop);
+    try {
+      link_towns(towns, {});
+      ADD_FAILURE() << "goes on after " << k;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+    }
+    set_cancel_check(nullptr);
+    EXPECT_EQ(asked, k);
   }
 }
 
