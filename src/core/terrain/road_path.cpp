@@ -1,117 +1,34 @@
-// The search of a path, layer by layer, and the curves at its vertices.
+// The path of a road, leg by leg, and the curves at its vertices.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/road_design.hpp"
-#include "terrain/search_layer.hpp"
+#include "terrain/path_leg.hpp"
 #include "terrain/settle_vertices.hpp"
 
 namespace streetgen {
 namespace {
 
-constexpr int corridor_cells = 8;
-// Cells of the first layer between both ends, so that it stays small.
-constexpr double coarse_cells = 60;
-constexpr int most_layers = 3;
-constexpr double least_cell = 8;
 // No curve is wider than so many times the wanted radius.
 constexpr double widest = 10;
+constexpr double least_radius = 0.01;  // metres; a tighter curve is a kink
 
-// The finest cell: turns need room on a few cells, and the ground shows no more.
-double finest_cell(const DesignRules& rules) {
-  return std::max(least_cell, std::min(rules.radius, 10 * std::sqrt(rules.radius)));
+std::optional<SidesAbout::Side> side_between(const Point& a, const Point& b) {
+  return SidesAbout::Side{std::atan2(b.y - a.y, b.x - a.x), distance(planar(a), planar(b))};
 }
 
-SearchGrid grid_between(const Point& a, const Point& b, double cell) {
-  SearchGrid grid;
-  const double span = distance(planar(a), planar(b));
-  grid.origin = planar(a);
-  grid.along = unit(planar(b) - planar(a));
-  grid.last = std::max(1, static_cast<int>(std::round(span / cell)));
-  grid.cell = span / grid.last;
-  grid.margin_x = grid.last / 4 + 8;
-  grid.margin_y = grid.last / 2 + 10;
-  return grid;
-}
-
-SearchGrid halved(SearchGrid grid) {
-  grid.cell /= 2;
-  grid.last *= 2;
-  grid.margin_x *= 2;
-  grid.margin_y *= 2;
-  return grid;
-}
-
-// Cells within eight of the former path.
-std::vector<bool> corridor_along(const SearchGrid& grid, const Line& path) {
-  std::vector<bool> corridor(static_cast<std::size_t>(grid.columns()) * grid.rows(), false);
-  const Point across = left_normal(grid.along);
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double span = distance(planar(path[i - 1]), planar(path[i]));
-    const int parts = std::max(1, static_cast<int>(std::ceil(span / grid.cell)));
-    for (int k = 0; k <= parts; ++k) {
-      const Point p = path[i - 1] + (path[i] - path[i - 1]) * (static_cast<double>(k) / parts);
-      const Point d = planar(p - grid.origin);
-      const int column =
-          static_cast<int>(std::round(dot(d, grid.along) / grid.cell)) + grid.margin_x;
-      const int row = static_cast<int>(std::round(dot(d, across) / grid.cell)) + grid.margin_y;
-      for (int y = std::max(0, row - corridor_cells);
-           y <= std::min(grid.rows() - 1, row + corridor_cells); ++y)
-        for (int x = std::max(0, column - corridor_cells);
-             x <= std::min(grid.columns() - 1, column + corridor_cells); ++x)
-          corridor[static_cast<std::size_t>(y) * grid.columns() + x] = true;
-    }
-  }
-  return corridor;
-}
-
-struct FoundLine {
-  std::optional<Line> line;
-  double cell = 0;  // of the grid that the line lies on
-};
-
-// The finest layer that has a way: a layer may find none where the coarser one did.
-FoundLine search_layers(const DesignSite& site, const Point& a, const Point& b,
-                        const std::optional<ArrivingSide>& arriving, Waiver waiver) {
-  const double span = distance(planar(a), planar(b)), finest = finest_cell(site.rules);
-  int layers = 1;
-  while (layers < most_layers && span / (finest * (1 << layers)) > coarse_cells / 2) ++layers;
-  double first = finest * (1 << (layers - 1));
-  SearchGrid grid = grid_between(a, b, first);
-  FoundLine found;
-  for (int layer = 0; layer < layers; ++layer) {
-    std::vector<bool> corridor;
-    if (found.line) corridor = corridor_along(grid, *found.line);
-    auto line = SearchLayer(site, grid, std::move(corridor), waiver).search(arriving);
-    if (line) found = {std::move(line), grid.cell};
-    if (layer + 1 < layers) grid = halved(grid);
-    // Without a coarse way the fine grid is searched whole, once.
-    if (!found.line && layer + 1 < layers) {
-      while (layer + 2 < layers) grid = halved(grid), ++layer;
-    }
-  }
-  return found;
-}
-
-Barrier barrier_between(const DesignSite& site, const Point& a, const Point& b,
-                        const std::optional<ArrivingSide>& arriving) {
-  for (const Point& p : {a, b})
-    if (std::isnan(site.terrain.ground(p.x, p.y).height)) return Barrier::terrain;
-  const double cell =
-      std::max(finest_cell(site.rules), distance(planar(a), planar(b)) / coarse_cells);
-  const SearchGrid grid = grid_between(a, b, cell);
-  if (SearchLayer(site, grid, {}, {true, false}).search(arriving)) return Barrier::zone;
-  if (SearchLayer(site, grid, {}, {true, true}).search(arriving)) return Barrier::grade;
-  return SearchLayer(site, grid, {}, {true, true}).search({}) ? Barrier::turn : Barrier::terrain;
-}
-
-std::optional<ArrivingSide> arriving_side(const std::vector<PathVertex>& path) {
-  if (path.size() < 2) return {};
-  const Point side = planar(path.back().point - path[path.size() - 2].point);
-  return ArrivingSide{std::atan2(side.y, side.x), norm(side)};
+// The sides that the leg to place i keeps clear of: those of the path so far, and those to come.
+std::vector<PathSide> other_sides(const std::vector<PathVertex>& path, const Line& places,
+                                  std::size_t i) {
+  std::vector<PathSide> sides;
+  for (std::size_t k = 1; k < path.size(); ++k)
+    sides.push_back({path[k - 1].point, path[k].point});
+  for (std::size_t k = i + 1; k < places.size(); ++k)
+    sides.push_back({places[k - 1], places[k]});
+  return sides;
 }
 
 }  // namespace
@@ -132,9 +49,12 @@ RoadPath road_path(const DesignSite& site, const Line& places, const std::vector
                   "two places of a road are one: " + text_of(a.x) + " " + text_of(a.y),
                   "Move one of them, or delete it.");
     if (!straight[i]) {
-      const auto arriving = arriving_side(path.vertices);
-      const FoundLine found = search_layers(site, a, b, arriving, {});
-      if (!found.line) return {{}, barrier_between(site, a, b, arriving)};
+      SidesAbout about;
+      if (const std::size_t n = path.vertices.size(); n > 1)
+        about.before = side_between(path.vertices[n - 2].point, path.vertices[n - 1].point);
+      if (i + 1 < places.size() && straight[i + 1]) about.behind = side_between(b, places[i + 1]);
+      const PathLeg found = find_leg(site, a, b, about, other_sides(path.vertices, places, i));
+      if (!found.line) return {{}, found.barrier};
       cell = std::max(cell, found.cell);
       for (std::size_t k = 1; k + 1 < found.line->size(); ++k)
         path.vertices.push_back({(*found.line)[k], false});
@@ -180,21 +100,24 @@ std::vector<VertexCurve> road_curves(const DesignRules& rules, const Line& line,
     return given[i].radius <= 0 && curves[i].radius > rules.radius * (1 + 1e-9);
   };
   // Where two curves overlap on a side, wide ones shrink; two least ones both shrink until they
-  // fit.
-  for (int pass = 0; pass < 200; ++pass) {
-    bool fit = true;
+  // fit. Each pass shrinks one by a thousandth at least; below a centimetre none has a curve.
+  for (bool fit = false; !fit;) {
+    poll_cancel();
+    fit = true;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double side = distance(planar(line[i - 1]), planar(line[i]));
       const double before = curve_shape(turns[i - 1], curves[i - 1]).tangent_out;
       const double after = curve_shape(turns[i], curves[i]).tangent_in;
       if (before + after <= side) continue;
-      fit = false;
       const double share = side / (before + after) * 0.999;
       const bool wide = shrinks(i - 1) || shrinks(i);
       for (std::size_t k : {i - 1, i}) {
         if (given[k].radius > 0 || (wide && !shrinks(k))) continue;
         const double radius = curves[k].radius * share;
-        curves[k] = scaled(wide ? std::max(radius, rules.radius) : radius);
+        if (!(radius > 0)) continue;
+        curves[k] = radius < least_radius ? VertexCurve{}
+                                          : scaled(wide ? std::max(radius, rules.radius) : radius);
+        fit = false;
       }
     }
     if (fit) break;

@@ -69,13 +69,14 @@ void SearchLayer::read_ground() {
   }
 }
 
-std::uint32_t SearchLayer::start_turns(const std::optional<ArrivingSide>& arriving) const {
-  if (!arriving) return ~0u;
+// The moves whose turn to or from a side fits; without a side, all.
+std::uint32_t SearchLayer::moves_beside(const std::optional<SidesAbout::Side>& side) const {
+  if (!side) return ~0u;
   const CurveRoom room(site_.rules);
   std::uint32_t fitting = 0;
   for (int i = 0; i < headings; ++i)
-    if (room.tangent(std::remainder(moves_[i].heading - arriving->heading, 2 * M_PI)) <=
-        std::min(arriving->length, moves_[i].length) / 2)
+    if (room.tangent(std::remainder(moves_[i].heading - side->heading, 2 * M_PI)) <=
+        std::min(side->length, moves_[i].length) / 2)
       fitting |= 1u << i;
   return fitting;
 }
@@ -162,11 +163,12 @@ void SearchLayer::reach_state(std::uint32_t cell, int level, int heading, double
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-std::optional<Line> SearchLayer::search(const std::optional<ArrivingSide>& arriving) {
+std::optional<Line> SearchLayer::search(const SidesAbout& about) {
   const int first = cell_at(grid_.margin_x, grid_.margin_y);
   last_ = cell_at(grid_.margin_x + grid_.last, grid_.margin_y);
   if (first < 0 || last_ < 0 || std::isnan(ground_[first]) || std::isnan(ground_[last_])) return {};
-  expand(first, ground_level, start_turns(arriving), 0, no_parent);
+  const std::uint32_t arriving = moves_beside(about.behind);
+  expand(first, ground_level, moves_beside(about.before), 0, no_parent);
   while (!queue_.empty()) {
     std::pop_heap(queue_.begin(), queue_.end());
     const Queued next = queue_.back();
@@ -175,7 +177,8 @@ std::optional<Line> SearchLayer::search(const std::optional<ArrivingSide>& arriv
     const int level = next.state / headings % levels, heading = next.state % headings;
     // The first to come to a cell, height and move is the cheapest: a turn costs nothing.
     if (next.total > cost_[next.state] + bound(cell) * (1 + 1e-6) + 1) continue;
-    if (static_cast<int>(cell) == last_ && level == ground_level) return traced(next.state);
+    if (static_cast<int>(cell) == last_ && level == ground_level && (arriving >> heading & 1))
+      return traced(next.state);
     poll_cancel();
     expand(cell, level, turns_[heading], cost_[next.state],
            static_cast<std::uint8_t>(heading * levels + level));

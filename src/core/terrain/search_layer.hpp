@@ -26,9 +26,12 @@ struct SearchGrid {
   }
 };
 
-// The side that leads to the first place, so that the first turn fits.
-struct ArrivingSide {
-  double heading = 0, length = 0;
+// The sides before the first place and behind the last one, so that the turns there fit.
+struct SidesAbout {
+  struct Side {
+    double heading = 0, length = 0;
+  };
+  std::optional<Side> before, behind;
 };
 
 // What is not looked at, to find out what bars a way.
@@ -42,7 +45,7 @@ class SearchLayer {
   SearchLayer(const DesignSite& site, const SearchGrid& grid, std::vector<bool> corridor,
               Waiver waiver);
   // Places of the path of least cost with their heights; none where there is no way.
-  std::optional<Line> search(const std::optional<ArrivingSide>& arriving);
+  std::optional<Line> search(const SidesAbout& about);
 
  private:
   struct Move {
@@ -60,7 +63,7 @@ class SearchLayer {
   };
   void make_moves();
   void read_ground();
-  std::uint32_t start_turns(const std::optional<ArrivingSide>& arriving) const;
+  std::uint32_t moves_beside(const std::optional<SidesAbout::Side>& side) const;
   void expand(std::uint32_t cell, int level, std::uint32_t moves, double so_far,
               std::uint8_t parent);
   bool sample_side(const Point& from, const Point& to, double length);

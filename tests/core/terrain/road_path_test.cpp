@@ -142,6 +142,69 @@ TEST(RoadPath, ItRunsThroughPlacesByHandAndKeepsStraightSides) {
   EXPECT_EQ(straight.vertices.size(), 3u);
 }
 
+bool crosses_itself(const Line& line) {
+  for (std::size_t i = 1; i < line.size(); ++i)
+    for (std::size_t k = i + 2; k < line.size(); ++k)
+      if (crossing(line[i - 1], line[i], line[k - 1], line[k])) return true;
+  return false;
+}
+
+// The greatest turn to one side between any two places of a line.
+double winding(const Line& line) {
+  double left = 0, right = 0, most = 0;
+  for (std::size_t i = 2; i < line.size(); ++i) {
+    const Point a = line[i - 1] - line[i - 2], b = line[i] - line[i - 1];
+    const double turn = std::atan2(cross(a, b), dot(a, b));
+    left = std::max(0.0, left + turn);
+    right = std::max(0.0, right - turn);
+    most = std::max({most, left, right});
+  }
+  return most;
+}
+
+Line chords_of(const std::vector<AlignmentElement>& elements) {
+  Line line;
+  for (double s : chord_abscissas(elements, 0.05))
+    line.push_back(planar(alignment_place(elements, s).point));
+  return line;
+}
+
+// A road across the square, with vertices by hand up to `aside` metres beside the straight line.
+Line random_places(std::mt19937& random, double aside) {
+  std::uniform_real_distribution<double> share(-1, 1);
+  Line places{{500, 3000 + 500 * share(random), 0}};
+  for (double x = 700 + 200 * share(random); x < 5300; x += 350 + 250 * share(random))
+    places.push_back({x, 3000 + aside * share(random), 0});
+  places.push_back({5500, 3000 + 500 * share(random), 0});
+  return places;
+}
+
+TEST(RoadPath, VerticesByHandTieNoLoops) {
+  std::mt19937 random(11);
+  const DesignRules rules;
+  const Terrain hills =
+      made_terrain([](double x, double y) { return 30 * std::sin(x / 500) * std::sin(y / 700); });
+  for (int round = 0; round < 60; ++round) {
+    const Line places = random_places(random, 20 + 100 * (round % 4));
+    std::vector<bool> straight(places.size());
+    // The search fills a side or two beside one vertex, every third side, or all.
+    const std::size_t filled = 1 + random() % (places.size() - 1);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      straight[i] = round % 3 == 0   ? i != filled && i != filled + 1
+                    : round % 3 == 1 ? random() % 3 != 0
+                                     : false;
+    const RoadPath path = road_path({hills, {}, rules}, places, straight);
+    ASSERT_EQ(path.barrier, Barrier::none) << round;
+    const Line line = line_of(path);
+    const auto elements =
+        horizontal_alignment(line, road_curves(rules, line, std::vector<VertexCurve>(line.size())));
+    const Line road = chords_of(elements);
+    EXPECT_FALSE(crosses_itself(road)) << round;
+    EXPECT_LE(winding(road), winding(places) + M_PI) << round;
+    EXPECT_LE(length(road), 1.3 * length(places)) << round;
+  }
+}
+
 TEST(SectionCost, EarthworksAreTheAreasOfTheSection) {
   // By strips of a millimetre across the formation and its slopes.
   for (double height : {-6.0, -1.0, 0.0, 0.7, 4.0, 12.0})
