@@ -43,6 +43,8 @@ WITH own(relation, attribute, description) AS (VALUES
     ('design_link', 'method', 'NULL: as wanted; breaks radius, grade, crest, sag: rules of its standard that it '
         'breaks; no_path: and what bars it (terrain, zone, grade or turn)'),
     ('design_link', 'geom', 'the road, chords of a centimetre of sagitta'),
+    ('design_link', 'town_a', 'town where it began before it was cut at interchanges; NULL: not known'),
+    ('design_link', 'town_b', 'town where it ended before it was cut at interchanges; NULL: not known'),
     ('design_vertex', 'design_link_id', 'the link'),
     ('design_vertex', 'ordinality', 'place among the vertices of the link; parts of a number are fine'),
     ('design_vertex', 'geom', 'place'),
@@ -67,8 +69,8 @@ WITH own(relation, attribute, description) AS (VALUES
     ('grade_point', 'geom', 'its place at its height'),
     ('design_crossing', 'design_link_id', 'the link that is built later'),
     ('design_crossing', 'other_link_id', 'the link that it crosses'),
-    ('design_crossing', 'abscissa', 'along the link, metres'),
-    ('design_crossing', 'other_abscissa', 'along the other link, metres'),
+    ('design_crossing', 'abscissa', 'along the link, metres; -1: by hand, and the links do not cross now'),
+    ('design_crossing', 'other_abscissa', 'along the other link, metres; -1 as abscissa'),
     ('design_crossing', 'kind', 'over or under the other link, by setting clearance, or at its level'),
     ('design_crossing', 'geom', 'place'),
     ('structure', 'design_link_id', 'the link'),
@@ -82,7 +84,8 @@ WITH own(relation, attribute, description) AS (VALUES
 shared AS (SELECT relation, u.attribute, u.description FROM streetgen._design_table() t,
     LATERAL (VALUES (t.relation || '_id', 'key'),
         ('by_hand', 'was the row made or changed by hand? It stays then, and is input'),
-        ('rejected', 'was the row deleted by hand? It never comes back then')) u(attribute, description)),
+        ('rejected', 'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is '
+            'no longer wanted, and waits for the rows by hand of a link')) u(attribute, description)),
 each AS (SELECT * FROM own UNION ALL SELECT relation, attribute::name, description FROM shared)
 SELECT * FROM each UNION ALL SELECT relation || '_editing', attribute, description FROM each
     WHERE attribute <> 'content' AND relation <> 'design_input' $$;

@@ -24,7 +24,8 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
     (7, 'vertical', true, $i$
         SELECT ROW(streetgen._link_rules(%2$L, %3$s), streetgen._design_text(%2$L, 'clearance'))
         UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
-        UNION ALL SELECT ROW(g.*) FROM %1$I.grade_point g WHERE design_link_id = %3$s AND (by_hand OR rejected)
+        UNION ALL SELECT ROW(abscissa, height, radius, rejected) FROM %1$I.grade_point WHERE design_link_id = %3$s
+            AND (by_hand OR rejected)
         -- Where a crossing lies follows of both alignments.
         UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected) FROM %1$I.design_crossing
             WHERE design_link_id = %3$s AND (by_hand OR rejected)
@@ -40,7 +41,8 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
         UNION ALL SELECT ROW(abscissa, kind, rejected) FROM %1$I.design_crossing WHERE design_link_id = %3$s
         UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
             WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected
-        UNION ALL SELECT ROW(s.*) FROM %1$I.structure s WHERE design_link_id = %3$s AND by_hand$i$),
+        UNION ALL SELECT ROW(kind, start_abscissa, end_abscissa, rejected) FROM %1$I.structure
+            WHERE design_link_id = %3$s AND by_hand$i$),
     (9, 'axes', true, $i$
         SELECT ROW(c.*, a.name, b.name, streetgen._design_text(%2$L, 'driving_side'),
             streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s)) FROM %1$I.design_link l
@@ -102,6 +104,7 @@ DECLARE
     hashes bigint[];
     hash bigint;
     rows bigint;
+    barred boolean;
 BEGIN
     EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
     FOR each IN SELECT * FROM streetgen._design_stage() s WHERE s.input IS NOT NULL
@@ -143,7 +146,9 @@ BEGIN
                 END IF;
             END IF;
         END LOOP;
-        IF stage = 'axes' AND (stale <> '{}' OR links IS NULL) THEN
+        EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_link WHERE design_link_id = ANY ($1)
+            AND method LIKE ''no_path%%'')', model) INTO barred USING links;
+        IF stage = 'axes' AND (stale <> '{}' OR links IS NULL OR barred) THEN
             written := streetgen._design_axes(model, stale);
             PERFORM streetgen._note_input(model, stage, l, h) FROM unnest(stale, hashes) u(l, h);
         END IF;

@@ -66,10 +66,11 @@ WHERE elements <> '{}' AND grades <> '{}' $sql$, model, model, links, srid, left
     EXECUTE format($sql$SELECT coalesce(array_agg(source_ref), '{}') FROM %1$I.axis WHERE source = 'design'
         AND (split_part(source_ref, '/', 1)::bigint = ANY ($1)
             OR NOT EXISTS (SELECT FROM %1$I.design_link l WHERE NOT l.rejected
+                AND coalesce(l.method, '') NOT LIKE 'no_path%%'
                 AND l.design_link_id = split_part(source_ref, '/', 1)::bigint)) $sql$, model) INTO former USING links;
     PERFORM streetgen._import_change(model, 'design', former, clean => false);
     RETURN written;
 END $$;
 COMMENT ON FUNCTION streetgen._design_axes(name, bigint[]) IS
-    'Stage axes of links: writes their axes (source design), and takes away those of links that are gone; returns how '
-    'many stand.';
+    'Stage axes of links: writes their axes (source design), and takes away those of links that are gone or have no '
+    'way; returns how many stand.';

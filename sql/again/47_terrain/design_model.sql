@@ -21,13 +21,16 @@ BEGIN
                 made.of_link);
         END IF;
     END LOOP;
+    EXECUTE format('ALTER TABLE %I.design_link ADD COLUMN IF NOT EXISTS town_a bigint,
+        ADD COLUMN IF NOT EXISTS town_b bigint', model);
     EXECUTE format($sql$CREATE TABLE IF NOT EXISTS %1$I.design_input (stage text, design_link_id bigint,
         input_hash bigint NOT NULL, PRIMARY KEY (stage, design_link_id));
         COMMENT ON TABLE %1$I.design_input IS
             'What each stage of the design was computed from: a stage whose input has another hash is stale'$sql$,
         model);
 END $$;
-COMMENT ON FUNCTION streetgen._make_design_tables(name, integer) IS 'Makes the tables of a design that are missing.';
+COMMENT ON FUNCTION streetgen._make_design_tables(name, integer) IS
+    'Makes the tables and columns of a design that are missing.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_design(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -7,6 +7,83 @@ CREATE OR REPLACE FUNCTION streetgen._design_columns(model name, relation name) 
             AND attgenerated = '' $$;
 COMMENT ON FUNCTION streetgen._design_columns(name, name) IS 'The columns of a table of a design that are written.';
 
+CREATE OR REPLACE FUNCTION streetgen._place_column(model name, relation name) RETURNS name
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT attname FROM pg_attribute JOIN pg_type t ON t.oid = atttypid
+        WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0 AND NOT attisdropped
+            AND typname = 'geometry' $$;
+COMMENT ON FUNCTION streetgen._place_column(name, name) IS
+    'The column of places of a table of a design; NULL: it has none.';
+
+CREATE OR REPLACE FUNCTION streetgen._edit_default(model name, relation name, is_now jsonb) RETURNS jsonb
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    drawn boolean := false;
+BEGIN
+    IF relation = 'design_vertex' THEN
+        EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_vertex WHERE design_link_id = $1 AND NOT rejected)', model)
+            INTO drawn USING (is_now ->> 'design_link_id')::bigint;
+    END IF;
+    RETURN CASE WHEN drawn THEN jsonb_build_object('straight_in', coalesce((is_now ->> 'straight_in')::boolean, true),
+        'straight_out', coalesce((is_now ->> 'straight_out')::boolean, true)) ELSE '{}' END;
+END $$;
+COMMENT ON FUNCTION streetgen._edit_default(name, name, jsonb) IS
+    'What a row that is put in has where nothing is said: a vertex among others has straight sides, as they have.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_value(model name, relation name, broken name, missing name, is_now jsonb,
+    state text, message text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    subject constant text := concat_ws(' ', replace(relation, '_', ' '), is_now ->> (relation || '_id'));
+    rule record;
+BEGIN
+    SELECT string_agg(attname, ', ' ORDER BY k.nth) AS columns, string_agg(coalesce(is_now ->> attname, 'NULL'), ', '
+            ORDER BY k.nth) AS given, max(pg_get_expr(conbin, conrelid)) AS condition,
+            max(confrelid::regclass::text) AS other
+        INTO rule FROM pg_constraint c, unnest(conkey) WITH ORDINALITY k(attnum, nth)
+        JOIN pg_attribute a ON a.attnum = k.attnum
+        WHERE conrelid = format('%I.%I', model, relation)::regclass AND a.attrelid = conrelid AND conname = broken;
+    IF rule.columns IS NULL AND coalesce(missing, '') = '' THEN
+        RAISE EXCEPTION '%', message USING ERRCODE = state;
+    END IF;
+    RAISE EXCEPTION 'the % of % cannot be %', coalesce(rule.columns, missing), subject, coalesce(rule.given, 'NULL')
+        USING ERRCODE = state, DETAIL = CASE WHEN rule.columns IS NULL THEN 'A value is needed.'
+            WHEN rule.condition IS NULL THEN format('There is no such row of %s.', rule.other)
+            ELSE format('Expected: %s.', regexp_replace(regexp_replace(regexp_replace(rule.condition,
+                '::(double precision|text|numeric)', '', 'g'), '= ANY \(ARRAY(\[.*\])\)', 'one of \1'),
+                '[()]', '', 'g'))
+            END, HINT = 'Write another value, or leave the row as it is.',
+        SCHEMA = model, TABLE = relation, COLUMN = coalesce(rule.columns, missing), CONSTRAINT = coalesce(broken, '');
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_value(name, name, name, name, jsonb, text, text) IS
+    'Raises what a constraint of a table of a design refuses, with row, value, what is expected and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._check_ends(model name, relation name, is_now jsonb) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    first constant float8 := coalesce(is_now ->> 'start_abscissa', is_now ->> 'abscissa');
+    last constant float8 := coalesce(is_now ->> 'end_abscissa', is_now ->> 'abscissa');
+    length float8;
+BEGIN
+    IF relation NOT IN ('structure', 'grade_point') OR is_now @> '{"rejected": true}' OR is_now IS NULL THEN
+        RETURN;
+    END IF;
+    EXECUTE format('SELECT max(abscissa + length) FROM %I.alignment_element WHERE design_link_id = $1 AND NOT rejected',
+        model) INTO length USING (is_now ->> 'design_link_id')::bigint;
+    -- Of a link without a road nothing is known yet.
+    IF length IS NOT NULL AND NOT (first >= 0 AND last <= length + 0.001) THEN
+        RAISE EXCEPTION 'the % of link % lies at % m, and the link is % m long', replace(relation, '_', ' '),
+            is_now ->> 'design_link_id', concat_ws(' to ', first, nullif(last, first)), round(length::numeric, 3)
+            USING ERRCODE = '22023',
+            HINT = format('Abscissas count from the first node of the link: expected 0 to %s.', floor(length));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_ends(name, name, jsonb) IS
+    'Raises 22023 for a structure or grade point of an edit that lies before or beyond its link.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_design_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -21,12 +98,29 @@ CREATE OR REPLACE FUNCTION %1$I._edit_design() RETURNS trigger
 DECLARE
     relation constant name := replace(TG_TABLE_NAME, '_editing', '');
     key constant name := relation || '_id';
-    is_now constant jsonb := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
-    was constant jsonb := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
+    place constant name := streetgen._place_column(TG_TABLE_SCHEMA, relation);
+    drawn geometry;
+    broken name;
+    missing name;
+    at_table name;
+    is_now jsonb;
+    was jsonb;
     given name[];
 BEGIN
     IF TG_TABLE_SCHEMA <> %2$L THEN
         PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
+    END IF;
+    -- A place that is none is told before it is read as JSON.
+    IF TG_OP <> 'DELETE' AND place IS NOT NULL THEN
+        EXECUTE format('SELECT ($1).%%I', place) INTO drawn USING NEW;
+        PERFORM streetgen._check_edit_geometry(format('the %%s of the %%s', place, replace(relation, '_', ' ')), drawn)
+            WHERE drawn IS NOT NULL;
+    END IF;
+    is_now := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
+    was := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
+    IF TG_OP = 'INSERT' THEN
+        NEW := jsonb_populate_record(NEW, streetgen._edit_default(TG_TABLE_SCHEMA, relation, is_now));
+        is_now := to_jsonb(NEW);
     END IF;
     PERFORM streetgen._begin_design_edit(TG_TABLE_SCHEMA, relation, was, is_now);
     IF TG_OP = 'INSERT' THEN
@@ -55,7 +149,11 @@ BEGIN
         EXECUTE format('DELETE FROM %%I.%%I WHERE %%I = ($1).%%I', TG_TABLE_SCHEMA, relation, key, key) USING OLD;
     END IF;
     PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
+    PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
     RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
+EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation THEN
+    GET STACKED DIAGNOSTICS broken = CONSTRAINT_NAME, missing = COLUMN_NAME, at_table = TABLE_NAME;
+    PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
 END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_edit_design()', 'Turns an edit of a design into rows by hand');
     FOR shown IN SELECT * FROM streetgen._design_table() LOOP

@@ -1,4 +1,4 @@
--- Nodes and links: which towns there are, and which of them roads link.
+-- Nodes: which towns there are.
 
 CREATE OR REPLACE FUNCTION streetgen._town_numbers(model name) RETURNS float8[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -46,23 +46,35 @@ BEGIN
         coalesce((options ->> 'exponent')::float8, 1), coalesce((options ->> 'spacing')::float8, 0.6),
         coalesce((options ->> 'steepest')::float8, 0.15)];
     site := streetgen._road_site(model, ground, streetgen._road_rules(model, 'rural'));
-    EXECUTE format('DELETE FROM %I.design_node WHERE NOT by_hand AND NOT rejected AND kind <> ''interchange'' AND '
-        'ST_Covers($1, geom)', model) USING ground;
+    -- Towns drawn before wait for those drawn now: one at the same place is the same town.
+    EXECUTE format('UPDATE %I.design_node SET rejected = true WHERE NOT by_hand AND NOT rejected
+        AND kind <> ''interchange'' AND ST_Covers($1, geom)', model) USING ground;
     EXECUTE format($sql$
-INSERT INTO %I.design_node (kind, importance, geom)
-SELECT (ARRAY['city', 'town', 'village'])[kind + 1], importance, ST_SetSRID(ST_Point(x, y), ST_SRID($2))
-FROM streetgen._rank_size_towns($1, ST_Multi(ST_Force2D($2))::bytea, $3, $4, $5) $sql$, model)
-        USING site, ground, wishes, streetgen._town_numbers(model), seed;
-    GET DIAGNOSTICS made = ROW_COUNT;
+CREATE TEMPORARY TABLE _drawn ON COMMIT DROP AS SELECT d.kind, d.importance, d.geom, n.design_node_id FROM (
+    SELECT (ARRAY['city', 'town', 'village'])[kind + 1] AS kind, importance, ST_SetSRID(ST_Point(x, y), $1) AS geom
+    FROM streetgen._rank_size_towns($2, $3, $4, $5, $6)) d
+    LEFT JOIN LATERAL (SELECT design_node_id FROM %1$I.design_node w WHERE rejected AND NOT by_hand
+        AND w.kind <> 'interchange' AND ST_DWithin(w.geom, d.geom, 1) ORDER BY ST_Distance(w.geom, d.geom),
+        design_node_id LIMIT 1) n ON true $sql$, model) USING ST_SRID(ground), site,
+            ST_Multi(ST_Force2D(ground))::bytea, wishes, streetgen._town_numbers(model), seed;
+    EXECUTE format($sql$
+UPDATE %1$I.design_node n SET kind = d.kind, importance = d.importance, geom = d.geom, rejected = false
+    FROM pg_temp._drawn d WHERE d.design_node_id = n.design_node_id;
+DELETE FROM %1$I.design_node n WHERE rejected AND NOT by_hand
+    AND NOT EXISTS (SELECT FROM %1$I.design_link l WHERE n.design_node_id IN (l.node_a, l.node_b));
+INSERT INTO %1$I.design_node (kind, importance, geom) SELECT kind, importance, geom FROM pg_temp._drawn
+    WHERE design_node_id IS NULL ORDER BY importance DESC, geom $sql$, model);
+    SELECT count(*) INTO made FROM pg_temp._drawn;
+    DROP TABLE pg_temp._drawn;
     RETURN made;
 END $$;
 COMMENT ON FUNCTION streetgen.design_nodes(name, geometry, integer, bigint, jsonb) IS
-    'Draws towns in an area (POLYGON) in place of those drawn there before; returns how many found a place. Importance '
-    'falls with the rank: largest / rank^exponent. Towns keep off zones and ground steeper than steepest, and keep '
-    'spacing times the distance of an even spread. options: cities and towns (how many; the rest are villages), '
-    'largest (500000), exponent (1), spacing (0.6), steepest (0.15). Equal arguments give equal towns. Nodes by hand '
-    'stay. Another option or geometry, a count beyond 1 to 1000: 22023; no design: 55000; not the owner of the '
-    'model: 42501.';
+    'Draws towns in an area (POLYGON) in place of those drawn there before; returns how many found a place. A town '
+    'drawn where one was, within a metre, is that town, and its roads stay. Importance falls with the rank: largest / '
+    'rank^exponent. Towns keep off zones and ground steeper than steepest, and keep spacing times the distance of an '
+    'even spread. options: cities and towns (how many; the rest are villages), largest (500000), exponent '
+    '(1), spacing (0.6), steepest (0.15). Equal arguments give equal towns. Nodes by hand stay. '
+    'Another option or geometry, a count beyond 1 to 1000: 22023; no design: 55000; not the owner of the model: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_design_nodes(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -70,6 +82,14 @@ CREATE OR REPLACE FUNCTION streetgen._check_design_nodes(model name) RETURNS voi
 DECLARE
     wrong record;
 BEGIN
+    EXECUTE format('SELECT design_node_id AS a, name FROM %I.design_node WHERE NOT rejected
+        AND NOT coalesce(ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1',
+        model) INTO wrong;
+    IF wrong.a IS NOT NULL THEN
+        RAISE EXCEPTION 'node % of the design has a coordinate that is no place', concat_ws(' ', wrong.a, wrong.name)
+            USING ERRCODE = '22023', DETAIL = 'A coordinate is NaN, infinite, beyond 1e12, or missing.',
+            HINT = 'Move the node, or delete it.';
+    END IF;
     EXECUTE format($sql$
 SELECT a.design_node_id AS a, b.design_node_id AS b FROM %1$I.design_node a JOIN %1$I.design_node b
     ON ST_DWithin(a.geom, b.geom, 1) AND a.design_node_id < b.design_node_id WHERE NOT a.rejected AND NOT b.rejected
@@ -87,69 +107,4 @@ WHERE NOT rejected AND streetgen.terrain_height($1, geom) IS NULL LIMIT 1 $sql$,
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_design_nodes(name) IS
-    'Raises 22023 where two nodes lie at one place, or one has no terrain under it.';
-
-CREATE OR REPLACE FUNCTION streetgen._design_links(model name) RETURNS bigint
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    target_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    changed bigint;
-BEGIN
-    -- Pieces of links between interchanges are computed anew below; those that stay keep their keys.
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _town ON COMMIT DROP AS SELECT design_node_id, row_number() OVER (ORDER BY design_node_id) - 1
-    AS nth, geom FROM %1$I.design_node WHERE NOT rejected AND (by_hand OR kind <> 'interchange');
-CREATE TEMPORARY TABLE _link ON COMMIT DROP AS
-WITH given AS (SELECT l.*, a.nth AS a, b.nth AS b, array_position(ARRAY['highway', 'secondary', 'rural'], network) - 1
-    AS rank FROM %1$I.design_link l JOIN _town a ON a.design_node_id = node_a
-    JOIN _town b ON b.design_node_id = node_b WHERE by_hand)
-SELECT row_number() OVER () - 1 AS nth, t.* FROM streetgen._link_towns(streetgen._town_numbers(%1$L),
-    ARRAY(SELECT v FROM given, unnest(ARRAY[a, b, rank]::float8[]) WITH ORDINALITY u(v, k) WHERE NOT rejected
-        ORDER BY design_link_id, k),
-    ARRAY(SELECT v FROM given, unnest(ARRAY[a, b]::float8[]) WITH ORDINALITY u(v, k) WHERE rejected
-        ORDER BY design_link_id, k),
-    streetgen._design_number(%1$L, 'link_factor'), streetgen._design_text(%1$L, 'benefit') = 'network') t;
-CREATE TEMPORARY TABLE _meeting ON COMMIT DROP AS
-SELECT ST_SnapToGrid(ST_SetSRID(ST_Point(x, y), %2$s), 0.001) AS geom, first, second
-    FROM streetgen._link_crossings(streetgen._town_numbers(%1$L),
-    ARRAY(SELECT v FROM _link l, unnest(ARRAY[a, b, network]::float8[]) WITH ORDINALITY u(v, k) ORDER BY nth, k))
-    -- A link by hand is not cut: it crosses the others as links of other networks do.
-    WHERE NOT EXISTS (SELECT FROM _link l WHERE by_hand_row AND l.nth IN (first, second))
-$sql$, model, target_srid);
-    -- A crossing within a metre of a former interchange is that interchange.
-    EXECUTE format($sql$
-DELETE FROM %1$I.design_node n WHERE kind = 'interchange' AND NOT by_hand AND NOT rejected
-    AND NOT EXISTS (SELECT FROM _meeting m WHERE ST_DWithin(m.geom, n.geom, 1));
-INSERT INTO %1$I.design_node (kind, importance, geom) SELECT DISTINCT 'interchange', 0, m.geom FROM _meeting m
-    WHERE NOT EXISTS (SELECT FROM %1$I.design_node n WHERE ST_DWithin(m.geom, n.geom, 1));
-CREATE TEMPORARY TABLE _piece ON COMMIT DROP AS
-WITH stop AS (
-    SELECT l.nth, t.design_node_id, 0::float8 AS at FROM _link l JOIN _town t ON t.nth = l.a
-    UNION ALL SELECT l.nth, t.design_node_id, 1 FROM _link l JOIN _town t ON t.nth = l.b
-    UNION ALL SELECT l.nth, n.design_node_id, ST_LineLocatePoint(ST_MakeLine(a.geom, b.geom), n.geom)
-        FROM _meeting m JOIN _link l ON l.nth IN (m.first, m.second) JOIN _town a ON a.nth = l.a
-        JOIN _town b ON b.nth = l.b JOIN %1$I.design_node n ON ST_DWithin(m.geom, n.geom, 1)),
-piece AS (SELECT nth, design_node_id AS node_a, lead(design_node_id) OVER (PARTITION BY nth ORDER BY at) AS node_b
-    FROM stop)
-SELECT least(node_a, node_b) AS node_a, greatest(node_a, node_b) AS node_b,
-    (ARRAY['highway', 'secondary', 'rural'])[l.network + 1] AS network, l.length, l.utilisation, l.benefit, l.cost
-FROM piece JOIN _link l USING (nth) WHERE node_b IS NOT NULL AND node_a <> node_b AND NOT l.by_hand_row $sql$, model);
-    EXECUTE format($sql$
-WITH gone AS (DELETE FROM %1$I.design_link l WHERE NOT by_hand AND NOT rejected AND NOT EXISTS (SELECT FROM _piece p
-    WHERE (p.node_a, p.node_b, p.network) = (l.node_a, l.node_b, l.network)) RETURNING 1),
-same AS (UPDATE %1$I.design_link l SET length = p.length, utilisation = p.utilisation, benefit = p.benefit,
-    cost = p.cost FROM _piece p WHERE (p.node_a, p.node_b) = (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b))
-    AND p.network = l.network AND NOT l.rejected AND (l.length, l.utilisation, l.benefit, l.cost)
-        IS DISTINCT FROM (p.length, p.utilisation, p.benefit, p.cost) RETURNING 1),
-come AS (INSERT INTO %1$I.design_link (node_a, node_b, network, length, utilisation, benefit, cost)
-    SELECT DISTINCT ON (node_a, node_b, network) * FROM _piece p WHERE NOT EXISTS (SELECT FROM %1$I.design_link l
-        WHERE (p.node_a, p.node_b) = (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b))
-            AND p.network = l.network) ORDER BY node_a, node_b, network, benefit DESC RETURNING 1)
-SELECT (SELECT count(*) FROM gone) + (SELECT count(*) FROM same) + (SELECT count(*) FROM come) $sql$, model)
-        INTO changed;
-    DROP TABLE pg_temp._town, pg_temp._link, pg_temp._meeting, pg_temp._piece;
-    RETURN changed;
-END $$;
-COMMENT ON FUNCTION streetgen._design_links(name) IS
-    'Stage links: computes interchanges and links anew; returns how many links came, went or changed.';
+    'Raises 22023 where a node lies nowhere, two lie at one place, or one has no terrain under it.';

@@ -61,6 +61,9 @@ BEGIN
     SELECT f.barrier INTO barred FROM pg_temp._found f WHERE f.barrier IS NOT NULL;
     EXECUTE format('UPDATE %I.design_link SET method = $2 WHERE design_link_id = $1 AND method IS DISTINCT FROM $2',
         model) USING link, CASE WHEN barred IS NOT NULL THEN 'no_path: ' || barred END;
+    IF barred IS NOT NULL THEN
+        PERFORM streetgen._clear_links(model, ARRAY[link]);
+    END IF;
     EXECUTE format('DELETE FROM %I.design_vertex WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
     EXECUTE format($sql$
 INSERT INTO %I.design_vertex (design_link_id, ordinality, geom)
@@ -74,7 +77,7 @@ FROM (SELECT *, row_number() OVER (PARTITION BY leg ORDER BY nth) AS k, count(*)
 END $$;
 COMMENT ON FUNCTION streetgen._design_path(name, bigint) IS
     'Stage paths of a link: searches its vertices anew, through those by hand; returns how many it found. Without a '
-    'way the method of the link is no_path and what bars it.';
+    'way the method of the link is no_path and what bars it, and what was computed of it goes.';
 
 CREATE OR REPLACE FUNCTION streetgen._design_horizontal(model name, link bigint) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -18,7 +18,8 @@ BEGIN
     -- With the links that are built before it: those of higher networks, and of its own with a smaller key.
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _crossing ON COMMIT DROP AS
-SELECT o.design_link_id AS other, p.geom, ST_LineLocatePoint(line, p.geom) * ST_Length(line) AS abscissa,
+SELECT row_number() OVER () AS nth, o.design_link_id AS other, p.geom,
+    ST_LineLocatePoint(line, p.geom) * ST_Length(line) AS abscissa,
     ST_LineLocatePoint(other_line, p.geom) * ST_Length(other_line) AS other_abscissa,
     CASE WHEN l.network = o.network OR 'highway' NOT IN (l.network, o.network) THEN 'level' END AS kind
 FROM %1$I.design_link l JOIN %1$I.design_link o ON o.geom && streetgen._plan_line(%2$L, %3$s)
@@ -30,19 +31,26 @@ WHERE l.design_link_id = %3$s
     -- Where links leave a common node they touch, and do not cross.
     AND NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
         AND ST_DWithin(n.geom, p.geom, 60));
-DELETE FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND NOT by_hand AND NOT EXISTS (SELECT FROM _crossing f
-    WHERE f.other = c.other_link_id AND ST_DWithin(f.geom, c.geom, 100));
+CREATE TEMPORARY TABLE _near ON COMMIT DROP AS SELECT nth AS found, c.design_crossing_id AS known,
+    ST_Distance(f.geom, c.geom) AS apart FROM _crossing f JOIN %1$I.design_crossing c ON c.other_link_id = f.other
+    AND (c.by_hand OR ST_DWithin(f.geom, c.geom, 100)) WHERE c.design_link_id = %3$s $sql$, model, model, link);
+    PERFORM streetgen._match_nearest();
+    EXECUTE format($sql$
+DELETE FROM %1$I.design_crossing WHERE design_link_id = %2$s AND NOT by_hand
+    AND design_crossing_id NOT IN (SELECT known FROM _match);
+UPDATE %1$I.design_crossing SET abscissa = -1, other_abscissa = -1 WHERE design_link_id = %2$s AND abscissa >= 0
+    AND design_crossing_id NOT IN (SELECT known FROM _match);
 UPDATE %1$I.design_crossing c SET abscissa = f.abscissa, other_abscissa = f.other_abscissa, geom = f.geom
-    FROM _crossing f WHERE c.design_link_id = %3$s AND f.other = c.other_link_id AND ST_DWithin(f.geom, c.geom, 100)
+    FROM _match m JOIN _crossing f ON f.nth = m.found WHERE c.design_crossing_id = m.known
     AND (c.abscissa, c.other_abscissa) IS DISTINCT FROM (f.abscissa, f.other_abscissa);
 INSERT INTO %1$I.design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
-SELECT %3$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM _crossing f
-    WHERE NOT EXISTS (SELECT FROM %1$I.design_crossing c WHERE design_link_id = %3$s AND c.other_link_id = f.other
-        AND ST_DWithin(f.geom, c.geom, 100));
-DROP TABLE _crossing $sql$, model, model, link);
+SELECT %2$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM _crossing
+    WHERE nth NOT IN (SELECT found FROM _match);
+DROP TABLE _crossing, _match $sql$, model, link);
 END $$;
 COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
-    'Finds where a link crosses links that are built before it; a decision by hand stays with its crossing.';
+    'Finds where a link crosses links that are built before it. A decision by hand stays with the crossing of the same '
+    'links that is nearest to it; where they cross no more it waits, at abscissa -1.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_limits(model name, link bigint, fixed float8[]) RETURNS float8[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -56,7 +64,7 @@ SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}')
 FROM (SELECT c.abscissa, c.kind, p.z FROM %1$I.design_crossing c,
     LATERAL streetgen._alignment_point(streetgen._link_elements($1, other_link_id),
         streetgen._link_grades($1, other_link_id), other_abscissa) p
-    WHERE design_link_id = $2 AND NOT rejected AND p.z IS NOT NULL) c,
+    WHERE design_link_id = $2 AND NOT rejected AND c.abscissa >= 0 AND p.z IS NOT NULL) c,
     unnest(CASE kind WHEN 'over' THEN ARRAY[abscissa, z + $3, 1e6] WHEN 'under' THEN ARRAY[abscissa, -1e6, z - $3]
         ELSE ARRAY[abscissa, z, z] END) WITH ORDINALITY u(v, k) $sql$, model)
         INTO numbers USING model, link, clearance;
@@ -125,6 +133,10 @@ WHERE NOT EXISTS (SELECT FROM %1$I.grade_point o WHERE o.design_link_id = $1 AND
     AND abs(o.abscissa - p.abscissa) <= 1) $sql$, model) USING link, site, elements, ends, fixed, gone,
         (SELECT m.srid FROM streetgen.model m WHERE m.name = model), model;
     GET DIAGNOSTICS written = ROW_COUNT;
+    EXECUTE format($sql$UPDATE %1$I.grade_point p SET geom = ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), $3)
+        FROM %1$I.grade_point q, LATERAL streetgen._alignment_point($2, NULL, q.abscissa) a
+        WHERE q.grade_point_id = p.grade_point_id AND p.design_link_id = $1 AND p.by_hand $sql$, model)
+        USING link, elements, (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
     EXECUTE format($sql$UPDATE %1$I.design_link SET geom = streetgen._alignment_line($2,
         streetgen._link_grades($3, $1), $4, 0, 1e12, 0.01)::geometry WHERE design_link_id = $1 $sql$, model)
         USING link, elements, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
@@ -182,7 +194,7 @@ WITH found AS (
     UNION ALL SELECT CASE c.kind WHEN 'over' THEN 'bridge' ELSE 'tunnel' END, c.abscissa - k.width / 2 - 10,
         c.abscissa + k.width / 2 + 10 FROM %1$I.design_crossing c
         JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id JOIN %1$I.design_class k ON k.network = o.network
-        WHERE c.design_link_id = $1 AND c.kind <> 'level' AND NOT c.rejected),
+        WHERE c.design_link_id = $1 AND c.kind <> 'level' AND NOT c.rejected AND c.abscissa >= 0),
 joined AS (SELECT kind, unnest(range_agg(numrange(greatest(start_abscissa, 0)::numeric, end_abscissa::numeric)))
     AS part FROM found GROUP BY kind),
 free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined WHERE NOT EXISTS (
@@ -191,6 +203,10 @@ free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FR
 SELECT $1, kind, low, high, streetgen._alignment_line($3, $4, $5, low, high, 0.01)::geometry FROM free
 WHERE high > low $sql$, model) USING link, model, elements, grades, srid;
     GET DIAGNOSTICS written = ROW_COUNT;
+    EXECUTE format($sql$UPDATE %1$I.structure SET geom = CASE WHEN start_abscissa < $5 THEN streetgen._alignment_line(
+        $2, $3, $4, start_abscissa, least(end_abscissa, $5), 0.01)::geometry END
+        WHERE design_link_id = $1 AND by_hand $sql$, model) USING link, elements, grades, srid,
+            elements[cardinality(elements) - 6] + elements[cardinality(elements) - 2];
     EXECUTE format('UPDATE %I.design_link SET method = streetgen._broken_rules($2, $1) WHERE design_link_id = $1
         AND method IS DISTINCT FROM streetgen._broken_rules($2, $1)', model) USING link, model;
     RETURN written;

@@ -42,7 +42,7 @@ CREATE OR REPLACE FUNCTION streetgen._design_table()
         node_b bigint NOT NULL REFERENCES %1$I.design_node ON DELETE CASCADE,
         network text NOT NULL CHECK (network IN (''highway'', ''secondary'', ''rural'')),
         length float8, utilisation float8, benefit float8, cost float8, method text,
-        geom geometry(LineStringZ, %2$s), CHECK (node_a <> node_b)',
+        geom geometry(LineStringZ, %2$s), town_a bigint, town_b bigint, CHECK (node_a <> node_b)',
         'Roads between two nodes'),
     (8, 'design_vertex', true, 'design_link_id', 'design_link_id bigint NOT NULL
             REFERENCES %1$I.design_link ON DELETE CASCADE,
@@ -76,6 +76,18 @@ CREATE OR REPLACE FUNCTION streetgen._design_table()
 COMMENT ON FUNCTION streetgen._design_table() IS
     'The tables of a design in their order. computed: streetgen.design writes the table; of_link: the column by which '
     'its rows belong to a link; definition: its columns in model %1$I of SRID %2$s.';
+
+CREATE OR REPLACE FUNCTION streetgen._rows_by_hand() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT string_agg(format('SELECT %1$L::name AS relation, %2$I AS id, design_link_id, %3$s AS geom
+        FROM %%1$I.%1$I WHERE by_hand', relation, relation || '_id', CASE relation
+            WHEN 'alignment_element' THEN 'start' ELSE 'geom' END), ' UNION ALL ' ORDER BY place)
+        || ' UNION ALL SELECT ''design_crossing'', design_crossing_id, other_link_id, geom
+            FROM %1$I.design_crossing WHERE by_hand'
+        FROM streetgen._design_table() WHERE of_link IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._rows_by_hand() IS
+    'Query of the rows by hand of links of model %1$I: relation, id, design_link_id and geom; a crossing is of both '
+    'its links.';
 
 CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
