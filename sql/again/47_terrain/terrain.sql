@@ -1,5 +1,35 @@
 -- Heights of the ground: imported as tiles, asked at places and along lines.
 
+CREATE OR REPLACE FUNCTION streetgen._check_tile_places(model name, target_srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    rims constant text := format('SELECT concat(''the tile at '', box[1], '' '', box[4]) AS label, ST_ExteriorRing(
+        ST_MakeEnvelope(box[1], box[2], box[3], box[4], %s)) AS geom FROM pg_temp._tile', target_srid);
+    wrong record;
+    apart float8;
+BEGIN
+    PERFORM streetgen._check_scale(rims);
+    SELECT * INTO wrong FROM streetgen._misplaced(rims);
+    IF FOUND THEN
+        RAISE EXCEPTION '%', wrong.remark USING ERRCODE = '22023', HINT = wrong.way_out;
+    END IF;
+    EXECUTE format($sql$
+SELECT ST_Distance(t.ground, m.ground) FROM (SELECT ST_Collect(ST_MakeEnvelope(box[1], box[2], box[3], box[4], $1))
+    AS ground FROM pg_temp._tile) t, (SELECT ST_Collect(geom) AS ground FROM (
+        SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) AS geom FROM %1$I.axis
+        UNION ALL SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) FROM %1$I.design_node WHERE NOT rejected
+        UNION ALL SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) FROM %1$I.terrain_tile) e) m $sql$, model)
+        INTO apart USING target_srid;
+    IF apart > 0 THEN
+        RAISE WARNING 'the heights lie % m beside the axes, nodes and heights of model "%"', round(apart), model
+            USING HINT = 'Look whether the file is that of another area, or says another spatial reference.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_tile_places(name, integer) IS
+    'Raises 22023 for tiles to be added (temporary table _tile) that lie outside of the area of their SRID, or where '
+    'its scale is more than 1 % off; warns where they lie beside all that the model has.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_tiles(model name, source text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -22,6 +52,7 @@ BEGIN
         RAISE EXCEPTION 'the tile at % % overlaps a tile of the model', wrong.a[1], wrong.a[4]
             USING ERRCODE = '22023', HINT = 'Delete the tiles of terrain_tile that the new ones replace.';
     END IF;
+    PERFORM streetgen._check_tile_places(model, target_srid);
     EXECUTE format('INSERT INTO %I.terrain_tile (geom, heights) SELECT ST_MakeEnvelope(box[1], box[2], box[3], box[4], '
         '$1), heights FROM pg_temp._tile ORDER BY box', model) USING target_srid;
     GET DIAGNOSTICS added = ROW_COUNT;
@@ -31,8 +62,8 @@ BEGIN
     RETURN added;
 END $$;
 COMMENT ON FUNCTION streetgen._add_tiles(name, text) IS
-    'Adds the tiles that a query gives (bytea, raster WKB) to a model. Tiles of another SRID or cell, or that overlap: '
-    '22023.';
+    'Adds the tiles that a query gives (bytea, raster WKB) to a model. Tiles of another SRID, area or cell, or that '
+    'overlap: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_terrain(model name, source regclass) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -58,7 +89,9 @@ END $$;
 COMMENT ON FUNCTION streetgen.import_terrain(name, regclass) IS
     'Adds the tiles of a table to the terrain of a model: a column of type raster (postgis_raster), or raster WKB as '
     'bytea or hexadecimal text. Returns how many. The first band counts; cells are square, in the SRID of the model. '
-    'Other tiles, tiles that differ in cell, and tiles that overlap: 22023; no such column: 42703; a model without a '
+    'Tiles beside all that the model has are taken with a warning. Other tiles, tiles of another area than that of '
+    'their SRID, that differ in cell, that overlap, or with heights of -9999, -32767 or -32768 and no value for '
+    'missing ones: 22023; no such column: 42703; a model without a '
     'design: 55000; not its owner: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._tiles_of(model name, area geometry) RETURNS bytea[]

@@ -64,6 +64,11 @@ double take_pixel(RasterReader& reader, int type) {
   }
 }
 
+// What files write where they know no height.
+bool stands_for_none(double height) {
+  return height == -9999 || height == -32767 || height == -32768;
+}
+
 void read_header(RasterReader& reader, HeightTile& tile) {
   if (const int version = reader.take<std::uint16_t>(); version != 0)
     refuse_raster("is raster WKB of unknown version " + std::to_string(version));
@@ -97,9 +102,13 @@ HeightTile read_height_tile(std::string_view wkb) {
   tile.heights.resize(static_cast<std::size_t>(tile.width) * tile.height);
   for (float& height : tile.heights) {
     const double read = take_pixel(reader, type);
-    const bool none = ((flags & 64) && read == no_data) || std::isnan(read);
+    const bool named = (flags & 64) != 0;
+    const bool none = (named && read == no_data) || std::isnan(read);
     if (!none && !(std::abs(read) <= 1e5))
       refuse_raster("has a height of " + text_of(read), "Heights are metres, up to 100000.");
+    if (!named && stands_for_none(read))
+      refuse_raster("has heights of " + text_of(read) + " and names no value for missing ones",
+                    "ST_SetBandNoDataValue names it for a raster, gdal_edit.py -a_nodata for a file.");
     height = none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(read);
   }
   return tile;
