@@ -65,9 +65,11 @@ struct RoadPath {
 // The path of least cost from the first to the last of the places, through those between. The
 // search runs in layers of finer cells over (cell, heading, height over ground): a turn is taken
 // only where the least curve fits in half of both sides, a side only within the greatest grade.
-// Then the vertices move off the grid. Equal places are refused (degenerate). Without a way the
-// vertices are empty and the barrier is named. `straight` says of each place but the first whether
-// the side that ends there is straight: it is taken as it is.
+// Then the vertices move off the grid. Where no turn fits beside a place, or a way would tie a loop,
+// the turns there are free, and their curves shrink; the last resort is the straight side. Equal
+// places are refused (degenerate). Without a way the vertices are empty and the barrier is named.
+// `straight` says of each place but the first whether the side that ends there is straight: it is
+// taken as it is.
 RoadPath road_path(const DesignSite& site, const Line& places, const std::vector<bool>& straight);
 
 // The curve at each vertex: radius as wanted, less where the sides are short, never less than the

@@ -20,7 +20,8 @@ struct HeightTile {
 
 // A tile from raster WKB, as ST_AsBinary of postgis_raster and raster2pgsql write it: first band,
 // any type of pixel. Refused (invalid_input): other bytes, cells that are not square or are turned,
-// no band, heights beyond 100,000 m.
+// no band, heights beyond 100,000 m, and -9999, -32767 or -32768 where no value for missing heights
+// is named.
 HeightTile read_height_tile(std::string_view wkb);
 
 // Heights of the ground, bilinear between the centres of cells.

@@ -19,6 +19,12 @@ CREATE TABLE wrong AS SELECT test.tile(920000, 6454000, 40, 4, '1', srid => 4326
 SELECT 'import_terrain: another SRID is refused', test.state($$SELECT streetgen.import_terrain('hills', 'wrong')$$) = '22023';
 UPDATE wrong SET heights = test.tile(920000, 6454000, 25, 4, '1');
 SELECT 'import_terrain: another cell is refused', test.state($$SELECT streetgen.import_terrain('hills', 'wrong')$$) = '22023';
+UPDATE wrong SET heights = set_byte(test.tile(908000, 6454000, 40, 4, '-9999'), 61, 5);
+SELECT 'import_terrain: -9999 without a value for missing heights is refused', test.state($$SELECT streetgen.import_terrain('hills', 'wrong')$$) = '22023';
+UPDATE wrong SET heights = set_byte(test.tile(908000, 6454000, 40, 4, '0'), 61, 5);
+SELECT 'import_terrain: heights of 0 are heights', test.state($$SELECT streetgen.import_terrain('hills', 'wrong'); DO $d$ BEGIN ASSERT streetgen.terrain_height('hills', 'SRID=2154;POINT(908080 6453920)') = 0; END $d$; DO $d$ BEGIN RAISE division_by_zero; END $d$ $$) = '22012';
+UPDATE wrong SET heights = test.tile(300000, 4000000, 40, 4, '100');
+SELECT 'import_terrain: heights of another country are refused', test.state($$SELECT streetgen.import_terrain('hills', 'wrong')$$) = '22023';
 UPDATE wrong SET heights = '\x0102';
 SELECT 'import_terrain: bytes that are no raster are refused', test.state($$SELECT streetgen.import_terrain('hills', 'wrong')$$) = '22023';
 SELECT 'import_terrain: refused tiles leave nothing', count(*) = 4 FROM hills.terrain_tile;
