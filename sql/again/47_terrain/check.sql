@@ -17,24 +17,25 @@ SELECT 'error', 'gap between elements of a link, m', 'alignment_element', e.alig
         curvature_end], NULL, length) p, LATERAL (SELECT ST_Distance(next, ST_SetSRID(ST_Point(p.x, p.y),
         ST_SRID(next))) AS gap) g WHERE gap > 1e-6
 UNION ALL
-SELECT 'warning', 'by hand, waits for its link, which is gone: nearest link, m', h.relation, h.id,
-    coalesce((SELECT min(ST_Distance(n.geom, h.geom)) FROM %1$I.design_link n WHERE NOT n.rejected), 0), h.geom
-    FROM ($part$ || streetgen._rows_by_hand() || $part$) h JOIN %1$I.design_link l USING (design_link_id)
-    WHERE l.rejected
+$part$ || (SELECT string_agg(format($each$
+SELECT 'warning', 'by hand, waits for its link, which is gone: nearest link, m', %1$L, h.%2$I, coalesce((SELECT
+        min(ST_Distance(n.geom, h.%3$s)) FROM %%1$I.design_link n WHERE NOT n.rejected), 0), h.%3$s
+    FROM %%1$I.%1$I h JOIN %%1$I.design_link l USING (design_link_id) WHERE h.by_hand AND l.rejected
 UNION ALL
-SELECT 'warning', 'by hand, waits: its link ends before it, m', h.relation, h.id, h.at - e.length, l.geom
-    FROM (SELECT 'structure'::name AS relation, structure_id AS id, design_link_id, start_abscissa AS at
-            FROM %1$I.structure WHERE by_hand AND NOT rejected
-        UNION ALL SELECT 'grade_point', grade_point_id, design_link_id, abscissa FROM %1$I.grade_point
-            WHERE by_hand AND NOT rejected) h
-    JOIN (SELECT design_link_id, max(abscissa + length) AS length FROM %1$I.alignment_element WHERE NOT rejected
-        GROUP BY design_link_id) e USING (design_link_id)
-    JOIN %1$I.design_link l USING (design_link_id) WHERE NOT l.rejected AND h.at > e.length + 0.001
+$each$, relation, relation || '_id', CASE relation WHEN 'alignment_element' THEN 'start' ELSE 'geom' END), ''
+        ORDER BY place) FROM streetgen._design_table() WHERE of_link IS NOT NULL)
+    || (SELECT string_agg(format($each$SELECT 'warning', 'by hand, waits: its link ends before it, m', %1$L, h.%2$I,
+    h.%3$s - e.length, l.geom FROM %%1$I.%1$I h JOIN (SELECT design_link_id, max(abscissa + length) AS length
+        FROM %%1$I.alignment_element WHERE NOT rejected GROUP BY design_link_id) e USING (design_link_id)
+    JOIN %%1$I.design_link l USING (design_link_id)
+    WHERE h.by_hand AND NOT h.rejected AND NOT l.rejected AND h.%3$s > e.length + 0.001
 UNION ALL
+$each$, relation, relation || '_id', at), '')
+        FROM (VALUES ('structure', 'start_abscissa'), ('grade_point', 'abscissa')) v(relation, at)) || $part$
 SELECT 'warning', 'by hand, waits: its links do not cross, m apart', 'design_crossing', c.design_crossing_id,
     coalesce(ST_Distance(l.geom, o.geom), 0), c.geom FROM %1$I.design_crossing c
     JOIN %1$I.design_link l USING (design_link_id) JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id
-    WHERE c.by_hand AND NOT c.rejected AND c.abscissa < 0 AND NOT l.rejected AND NOT o.rejected
+    WHERE c.by_hand AND NOT c.rejected AND c.abscissa < 0 AND NOT l.rejected
 UNION ALL
 SELECT 'warning', 'stale: the input of the design changed since', 'design_link', l.design_link_id, count(*), l.geom
     FROM %1$I.design_link l CROSS JOIN streetgen._design_stage() s WHERE NOT l.rejected AND s.each_link

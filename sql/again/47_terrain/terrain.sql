@@ -90,8 +90,8 @@ COMMENT ON FUNCTION streetgen.import_terrain(name, regclass) IS
     'Adds the tiles of a table to the terrain of a model: a column of type raster (postgis_raster), or raster WKB as '
     'bytea or hexadecimal text. Returns how many. The first band counts; cells are square, in the SRID of the model. '
     'Tiles beside all that the model has are taken with a warning. Other tiles, tiles of another area than that of '
-    'their SRID, that differ in cell, that overlap, or with heights of -9999, -32767 or -32768 and no value for '
-    'missing ones: 22023; no such column: 42703; a model without a '
+    'their SRID, that differ in cell, that overlap, or with heights of -9999 or alike and no value for missing '
+    'ones: 22023; no such column: 42703; a model without a '
     'design: 55000; not its owner: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._tiles_of(model name, area geometry) RETURNS bytea[]
