@@ -65,9 +65,9 @@ void LinkGraph::each_neighbour(std::size_t town, Use use) {
       if (has(town, i)) use(i);
     return;
   }
-  known.erase(std::remove_if(known.begin(), known.end(),
-                             [&](std::size_t i) { return !has(town, i); }),
-              known.end());
+  known.erase(
+      std::remove_if(known.begin(), known.end(), [&](std::size_t i) { return !has(town, i); }),
+      known.end());
   for (std::size_t i : known)
     if (inside_[i]) use(i);
 }

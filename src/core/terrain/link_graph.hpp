@@ -48,8 +48,9 @@ class LinkGraph {
 
   std::vector<Point> places_;
   TownGrid grid_;
-  std::vector<bool> linked_;                         // by both towns
-  std::vector<std::vector<std::size_t>> neighbours_;  // links that went are left out when it is read
+  std::vector<bool> linked_;  // by both towns
+  std::vector<std::vector<std::size_t>>
+      neighbours_;  // links that went are left out when it is read
   // Of the search: the towns in the ellipse, and what is known of each.
   std::vector<std::size_t> within_;
   std::vector<bool> inside_;

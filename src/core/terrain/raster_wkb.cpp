@@ -107,8 +107,9 @@ HeightTile read_height_tile(std::string_view wkb) {
     if (!none && !(std::abs(read) <= 1e5))
       refuse_raster("has a height of " + text_of(read), "Heights are metres, up to 100000.");
     if (!named && stands_for_none(read))
-      refuse_raster("has heights of " + text_of(read) + " and names no value for missing ones",
-                    "ST_SetBandNoDataValue names it for a raster, gdal_edit.py -a_nodata for a file.");
+      refuse_raster(
+          "has heights of " + text_of(read) + " and names no value for missing ones",
+          "ST_SetBandNoDataValue names it for a raster, gdal_edit.py -a_nodata for a file.");
     height = none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(read);
   }
   return tile;

@@ -24,10 +24,8 @@ std::optional<SidesAbout::Side> side_between(const Point& a, const Point& b) {
 std::vector<PathSide> other_sides(const std::vector<PathVertex>& path, const Line& places,
                                   std::size_t i) {
   std::vector<PathSide> sides;
-  for (std::size_t k = 1; k < path.size(); ++k)
-    sides.push_back({path[k - 1].point, path[k].point});
-  for (std::size_t k = i + 1; k < places.size(); ++k)
-    sides.push_back({places[k - 1], places[k]});
+  for (std::size_t k = 1; k < path.size(); ++k) sides.push_back({path[k - 1].point, path[k].point});
+  for (std::size_t k = i + 1; k < places.size(); ++k) sides.push_back({places[k - 1], places[k]});
   return sides;
 }
 

@@ -40,8 +40,7 @@ class TownGrid {
       for (int j = from; j <= to; ++j)
         for (int town : cells_[flat ? j * columns_ + i : i * columns_ + j]) {
           const Point& p = places_[town];
-          if (distance(p, a) + distance(p, b) <= sum)
-            use(static_cast<std::size_t>(town));
+          if (distance(p, a) + distance(p, b) <= sum) use(static_cast<std::size_t>(town));
         }
     }
   }

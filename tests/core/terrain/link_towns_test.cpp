@@ -144,8 +144,7 @@ class WorstFirst {
       for (std::size_t i = 0; i < open.size(); ++i) {
         const auto [a, b] = open[i];
         const double straight = length(a, b);
-        const double used =
-            towns_[a].importance * towns_[b].importance / 1e6 / straight / straight;
+        const double used = towns_[a].importance * towns_[b].importance / 1e6 / straight / straight;
         const double worth = 27.5 * used * (way_beside(a, b) - straight) - straight;
         if (worth < worst) worst = worth, at = i;
       }
