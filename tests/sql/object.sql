@@ -203,3 +203,7 @@ SELECT streetgen."grant"('ruled', 'streetgen_test_planter', 'reader') \g /dev/nu
 SELECT 'who becomes a reader may not', NOT bool_or(has_function_privilege('streetgen_test_planter', oid, 'EXECUTE')) FROM pg_proc WHERE pronamespace = 'ruled'::regnamespace AND proname IN ('_begin_ruled_edit', '_lock_beside', '_hold_borders');
 DROP OWNED BY streetgen_test_planter;
 DROP ROLE streetgen_test_planter;
+-- Names that need quotes, in the texts of functions too.
+SELECT streetgen.create_model('Ville "d''Été"', 2154, subjects => '{all}') \g /dev/null
+INSERT INTO "Ville ""d'Été""".axis (geom) VALUES (pg_temp.line('LINESTRING(0 0, 100 0)')), (pg_temp.line('LINESTRING(100 0, 100 80)')), (pg_temp.line('LINESTRING(100 0, 200 0)'));
+SELECT 'any name will do for a model of all subjects', count(*) > 25 AND sum(skipped) = 0 FROM streetgen.generate('Ville "d''Été"');

@@ -185,7 +185,7 @@ BEGIN
         (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
         INTO edges FROM compared;
     IF touched IS NULL THEN
-        PERFORM streetgen._analyse('%1$I.junction_node'), streetgen._analyse('%1$I.junction_edge');
+        PERFORM streetgen._analyse(%3$L), streetgen._analyse(%4$L);
     END IF;
     SELECT * INTO movements FROM %1$I._put_movements(
         ARRAY(SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1), former);
@@ -202,7 +202,8 @@ BEGIN
             0::bigint);
     %2$s
 END $body$ $sql$, model, CASE WHEN 'signal' = ANY (streetgen._subjects(model)) THEN format('RETURN QUERY SELECT * '
-        'FROM %I._update_signals(ARRAY(SELECT m.junction_id FROM unnest(made) m), former);', model) END);
+        'FROM %I._update_signals(ARRAY(SELECT m.junction_id FROM unnest(made) m), former);', model) END,
+        format('%I.junction_node', model), format('%I.junction_edge', model));
     PERFORM streetgen._own_function(model, '_update_junctions(bigint[])',
         'Brings the junctions about nodes (NULL: all) up to date with the rows of the model; a row per table');
 END $$;

@@ -277,8 +277,8 @@ DECLARE
 BEGIN
     EXECUTE format('SELECT %1$I._has_rules() AND NOT EXISTS (SELECT FROM %1$I.street_object)
         AND (SELECT count(*) = $1 FROM (SELECT FROM %1$I.axis LIMIT $1) a)
-        AND pg_has_role(relowner, ''USAGE'') FROM pg_class WHERE oid = ''%1$I.street_object''::regclass', model)
-        INTO none USING worth_it;
+        AND pg_has_role(relowner, ''USAGE'') FROM pg_class WHERE oid = $2::regclass', model)
+        INTO none USING worth_it, format('%I.street_object', model);
     RETURN none;
 END $$;
 COMMENT ON FUNCTION streetgen._has_no_objects(name) IS
