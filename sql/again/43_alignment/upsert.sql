@@ -94,3 +94,17 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_alignment(places jsonb) RETURNS tex
         FROM found_member$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_alignment(jsonb) IS
     'Part of the one statement: roads and the edges in them.';
+
+CREATE OR REPLACE FUNCTION streetgen._drop_roads(model name, gone bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- What is left of other roads a run finds by their edges.
+    EXECUTE format($sql$
+WITH member AS (SELECT m.road_id FROM %1$I.edge e JOIN %1$I.road_edge m USING (edge_id) WHERE e.axis_id = ANY ($1))
+DELETE FROM %1$I.road r WHERE r.road_id IN (SELECT road_id FROM member) AND NOT EXISTS (
+    SELECT FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id) WHERE m.road_id = r.road_id
+        AND e.axis_id <> ALL ($1)) $sql$, model) USING gone;
+END $$;
+COMMENT ON FUNCTION streetgen._drop_roads(name, bigint[]) IS
+    'Removes the roads of a model that consist of edges of axes that are gone.';

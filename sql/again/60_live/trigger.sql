@@ -68,6 +68,9 @@ BEGIN
     END IF;
     PERFORM streetgen._lock_model(model, wait => true, alone => false);
     locked := streetgen._lock_places(model, gone, wait => true);
+    IF to_regclass(format('%I.road', model)) IS NOT NULL THEN
+        PERFORM streetgen._drop_roads(model, gone);
+    END IF;
     EXECUTE format($sql$
 WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, from_node, to_node),
      report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1) OR axis_b = ANY ($1)),
