@@ -3,8 +3,8 @@
 \ir shared/content.sql
 -- Bridges and tunnels: decks over what edges cross, whole edges off the ground, edits by any path.
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,bridge}'), streetgen.create_model('fresh', 2154, subjects => '{interconnection,bridge}'),
-    streetgen.create_model('plain', 2154);
+  PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,bridge}'), streetgen.create_model('fresh', 2154, subjects => '{interconnection,bridge}');
+  PERFORM set_config('streetgen_test.subjects', 'asked', true), streetgen.create_model('plain', 2154);
 END $$;
 INSERT INTO town.axis (axis_id, geom, width, level, importance) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000, 650600 6860000)', 8, 0, 4), (2, 'SRID=2154;LINESTRING(650100 6859700, 650100 6860300)', 10, 1, 2),

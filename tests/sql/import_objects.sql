@@ -80,5 +80,6 @@ SELECT 'a source_ref that comes twice', test.state($$SELECT streetgen.import_obj
 SELECT 'a line is no object', test.state($$SELECT streetgen.import_objects('town', 'town.axis', '{"type": {"value": "lamp"}}')$$) = '22023';
 SELECT 'no table of an OSM file', test.state($$SELECT streetgen.import_osm_objects('town', 'elsewhere')$$) = '42P01';
 SELECT 'nothing was lost', count = (SELECT count(*) FROM town.street_object) FROM kept;
+SET streetgen_test.subjects = 'asked';
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without the subject', test.state($$SELECT streetgen.import_osm_objects('bare')$$) = '55000';

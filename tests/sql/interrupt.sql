@@ -6,6 +6,7 @@
 \set vertices 10000
 \set blocks 15
 \set crowd 110
+\ir shared/postgis_topology.sql
 \ir ../cases/long.sql
 CREATE TABLE before AS SELECT m AS model, test.rows(m) AS rows FROM unnest(ARRAY['town', 'alone', 'dual', 'crossed', 'imported', 'star', 'band', 'bundle']) m;
 -- The second run counts: the first one fills caches.

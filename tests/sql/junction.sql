@@ -1,10 +1,12 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
+\ir shared/switch.sql
 -- Junctions of several nodes: their members, kinds, surfaces and paths; edits, hands, clusters and the subject itself.  (name, holds)
 -- A two-way street crosses a dual carriageway; beside it streets that are no carriageways.
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, subjects => '{junction}'), streetgen.create_model('anew', 2154, subjects => '{junction}'), streetgen.create_model('bare', 2154);
+  PERFORM streetgen.create_model('town', 2154, subjects => '{junction}'), streetgen.create_model('anew', 2154, subjects => '{junction}');
+  PERFORM set_config('streetgen_test.subjects', 'asked', true), streetgen.create_model('bare', 2154);
   INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, name) OVERRIDING SYSTEM VALUE VALUES
     (1, 'SRID=2154;LINESTRING(649800 6860000,650000 6860000,650200 6860000)', 7, 2, 'direct', 2, 'avenue'), (2, 'SRID=2154;LINESTRING(650200 6860020,650000 6860020,649800 6860020)', 7, 2, 'direct', 2, 'avenue'),
     (3, 'SRID=2154;LINESTRING(650000 6859800,650000 6860000)', 7, 2, 'both', 3, 'lane'), (4, 'SRID=2154;LINESTRING(650000 6860000,650000 6860020)', 7, 2, 'both', 3, 'lane'),
@@ -273,8 +275,8 @@ DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.
 DROP VIEW pg_temp.across, pg_temp.side, pg_temp.link;
-SELECT FROM streetgen.switch_subject('town', 'junction', false) \g /dev/null
+SELECT test.switch_off('town', 'junction') AS needing \gset
 SELECT 'switched off nothing is left of it', to_regclass('town.junction') IS NULL AND to_regclass('town.movement') IS NULL AND NOT EXISTS (SELECT FROM pg_proc WHERE pronamespace = 'town'::regnamespace AND proname = '_update_junctions');
 SELECT 'and an edit goes on', test.state('UPDATE town.axis SET width = 8 WHERE axis_id = 3') = 'none';
-SELECT FROM streetgen.switch_subject('town', 'junction', true) \g /dev/null
+SELECT test.switch_on('town', :'needing'::text[] || 'junction'::text) \g /dev/null
 SELECT 'switched on it is as from scratch', several() = 1 AND test.followed('town', 'anew');

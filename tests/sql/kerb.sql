@@ -1,6 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
+\ir shared/switch.sql
 -- Kerbs: the border of the roadway, by side, corner and end; edits, clusters and the subject itself.  (name, holds)
 -- What the rows of a level are not of the border of its roadway, and the border not of the rows, in metres: as surfaces on a
 -- grid of a tenth of a millimetre, which closes gaps that are noise, leave it.
@@ -14,7 +15,8 @@ END $$;
 CREATE FUNCTION pg_temp.is_border(model name) RETURNS boolean LANGUAGE sql AS $$
   SELECT bool_and(missing < 1e-3 AND too_many < 1e-3 AND abs(border - kerbs) < 1e-6 * border) IS TRUE FROM pg_temp.beside(model) $$;
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,kerb}'), streetgen.create_model('anew', 2154, subjects => '{interconnection,kerb}'), streetgen.create_model('bare', 2154, subjects => '{}');
+  PERFORM streetgen.create_model('town', 2154, subjects => '{interconnection,kerb}'), streetgen.create_model('anew', 2154, subjects => '{interconnection,kerb}');
+  PERFORM set_config('streetgen_test.subjects', 'asked', true), streetgen.create_model('bare', 2154, subjects => '{}');
   INSERT INTO town.axis (axis_id, geom, width, radius, level, name) VALUES
     (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 8, 5, 0, 'west'), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 8, 5, 0, 'east'),
     (3, 'SRID=2154;LINESTRING(650100 6859920,650100 6860000)', 6, 5, 0, 'south'), (4, 'SRID=2154;LINESTRING(650100 6860000,650100 6860080)', 6, 5, 0, 'north'),
@@ -72,10 +74,12 @@ DELETE FROM town.kerb WHERE side = 'left';
 SELECT 'rows deleted by hand are told', EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'changed_by_hand' OR rule LIKE 'stale%');
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'and come back', pg_temp.is_border('town') AND test.followed('town', 'anew');
-SELECT FROM streetgen.switch_subject('town', 'kerb', false) \g /dev/null
+SELECT test.switch_off('town', 'kerb') AS needing \gset
 SELECT 'switched off there are none', to_regclass('town.kerb') IS NULL;
 UPDATE town.axis SET width = 7 WHERE axis_id = 4;
-SELECT 'switched on they are filled', (SELECT inserted > 20 FROM streetgen.switch_subject('town', 'kerb', true) WHERE relation = 'kerb') AND pg_temp.is_border('town') AND test.followed('town', 'anew');
+SELECT 'switched on they are filled', (SELECT inserted > 20 FROM streetgen.switch_subject('town', 'kerb', true) WHERE relation = 'kerb') AND pg_temp.is_border('town');
+SELECT test.switch_on('town', :'needing') \g /dev/null
+SELECT 'as from scratch', test.followed('town', 'anew');
 SELECT 'they are a layer of files', query LIKE '%kerb%' FROM streetgen.export_layer('town') WHERE layer = 'kerbs';
 SELECT 'and summed up', amount > 0.5 FROM streetgen.summary('town') WHERE subject = 'kerbs, length';
 TRUNCATE town.axis;

@@ -1,5 +1,6 @@
 \set ECHO none
 \ir shared/truths.sql
+\ir shared/switch.sql
 -- Lanes in the direction of their traffic, and the lanes of one direction side by side.  (name, holds)
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, driving_side => 'right'), streetgen.create_model('left_town', 2154, driving_side => 'left');
@@ -39,6 +40,5 @@ SELECT 'of two it runs halfway', ST_AsText(streetgen.mean_line(ARRAY['LINESTRING
 SELECT 'of lines that cancel out there is none', streetgen.mean_line(ARRAY['LINESTRING(0 0,10 0)', 'LINESTRING(10 0,0 0)']::geometry[]) IS NULL;
 SELECT 'a NULL among them is an error', test.state($$SELECT streetgen.mean_line(ARRAY['LINESTRING(0 0,10 0)', NULL]::geometry[])$$) = '22004';
 SELECT 'so is a point', test.state($$SELECT streetgen.mean_line(ARRAY['LINESTRING(0 0,10 0)', 'POINT(0 0)']::geometry[])$$) = '22023';
-SELECT FROM streetgen.switch_subject('town', 'interconnection', false);
-SELECT FROM streetgen.switch_subject('town', 'lane', false);
+SELECT test.switch_off('town', 'lane') \g /dev/null
 SELECT 'without lanes there are no views of them', to_regclass('town.lane_group') IS NULL AND to_regclass('town.lane_driving') IS NULL;

@@ -1,10 +1,12 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
+\ir shared/switch.sql
 -- Overpasses: where two edges cross without a node, and who is above.
 DO $$ BEGIN
-  PERFORM streetgen.create_model('over', srid => 2154, subjects => '{interconnection,overpass}'), streetgen.create_model('plain', srid => 2154),
+  PERFORM streetgen.create_model('over', srid => 2154, subjects => '{interconnection,overpass}'),
     streetgen.create_model('fresh', srid => 2154, subjects => '{interconnection,overpass}'), streetgen.create_model('random', srid => 2154, subjects => '{overpass}'), setseed(0.4);
+  PERFORM set_config('streetgen_test.subjects', 'asked', true), streetgen.create_model('plain', srid => 2154);
 END $$;
 SELECT 'a model has overpasses on demand alone', to_regclass('plain.overpass') IS NULL AND to_regclass('over.overpass') IS NOT NULL;
 -- A street of level 0 from west to east, bridges and a tunnel across it, and a street of its level.
@@ -67,5 +69,5 @@ SELECT 'no edge passes over itself by a way round', NOT EXISTS (
     WITH RECURSIVE up(low, high) AS (SELECT edge_below, edge_above FROM random.overpass UNION SELECT low, edge_above FROM up JOIN random.overpass ON edge_below = high)
     SELECT FROM up WHERE low = high);
 DROP VIEW who;
-DO $$ BEGIN PERFORM streetgen.switch_subject('over', 'overpass', false); END $$;
+SELECT test.switch_off('over', 'overpass') \g /dev/null
 SELECT 'switched off, the table is gone', to_regclass('over.overpass') IS NULL AND to_regclass('over.overpass_editing') IS NULL;

@@ -86,13 +86,15 @@ CREATE FUNCTION pg_temp.decided(title text, relation name, fields text, given te
 DECLARE
   before text[] := ARRAY(SELECT content FROM test.content('town'));
   differs text[];
+  -- What further subjects make of the streets, where the model computes them.
+  others constant text := '^(kerb|sidewalk|block|road|junction|roundabout|ramp|overpass|profile|controller|signal|object|bridge|tunnel)';
 BEGIN
   EXECUTE format('INSERT INTO town.%I (%s) VALUES (%s)', relation, fields, given);
   name := title || ': it holds';
   EXECUTE 'SELECT ' || says INTO holds;
   RETURN NEXT;
   differs := ARRAY((SELECT content FROM test.content('town') EXCEPT ALL SELECT unnest(before)) UNION ALL (SELECT unnest(before) EXCEPT ALL SELECT content FROM test.content('town')));
-  RETURN QUERY SELECT title || ': nothing else changes', cardinality(differs) > 0 AND bool_and(d ~ may_change) FROM unnest(differs) d;
+  RETURN QUERY SELECT title || ': nothing else changes', cardinality(differs) > 0 AND bool_and(d ~ may_change OR d ~ others) FROM unnest(differs) d;
   RETURN QUERY SELECT title || ': it equals the model computed whole', pg_temp.is_whole('town');
   RETURN QUERY SELECT title || ': it survives generate', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('town');
   RETURN QUERY SELECT title || ': the model is sound', count(*) = 0 FROM streetgen.check_model('town') WHERE severity <> 'notice';

@@ -149,7 +149,10 @@ INSERT INTO bent.pedestrian_crossing_editing (axis_id, abscissa) VALUES (30, 79)
 SELECT 'a crossing where the axis ends with a point twice', bool_and(ST_IsValid(surface) AND ST_Area(surface) > 20) FROM bent.pedestrian_crossing JOIN bent.street_object USING (street_object_id) WHERE axis_id IN (30, 31);
 
 -- Where crossings are built, if the rule does not say.
+-- Of a roundabout that is computed the arms count, not the tag.
+SET streetgen_test.subjects = 'asked';
 SELECT streetgen.create_model('kinds', 2154, subjects => '{object}') \g /dev/null
+RESET streetgen_test.subjects;
 INSERT INTO kinds.axis (axis_id, geom, width, kind, roundabout_tag, direction) SELECT row_number() OVER (), pg_temp.line(format('LINESTRING(%s 0, %s 0, %s 0)', 100 * (n - 1), 100 * n - 50, 100 * n)), 6, kind, tag, CASE WHEN tag IS NULL THEN 'both' ELSE 'direct' END
   FROM unnest('{residential,motorway,motorway_link,service,primary}'::text[], ARRAY[NULL, NULL, NULL, NULL, 'roundabout']) WITH ORDINALITY v(kind, tag, n);
 INSERT INTO kinds.axis (axis_id, geom, width) SELECT 10 + n, pg_temp.line(format('LINESTRING(%s 0, %s 60)', 100 * n, 100 * n)), 6 FROM generate_series(0, 5) n;

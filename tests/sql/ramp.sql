@@ -3,8 +3,8 @@
 \ir shared/content.sql
 -- Ramps: where a link meets a highway, tangent to its lanes, and the merging lanes there.
 DO $$ BEGIN
-  PERFORM streetgen.create_model('road', srid => 2154, subjects => '{ramp,junction,alignment}'), streetgen.create_model('plain', srid => 2154),
-    streetgen.create_model('fresh', srid => 2154, subjects => '{ramp,junction,alignment}');
+  PERFORM streetgen.create_model('road', srid => 2154, subjects => '{ramp,junction,alignment}'), streetgen.create_model('fresh', srid => 2154, subjects => '{ramp,junction,alignment}');
+  PERFORM set_config('streetgen_test.subjects', 'asked', true), streetgen.create_model('plain', srid => 2154);
 END $$;
 SELECT 'a model has ramps on demand alone', to_regclass('plain.ramp') IS NULL AND to_regclass('road.ramp') IS NOT NULL;
 INSERT INTO road.axis (axis_id, geom, width, lane_count, direction, kind, speed) VALUES

@@ -150,7 +150,7 @@ DROP ROLE streetgen_test_editor;
 
 -- Decisions of several kinds that move with their street: all are followed by one computation.
 CALL pg_temp.decide();
-SET track_functions = 'pl';
+SELECT test.as_administrator('SET track_functions = ''pl''') \g /dev/null
 BEGIN;
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 3, 100 0)') \g /dev/null
 SELECT 'a street and what is decided on it are followed at once', pg_temp.decisions() <> '' AND calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
@@ -178,5 +178,5 @@ SELECT 'both leave nothing for the next edit', streetgen._remapped('town') IS NU
 COMMIT;
 SELECT 'and both are up to date', streetgen.live('town', true) = 0 AND streetgen.live('sketch', true) = 0;
 SELECT streetgen.drop_model('sketch') \g /dev/null
-RESET track_functions;
+SELECT test.as_administrator('RESET track_functions') \g /dev/null
 SELECT streetgen.drop_model('town') \g /dev/null

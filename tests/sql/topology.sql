@@ -8,7 +8,7 @@
 DO $$ BEGIN PERFORM streetgen.generate('quarter'); END $$;
 SELECT 'without postgis_topology an export is 0A000' AS name, test.state($$SELECT * FROM streetgen.export_topology('quarter', 'town')$$) = '0A000' AS holds;
 SELECT 'without postgis_topology an import is 0A000', test.state($$SELECT * FROM streetgen.import_topology('quarter', 'town')$$) = '0A000';
-CREATE EXTENSION postgis_topology;
+\ir shared/postgis_topology.sql
 SELECT 'a topology that does not exist is 3F000', test.state($$SELECT * FROM streetgen.import_topology('quarter', 'town')$$) = '3F000';
 SELECT 'a model that does not exist is 3F000', test.state($$SELECT * FROM streetgen.export_topology('no such', 'town')$$) = '3F000';
 
