@@ -1,9 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
 -- Functions of the user's that a model calls: an edit by anybody calls them with the rights of its owner, so that only those of the owner are called.  (name, holds)
-CREATE ROLE called_owner;
-CREATE ROLE called_editor;
-CREATE ROLE called_stranger;
+CREATE ROLE called_owner ROLE CURRENT_USER; CREATE ROLE called_editor ROLE CURRENT_USER; CREATE ROLE called_stranger ROLE CURRENT_USER;
 DO $$ BEGIN EXECUTE format('GRANT CREATE ON DATABASE %I TO called_owner', current_database()); END $$;
 GRANT CREATE ON SCHEMA public TO called_owner, called_stranger;
 SET ROLE called_owner;
