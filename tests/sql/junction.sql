@@ -197,6 +197,15 @@ SELECT 'an edit that means nothing is refused: ' || name, test.state(statement) 
   ('a junction moved', 'UPDATE town.junction_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another key', 'UPDATE town.junction_editing SET junction_id = junction_id + 1', '0A000'),
   ('an edge moved', 'UPDATE town.junction_edge_editing SET geom = ST_Translate(geom, 1, 1)', '0A000'), ('another edge', 'UPDATE town.junction_edge_editing SET edge_id = edge_id + 1000', '0A000')) v(name, statement, state);
 SELECT 'a kind that does not fit is named', test.said($$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (4, 'SRID=2154;POINT(650000 6860001)', 'end')$$) LIKE 'junction % cannot be of kind end';
+-- Where axis 30 goes on as axis 31 there is no junction yet.
+INSERT INTO town.axis (axis_id, geom, width) VALUES (30, 'SRID=2154;LINESTRING(650000 6862000,650080 6862000)', 7), (31, 'SRID=2154;LINESTRING(650080 6862000,650160 6862040)', 7);
+SELECT 'a place that is no junction yet refuses ' || kind, (r).state = '22023' AND (r).said LIKE 'node % cannot be of kind ' || kind AND (r).detail = 'It has 2 arms.' FROM unnest('{end,roundabout}'::text[]) kind,
+  LATERAL (SELECT test.refusal(format('INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (30, ''SRID=2154;POINT(650080 6862000)'', %L)', kind)) AS r) t;
+INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (30, 'SRID=2154;POINT(650080 6862000)', 'continuation');
+SELECT 'and takes what fits', count(*) = 1 FROM town.junction WHERE kind = 'continuation' AND method = 'by_hand';
+SELECT 'a row that is put elsewhere fits there too', test.state($$UPDATE town.junction_override SET geom = 'SRID=2154;POINT(650000 6862000)' WHERE axis_id = 30$$) = '22023';
+DELETE FROM town.axis WHERE axis_id IN (30, 31);
+DELETE FROM town.junction_override WHERE axis_id = 30;
 SELECT 'one on an axis that is not there is taken', test.state($$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (999, 'SRID=2154;POINT(650000 6860000)', 'end')$$) = 'none';
 DELETE FROM town.junction_override WHERE axis_id = 999;
 SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of the new junction override % cannot be "circus"%';

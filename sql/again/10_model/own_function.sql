@@ -3,16 +3,20 @@
 CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, description text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    named constant regprocedure := format('%I.%s', model, signature);
 BEGIN
     EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
         WHERE nspname = model));
-    EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+    IF (SELECT prosecdef FROM pg_proc WHERE oid = named) THEN
+        EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+    END IF;
     EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
     EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
 END $$;
 COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
-    'Gives a function in the schema of a model to its owner, with a comment: nobody else may call it, and it goes '
-    'with the extension.';
+    'Gives a function in the schema of a model to its owner, with a comment; it goes with the extension. One that '
+    'runs with the rights of the owner nobody else may call, any other one who may use the schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -75,7 +75,8 @@ COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], bigint[], geometr
     'Writes a decision on a junction, a row at each place on its axis: known are the rows that decided before, of '
     'which one stays at each place. Neither inside nor kind: it is taken back.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_junction_kind(model name, junction bigint, kind text) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._check_junction_kind(model name, subject text, nodes bigint[], kind text)
+    RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -84,11 +85,10 @@ DECLARE
 BEGIN
     EXECUTE format($sql$
 SELECT count(*) FILTER (WHERE i.edge_id IS NULL) AS arms, coalesce(bool_or(%2$s), false) AS on_ring
-FROM %1$I.junction_node m
-    JOIN (SELECT *, from_node AS node_id FROM %1$I.edge UNION ALL SELECT *, to_node FROM %1$I.edge) e USING (node_id)
+FROM (SELECT *, from_node AS node_id FROM %1$I.edge WHERE from_node = ANY ($1)
+        UNION ALL SELECT *, to_node FROM %1$I.edge WHERE to_node = ANY ($1)) e
     LEFT JOIN %1$I.axis a USING (axis_id) LEFT JOIN %1$I.junction_edge i ON i.edge_id = e.edge_id
-WHERE m.junction_id = $1
-$sql$, model, streetgen._on_ring(model)) INTO found USING junction;
+$sql$, model, streetgen._on_ring(model)) INTO found USING nodes;
     hint := CASE WHEN kind = 'end' AND found.arms <> 1 THEN 'An end has one arm.'
         WHEN kind = 'continuation' AND found.arms <> 2 THEN 'A continuation has two arms.'
         WHEN kind = 'roundabout' AND NOT found.on_ring THEN
@@ -96,12 +96,12 @@ $sql$, model, streetgen._on_ring(model)) INTO found USING junction;
         WHEN kind IN ('ramp', 'priority', 'right_before_left') AND found.arms = 1 THEN 'Where one arm ends is an end.'
         END;
     IF hint IS NOT NULL THEN
-        RAISE EXCEPTION 'junction % cannot be of kind %', junction, kind USING ERRCODE = '22023', HINT = hint,
+        RAISE EXCEPTION '% cannot be of kind %', subject, kind USING ERRCODE = '22023', HINT = hint,
             DETAIL = format('It has %s arms.', found.arms);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_junction_kind(name, bigint, text) IS
-    'Refuses (22023) a kind by hand that does not fit the arms of a junction: end, continuation, roundabout where no '
+COMMENT ON FUNCTION streetgen._check_junction_kind(name, text, bigint[], text) IS
+    'Refuses (22023) a kind by hand that does not fit the arms of the nodes of a junction: end, continuation, roundabout where no '
     'axis goes round, and what needs several arms at an end.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_unfit_kind() RETURNS trigger
@@ -111,22 +111,29 @@ DECLARE
     at record;
 BEGIN
     IF to_regclass(format('%I.junction', TG_TABLE_SCHEMA)) IS NULL OR NOT streetgen._live(TG_TABLE_SCHEMA)
-        OR TG_OP = 'UPDATE' AND NEW.kind IS NOT DISTINCT FROM OLD.kind THEN
+        -- A decision goes with its axis.
+        OR TG_OP = 'UPDATE' AND NEW.kind IS NOT DISTINCT FROM OLD.kind AND (pg_trigger_depth() > 1
+            OR (NEW.axis_id, NEW.geom::bytea) IS NOT DISTINCT FROM (OLD.axis_id, OLD.geom::bytea)) THEN
         RETURN NEW;
     END IF;
+    -- A node that joins two edges alone is no junction yet.
     EXECUTE format($sql$
-SELECT j.junction_id, j.kind FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-    JOIN %1$I.node n USING (node_id) JOIN %1$I.junction_node m USING (node_id) JOIN %1$I.junction j USING (junction_id)
-WHERE e.axis_id = $1 ORDER BY ST_Distance(n.geom, $2), v.node_id LIMIT 1
+SELECT j.kind, coalesce('junction ' || j.junction_id, 'node ' || p.node_id) AS subject,
+    coalesce((SELECT array_agg(o.node_id) FROM %1$I.junction_node o WHERE o.junction_id = j.junction_id),
+        ARRAY[p.node_id]) AS nodes
+FROM (SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+        JOIN %1$I.node n USING (node_id)
+    WHERE e.axis_id = $1 ORDER BY ST_Distance(n.geom, $2), v.node_id LIMIT 1) p
+    LEFT JOIN %1$I.junction_node m USING (node_id) LEFT JOIN %1$I.junction j USING (junction_id)
 $sql$, TG_TABLE_SCHEMA) INTO at USING NEW.axis_id, NEW.geom;
-    IF at.kind <> NEW.kind THEN
-        PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, at.junction_id, NEW.kind);
+    IF at.kind IS DISTINCT FROM NEW.kind AND at.nodes IS NOT NULL THEN
+        PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, at.subject, at.nodes, NEW.kind);
     END IF;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_unfit_kind() IS
-    'Trigger of junction_override: refuses (22023) a kind by hand that does not fit the arms of the junction at its '
-    'place. Where streets do not follow, and where no junction is computed, every kind is taken.';
+    'Trigger of junction_override: refuses (22023) a kind by hand that does not fit the arms of the junction, or of '
+    'the node that is none yet, at its place. Where streets do not follow, and where no junction is computed, every kind is taken.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -71,7 +71,8 @@ COMMENT ON TABLE %1$I.junction_override IS
     'By hand, one decision a row: the edge of the axis nearest to the place joins its two nodes (inside), or does not; '
     'or the kind of the junction whose node on the axis is nearest to the place. generate never changes it; one '
     'without its place stays and is a row of check_model; of two for one thing the younger holds';
-CREATE OR REPLACE TRIGGER fit_arms BEFORE INSERT OR UPDATE OF kind ON %1$I.junction_override FOR EACH ROW
+CREATE OR REPLACE TRIGGER fit_arms BEFORE INSERT OR UPDATE OF kind, axis_id, geom ON %1$I.junction_override
+    FOR EACH ROW
     WHEN (NEW.kind IS NOT NULL) EXECUTE FUNCTION streetgen._refuse_unfit_kind();
 COMMENT ON TRIGGER fit_arms ON %1$I.junction_override IS 'Refuses a kind that does not fit the arms'
 $sql$, model, srid, streetgen._finite('geom'));
