@@ -80,29 +80,33 @@ SELECT 'and edits are stored', test.state('UPDATE town.axis SET width = 6.6 WHER
 -- Nobody gains a right: an edit by an editor computes with the rights of the owner of the model.
 CREATE ROLE owner_of_town ROLE CURRENT_USER; CREATE ROLE editor_of_town ROLE CURRENT_USER; CREATE ROLE stranger ROLE CURRENT_USER;
 DO $$ BEGIN EXECUTE format('GRANT CREATE ON DATABASE %I TO owner_of_town', current_database()); END $$;
-GRANT CREATE ON SCHEMA public TO owner_of_town, stranger;
+GRANT CREATE ON SCHEMA public TO owner_of_town;
+-- An editor would not lend the rights of the owner where a stranger may make functions beside PostGIS.
+CREATE SCHEMA aside;
+GRANT CREATE, USAGE ON SCHEMA aside TO owner_of_town, stranger;
+GRANT USAGE ON SCHEMA aside TO editor_of_town;
 GRANT USAGE ON SCHEMA test TO PUBLIC;
 SET ROLE stranger;
-CREATE FUNCTION public.theirs(float8, float8, integer, integer, text) RETURNS float8 LANGUAGE sql IMMUTABLE AS 'SELECT 3.0::float8';
+CREATE FUNCTION aside.theirs(float8, float8, integer, integer, text) RETURNS float8 LANGUAGE sql IMMUTABLE AS 'SELECT 3.0::float8';
 SET ROLE owner_of_town;
 SELECT streetgen.create_model('owned', 2154), streetgen.grant('owned', 'editor_of_town', 'editor') \g /dev/null
-CREATE FUNCTION public.ours(float8, float8, integer, integer, text) RETURNS float8 LANGUAGE plpgsql IMMUTABLE
+CREATE FUNCTION aside.ours(float8, float8, integer, integer, text) RETURNS float8 LANGUAGE plpgsql IMMUTABLE
     AS $$ BEGIN RETURN CASE current_user WHEN 'owner_of_town' THEN 5 END; END $$;
 INSERT INTO owned.axis (axis_id, geom, width) SELECT axis_id, ST_Force2D(geom), 6 FROM (VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)'::geometry), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)')) v(axis_id, geom);
 SELECT 'a function of somebody else is refused', (r).state = '42501' AND (r).detail LIKE '%stranger%' AND (r).hint LIKE '%OWNER TO owner_of_town%'
-    FROM (SELECT test.refusal($$SELECT streetgen.set('owned', 'radius_function', 'public.theirs')$$) AS r) t;
+    FROM (SELECT test.refusal($$SELECT streetgen.set('owned', 'radius_function', 'aside.theirs')$$) AS r) t;
 SELECT 'so it is where the setting was written by hand', (r).state = '42501'
-    FROM (SELECT test.refusal($$UPDATE owned.setting SET value = 'public.theirs' WHERE name = 'radius_function'; SELECT streetgen.generate('owned')$$) AS r) t;
-SELECT 'one of the owner is taken', test.state($$SELECT streetgen.set('owned', 'radius_function', 'public.ours')$$) = 'none';
+    FROM (SELECT test.refusal($$UPDATE owned.setting SET value = 'aside.theirs' WHERE name = 'radius_function'; SELECT streetgen.generate('owned')$$) AS r) t;
+SELECT 'one of the owner is taken', test.state($$SELECT streetgen.set('owned', 'radius_function', 'aside.ours')$$) = 'none';
 SELECT streetgen.generate('owned') \g /dev/null
 SET ROLE editor_of_town;
 SELECT 'an editor''s edit computes with it', test.state('UPDATE owned.axis SET width = 7 WHERE axis_id = 1') = 'none' AND (SELECT bool_and(radius_wanted = 5) FROM owned.corner);
-SELECT 'an editor cannot set it', test.state($$SELECT streetgen.set('owned', 'radius_function', NULL)$$) = '42501' AND test.state($$UPDATE owned.setting SET value = 'public.theirs'$$) = '42501';
+SELECT 'an editor cannot set it', test.state($$SELECT streetgen.set('owned', 'radius_function', NULL)$$) = '42501' AND test.state($$UPDATE owned.setting SET value = 'aside.theirs'$$) = '42501';
 RESET ROLE;
-REVOKE EXECUTE ON FUNCTION public.ours(float8, float8, integer, integer, text) FROM PUBLIC, owner_of_town;
+REVOKE EXECUTE ON FUNCTION aside.ours(float8, float8, integer, integer, text) FROM PUBLIC, owner_of_town;
 SELECT 'nor is one that the owner may not call', (r).state = '42501' AND (r).detail LIKE '%may not call it%' FROM (SELECT test.refusal($$SELECT streetgen.generate('owned')$$) AS r) t;
-GRANT EXECUTE ON FUNCTION public.ours(float8, float8, integer, integer, text) TO owner_of_town;
-ALTER FUNCTION public.ours(float8, float8, integer, integer, text) OWNER TO stranger;
+GRANT EXECUTE ON FUNCTION aside.ours(float8, float8, integer, integer, text) TO owner_of_town;
+ALTER FUNCTION aside.ours(float8, float8, integer, integer, text) OWNER TO stranger;
 SELECT 'nor one that was given away since', (r).state = '42501' FROM (SELECT test.refusal($$SELECT streetgen.generate('owned')$$) AS r) t;
 SELECT streetgen.drop_model('owned') \g /dev/null
 DROP OWNED BY owner_of_town, editor_of_town, stranger;

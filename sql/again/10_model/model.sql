@@ -23,9 +23,11 @@ BEGIN
                     ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT '
                     'streetgen.create_model(%L, srid => …) makes it.' END, model);
     END IF;
+    PERFORM streetgen._only_own_functions(model);
 END $$;
 COMMENT ON FUNCTION streetgen._require_model(name) IS
-    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module and SQL differ.';
+    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module and SQL differ, 42501 where '
+    'it could meet functions of others.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -191,6 +193,7 @@ BEGIN
             HINT = format('GRANT CREATE ON DATABASE %I TO %I by its owner allows it.', current_database(),
                 current_user);
     END IF;
+    PERFORM streetgen._only_own_functions(model);
     EXECUTE format('CREATE SCHEMA %I', model);
     EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     PERFORM streetgen._make_street_tables(model, srid, dimension);
@@ -276,7 +279,8 @@ DECLARE
     missing text[];
     before oid[];
 BEGIN
-    PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema);
+    PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema),
+        streetgen._only_own_functions(schema);
     missing := ARRAY(SELECT name
         FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit',
         'section', 'corner', 'intersection', 'report']) name

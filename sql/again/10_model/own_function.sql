@@ -5,10 +5,17 @@ CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, d
     AS $$
 DECLARE
     named constant regprocedure := format('%I.%s', model, signature);
+    text text;
+    begins integer;
 BEGIN
     EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
         WHERE nspname = model));
     IF (SELECT prosecdef FROM pg_proc WHERE oid = named) THEN
+        -- Its first declaration, before anything there finds a function by search_path.
+        text := pg_get_functiondef(named);
+        begins := least(nullif(strpos(text, E'\nDECLARE\n'), 0), strpos(text, E'\nBEGIN\n'));
+        EXECUTE left(text, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
+            'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(text, begins), '^\nDECLARE', '');
         EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
     END IF;
     EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
@@ -16,7 +23,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'Gives a function in the schema of a model to its owner, with a comment; it goes with the extension. One that '
-    'runs with the rights of the owner nobody else may call, any other one who may use the schema.';
+    'runs with the rights of the owner first looks for functions of others, and nobody else may call it; any other '
+    'one may be called by who may use the schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -48,7 +48,8 @@ CREATE TEMPORARY TABLE _town ON COMMIT DROP AS SELECT design_node_id, row_number
     AS nth, geom FROM %1$I.design_node WHERE NOT rejected AND (by_hand OR kind <> 'interchange');
 CREATE TEMPORARY TABLE _link ON COMMIT DROP AS
 WITH given AS (SELECT l.*, a.nth AS a, b.nth AS b, streetgen._network_rank(network) - 1 AS rank
-    FROM %1$I.design_link l JOIN _town a ON a.design_node_id = node_a JOIN _town b ON b.design_node_id = node_b
+    FROM %1$I.design_link l JOIN pg_temp._town a ON a.design_node_id = node_a JOIN pg_temp._town b
+        ON b.design_node_id = node_b
     WHERE by_hand),
 linked AS (SELECT row_number() OVER () - 1 AS nth, t.* FROM streetgen._link_towns(streetgen._town_numbers(%1$L),
     ARRAY(SELECT v FROM given, unnest(ARRAY[a, b, rank]::float8[]) WITH ORDINALITY u(v, k) WHERE NOT rejected
@@ -59,15 +60,15 @@ linked AS (SELECT row_number() OVER () - 1 AS nth, t.* FROM streetgen._link_town
 SELECT l.nth, a, b, l.network AS rank, (ARRAY['highway', 'secondary', 'rural'])[l.network + 1] AS network, length,
     utilisation, benefit, cost, by_hand_row, s.design_node_id AS town_a, e.design_node_id AS town_b,
     ST_MakeLine(s.geom, e.geom) AS geom
-FROM linked l JOIN _town s ON s.nth = l.a JOIN _town e ON e.nth = l.b;
+FROM linked l JOIN pg_temp._town s ON s.nth = l.a JOIN pg_temp._town e ON e.nth = l.b;
 CREATE INDEX ON _link (nth);
 CREATE TEMPORARY TABLE _meeting ON COMMIT DROP AS
 SELECT ST_ClusterDBSCAN(geom, 1, 1) OVER () AS place, * FROM (
     SELECT ST_SnapToGrid(ST_SetSRID(ST_Point(x, y), %2$s), 0.001) AS geom, first, second
-    FROM streetgen._link_crossings(streetgen._town_numbers(%1$L), ARRAY(SELECT v FROM _link l,
+    FROM streetgen._link_crossings(streetgen._town_numbers(%1$L), ARRAY(SELECT v FROM pg_temp._link l,
         unnest(ARRAY[a, b, rank]::float8[]) WITH ORDINALITY u(v, k) ORDER BY nth, k))
     -- A link by hand is not cut: it crosses the others as links of other networks do.
-    WHERE NOT EXISTS (SELECT FROM _link l WHERE by_hand_row AND l.nth IN (first, second))) m
+    WHERE NOT EXISTS (SELECT FROM pg_temp._link l WHERE by_hand_row AND l.nth IN (first, second))) m
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
 END $$;
 COMMENT ON FUNCTION streetgen._find_town_links(name) IS
@@ -80,42 +81,44 @@ CREATE OR REPLACE FUNCTION streetgen._place_interchanges(model name) RETURNS voi
 BEGIN
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _passing ON COMMIT DROP AS
-    SELECT DISTINCT place, l.* FROM _meeting JOIN _link l ON l.nth IN (first, second);
+    SELECT DISTINCT place, l.* FROM pg_temp._meeting JOIN pg_temp._link l ON l.nth IN (first, second);
 CREATE TEMPORARY TABLE _interchange ON COMMIT DROP AS
     SELECT m.place, (array_agg(m.geom ORDER BY first, second))[1] AS geom, t.design_node_id
-    FROM _meeting m LEFT JOIN LATERAL (SELECT design_node_id FROM _town t JOIN %1$I.design_node n USING (design_node_id)
+    FROM pg_temp._meeting m LEFT JOIN LATERAL (SELECT design_node_id FROM pg_temp._town t
+        JOIN %1$I.design_node n USING (design_node_id)
         WHERE ST_DWithin(t.geom, m.geom, 1) AND n.kind <> 'interchange' LIMIT 1) t ON true
     GROUP BY m.place, t.design_node_id;
 CREATE TEMPORARY TABLE _near ON COMMIT DROP AS
 WITH former AS (SELECT DISTINCT design_node_id, town_a, town_b, network FROM (
         SELECT node_a AS design_node_id, town_a, town_b, network FROM %1$I.design_link
         UNION ALL SELECT node_b, town_a, town_b, network FROM %1$I.design_link) e WHERE town_a IS NOT NULL),
-shared AS (SELECT place, design_node_id, count(*) AS roads FROM _passing p JOIN former f
+shared AS (SELECT place, design_node_id, count(*) AS roads FROM pg_temp._passing p JOIN former f
     ON (least(p.town_a, p.town_b), greatest(p.town_a, p.town_b), p.network) = (f.town_a, f.town_b, f.network)
     GROUP BY place, design_node_id),
 -- The interchange of the same two roads is the same however far it moved, that of one of them within a tenth of it.
-reach AS (SELECT place, 100 * min(length) AS metres FROM _passing GROUP BY place)
+reach AS (SELECT place, 100 * min(length) AS metres FROM pg_temp._passing GROUP BY place)
 SELECT i.place AS found, n.design_node_id AS known,
     ST_Distance(i.geom, n.geom) - 1e8 * coalesce(s.roads, 0) AS apart
-FROM _interchange i JOIN reach r USING (place) JOIN %1$I.design_node n ON n.kind = 'interchange'
+FROM pg_temp._interchange i JOIN reach r USING (place) JOIN %1$I.design_node n ON n.kind = 'interchange'
 LEFT JOIN shared s ON s.place = i.place AND s.design_node_id = n.design_node_id
 WHERE i.design_node_id IS NULL AND (s.roads > 1 OR ST_DWithin(i.geom, n.geom, metres) AND (s.roads = 1
     OR n.by_hand OR n.design_node_id NOT IN (SELECT design_node_id FROM former)))
 $sql$, model);
     PERFORM streetgen._match_nearest();
     EXECUTE format($sql$
-UPDATE _interchange i SET design_node_id = m.known FROM _match m WHERE m.found = i.place;
+UPDATE pg_temp._interchange i SET design_node_id = m.known FROM pg_temp._match m WHERE m.found = i.place;
 -- One that was deleted by hand cuts no road.
-DELETE FROM _interchange i USING %1$I.design_node n WHERE n.design_node_id = i.design_node_id AND n.rejected
+DELETE FROM pg_temp._interchange i USING %1$I.design_node n WHERE n.design_node_id = i.design_node_id AND n.rejected
     AND n.by_hand;
-UPDATE %1$I.design_node n SET geom = i.geom, rejected = false FROM _interchange i
+UPDATE %1$I.design_node n SET geom = i.geom, rejected = false FROM pg_temp._interchange i
     WHERE n.design_node_id = i.design_node_id AND n.kind = 'interchange' AND NOT n.by_hand
     AND (n.rejected OR NOT ST_Equals(n.geom, i.geom));
-UPDATE _interchange SET design_node_id = nextval(pg_get_serial_sequence('%1$I.design_node', 'design_node_id'))
+UPDATE pg_temp._interchange SET design_node_id = nextval(pg_get_serial_sequence('%1$I.design_node', 'design_node_id'))
     WHERE design_node_id IS NULL;
 INSERT INTO %1$I.design_node (design_node_id, kind, importance, geom) SELECT design_node_id, 'interchange', 0, geom
-    FROM _interchange i WHERE NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id = i.design_node_id);
-DROP TABLE _match $sql$, model);
+    FROM pg_temp._interchange i WHERE NOT EXISTS (SELECT FROM %1$I.design_node n
+        WHERE n.design_node_id = i.design_node_id);
+DROP TABLE pg_temp._match $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._place_interchanges(name) IS
     'Gives each place where links of a network cross its node (temporary table _interchange): a town within a metre, '
@@ -131,14 +134,14 @@ BEGIN
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _piece ON COMMIT DROP AS
 WITH stop AS (
-    SELECT nth, town_a AS node, 0::float8 AS at FROM _link UNION ALL SELECT nth, town_b, 1 FROM _link
-    UNION ALL SELECT p.nth, n.design_node_id, ST_LineLocatePoint(p.geom, n.geom) FROM _passing p
-        JOIN _interchange i USING (place) JOIN %1$I.design_node n USING (design_node_id)),
+    SELECT nth, town_a AS node, 0::float8 AS at FROM pg_temp._link UNION ALL SELECT nth, town_b, 1 FROM pg_temp._link
+    UNION ALL SELECT p.nth, n.design_node_id, ST_LineLocatePoint(p.geom, n.geom) FROM pg_temp._passing p
+        JOIN pg_temp._interchange i USING (place) JOIN %1$I.design_node n USING (design_node_id)),
 piece AS (SELECT nth, node, lead(node) OVER (PARTITION BY nth ORDER BY at) AS next FROM stop),
 each AS (SELECT DISTINCT ON (least(node, next), greatest(node, next), network) least(node, next) AS node_a,
     greatest(node, next) AS node_b, network, length, utilisation, benefit, cost, least(town_a, town_b) AS town_a,
     greatest(town_a, town_b) AS town_b
-    FROM piece JOIN _link USING (nth) WHERE next <> node AND NOT by_hand_row
+    FROM piece JOIN pg_temp._link USING (nth) WHERE next <> node AND NOT by_hand_row
     ORDER BY least(node, next), greatest(node, next), network, benefit DESC, town_a, town_b)
 SELECT row_number() OVER () AS nth, e.*, l.design_link_id, coalesce(l.rejected AND l.by_hand, false) AS unwanted
 FROM each e LEFT JOIN LATERAL (SELECT * FROM %1$I.design_link l WHERE l.network = e.network
@@ -150,10 +153,10 @@ CREATE TEMPORARY TABLE _near ON COMMIT DROP AS
 WITH held AS (SELECT l.*, a.geom AS a, b.geom AS b FROM %1$I.design_link l
     JOIN %1$I.design_node a ON a.design_node_id = node_a JOIN %1$I.design_node b ON b.design_node_id = node_b
     WHERE NOT l.by_hand AND l.design_link_id IN (SELECT design_link_id FROM (%2$s) h)
-    AND NOT EXISTS (SELECT FROM _piece p WHERE p.design_link_id = l.design_link_id))
+    AND NOT EXISTS (SELECT FROM pg_temp._piece p WHERE p.design_link_id = l.design_link_id))
 SELECT p.nth AS found, h.design_link_id AS known, w.apart - CASE
     WHEN (p.town_a, p.town_b) = (h.town_a, h.town_b) THEN 1e8 ELSE 0 END AS apart, w.turned
-FROM _piece p JOIN held h USING (network) JOIN %1$I.design_node a ON a.design_node_id = p.node_a
+FROM pg_temp._piece p JOIN held h USING (network) JOIN %1$I.design_node a ON a.design_node_id = p.node_a
 JOIN %1$I.design_node b ON b.design_node_id = p.node_b,
     LATERAL (SELECT ST_Distance(h.a, a.geom) + ST_Distance(h.b, b.geom) AS apart, false AS turned
         UNION ALL SELECT ST_Distance(h.a, b.geom) + ST_Distance(h.b, a.geom), true ORDER BY apart LIMIT 1) w
@@ -161,22 +164,23 @@ WHERE p.design_link_id IS NULL AND w.apart < 0.2 * ST_Distance(a.geom, b.geom) $
         format(streetgen._rows_by_hand(), model));
     PERFORM streetgen._match_nearest();
     EXECUTE format($sql$
-UPDATE _piece p SET design_link_id = m.known FROM _match m WHERE m.found = p.nth;
+UPDATE pg_temp._piece p SET design_link_id = m.known FROM pg_temp._match m WHERE m.found = p.nth;
 WITH same AS (UPDATE %1$I.design_link l SET length = p.length, utilisation = p.utilisation, benefit = p.benefit,
     cost = p.cost, town_a = p.town_a, town_b = p.town_b, rejected = false,
     -- Metres along it count from the same end as before.
     node_a = CASE WHEN m.turned IS NULL THEN l.node_a WHEN m.turned THEN p.node_b ELSE p.node_a END,
     node_b = CASE WHEN m.turned IS NULL THEN l.node_b WHEN m.turned THEN p.node_a ELSE p.node_b END
-    FROM _piece p LEFT JOIN _match m ON m.found = p.nth WHERE p.design_link_id = l.design_link_id AND NOT p.unwanted
+    FROM pg_temp._piece p LEFT JOIN pg_temp._match m ON m.found = p.nth WHERE p.design_link_id = l.design_link_id
+        AND NOT p.unwanted
     AND (m.turned IS NOT NULL OR (l.length, l.utilisation, l.benefit, l.cost, l.town_a, l.town_b, l.rejected)
         IS DISTINCT FROM (p.length, p.utilisation, p.benefit, p.cost, p.town_a, p.town_b, false)) RETURNING 1),
 come AS (INSERT INTO %1$I.design_link (node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b)
-    SELECT node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b FROM _piece
+    SELECT node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b FROM pg_temp._piece
     WHERE design_link_id IS NULL ORDER BY nth RETURNING 1)
 SELECT (SELECT count(*) FROM same) + (SELECT count(*) FROM come) $sql$, model) INTO changed;
     -- Links that came have no row in _piece by their key; all others that are not there are gone.
     EXECUTE format($sql$SELECT coalesce(array_agg(design_link_id), '{}') FROM %1$I.design_link l WHERE NOT by_hand
-        AND NOT rejected AND NOT EXISTS (SELECT FROM _piece p WHERE (p.node_a, p.node_b, p.network)
+        AND NOT rejected AND NOT EXISTS (SELECT FROM pg_temp._piece p WHERE (p.node_a, p.node_b, p.network)
             = (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b), l.network))$sql$, model) INTO gone;
     PERFORM streetgen._clear_links(model, gone);
     EXECUTE format('UPDATE %I.design_link SET rejected = true, method = NULL WHERE design_link_id = ANY ($1)', model)
@@ -185,10 +189,10 @@ SELECT (SELECT count(*) FROM same) + (SELECT count(*) FROM come) $sql$, model) I
 DELETE FROM %1$I.design_link WHERE rejected AND NOT by_hand AND design_link_id NOT IN (SELECT design_link_id
     FROM (%2$s) h);
 UPDATE %1$I.design_node n SET rejected = true WHERE kind = 'interchange' AND NOT by_hand AND NOT rejected
-    AND NOT EXISTS (SELECT FROM _interchange i WHERE i.design_node_id = n.design_node_id);
+    AND NOT EXISTS (SELECT FROM pg_temp._interchange i WHERE i.design_node_id = n.design_node_id);
 DELETE FROM %1$I.design_node n WHERE rejected AND NOT by_hand
     AND NOT EXISTS (SELECT FROM %1$I.design_link l WHERE n.design_node_id IN (l.node_a, l.node_b));
-DROP TABLE _match $sql$, model, format(streetgen._rows_by_hand(), model));
+DROP TABLE pg_temp._match $sql$, model, format(streetgen._rows_by_hand(), model));
     RETURN changed + cardinality(gone);
 END $$;
 COMMENT ON FUNCTION streetgen._settle_links(name) IS

@@ -70,7 +70,7 @@ INSERT INTO %I.design_vertex (design_link_id, ordinality, geom)
 SELECT $1, CASE WHEN cardinality($2) = 2 THEN k
         ELSE $2[leg] + ($2[leg + 1] - $2[leg]) * k / (n + 1) END, ST_SetSRID(ST_Point(x, y), $3)
 FROM (SELECT *, row_number() OVER (PARTITION BY leg ORDER BY nth) AS k, count(*) OVER (PARTITION BY leg) AS n
-    FROM _found WHERE NOT by_hand) f $sql$, model) USING link, known, ST_SRID(places);
+    FROM pg_temp._found WHERE NOT by_hand) f $sql$, model) USING link, known, ST_SRID(places);
     GET DIAGNOSTICS written = ROW_COUNT;
     DROP TABLE pg_temp._found;
     RETURN written;

@@ -32,21 +32,22 @@ WHERE l.design_link_id = %3$s
     AND NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
         AND ST_DWithin(n.geom, p.geom, 60));
 CREATE TEMPORARY TABLE _near ON COMMIT DROP AS SELECT nth AS found, c.design_crossing_id AS known,
-    ST_Distance(f.geom, c.geom) AS apart FROM _crossing f JOIN %1$I.design_crossing c ON c.other_link_id = f.other
+    ST_Distance(f.geom, c.geom) AS apart FROM pg_temp._crossing f JOIN %1$I.design_crossing c
+        ON c.other_link_id = f.other
     AND (c.by_hand OR ST_DWithin(f.geom, c.geom, 100)) WHERE c.design_link_id = %3$s $sql$, model, model, link);
     PERFORM streetgen._match_nearest();
     EXECUTE format($sql$
 DELETE FROM %1$I.design_crossing WHERE design_link_id = %2$s AND NOT by_hand
-    AND design_crossing_id NOT IN (SELECT known FROM _match);
+    AND design_crossing_id NOT IN (SELECT known FROM pg_temp._match);
 UPDATE %1$I.design_crossing SET abscissa = -1, other_abscissa = -1 WHERE design_link_id = %2$s AND abscissa >= 0
-    AND design_crossing_id NOT IN (SELECT known FROM _match);
+    AND design_crossing_id NOT IN (SELECT known FROM pg_temp._match);
 UPDATE %1$I.design_crossing c SET abscissa = f.abscissa, other_abscissa = f.other_abscissa, geom = f.geom
-    FROM _match m JOIN _crossing f ON f.nth = m.found WHERE c.design_crossing_id = m.known
+    FROM pg_temp._match m JOIN pg_temp._crossing f ON f.nth = m.found WHERE c.design_crossing_id = m.known
     AND (c.abscissa, c.other_abscissa) IS DISTINCT FROM (f.abscissa, f.other_abscissa);
 INSERT INTO %1$I.design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
-SELECT %2$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM _crossing
-    WHERE nth NOT IN (SELECT found FROM _match);
-DROP TABLE _crossing, _match $sql$, model, link);
+SELECT %2$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM pg_temp._crossing
+    WHERE nth NOT IN (SELECT found FROM pg_temp._match);
+DROP TABLE pg_temp._crossing, _match $sql$, model, link);
 END $$;
 COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
     'Finds where a link crosses links that are built before it. A decision by hand stays with the crossing of the same '

@@ -348,7 +348,7 @@ CREATE OR REPLACE FUNCTION streetgen.activity(model name)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._require_model(model);
+    PERFORM streetgen._require_reader(model);
     RETURN QUERY
     SELECT l.pid, a.usename, a.application_name, a.xact_start,
            CASE WHEN bool_or(l.granted AND l.objid = 0 AND l.mode = 'ExclusiveLock') THEN 'the whole model'

@@ -1,0 +1,62 @@
+// streetgen._only_own_functions: whether functions of others may stand in for those that a model calls.  The rule is
+// SQL, streetgen._check_functions_beside; a session asks it once, and again after the catalogue changed.
+#include "frame/border.hpp"
+
+extern "C" {
+#include <access/htup_details.h>
+#include <catalog/namespace.h>
+#include <catalog/pg_namespace.h>
+#include <catalog/pg_type.h>
+#include <executor/spi.h>
+#include <utils/builtins.h>
+#include <utils/inval.h>
+#include <utils/syscache.h>
+}
+
+namespace streetgen::pg {
+namespace {
+
+// For whom it was proved last, and how often the catalogue has changed by then.
+Oid proved_owner = InvalidOid, proved_caller = InvalidOid;
+uint64 changes = 0, proved_at = 0;
+
+void note_change(Datum, int, uint32) { ++changes; }
+
+void watch_catalogue() {
+  static bool watched = false;
+  if (watched) return;
+  watched = true;
+  for (const int cache : {PROCOID, OPEROID, NAMESPACEOID, AUTHOID, AUTHMEMMEMROLE, DATABASEOID})
+    CacheRegisterSyscacheCallback(cache, note_change, Datum{0});
+}
+
+// The current role for a model that is still to be made.
+Oid owner_of(const char* model) {
+  HeapTuple schema = SearchSysCache1(NAMESPACENAME, CStringGetDatum(model));
+  if (!HeapTupleIsValid(schema)) return GetUserId();
+  const Oid owner = reinterpret_cast<Form_pg_namespace>(GETSTRUCT(schema))->nspowner;
+  ReleaseSysCache(schema);
+  return owner;
+}
+
+}  // namespace
+}  // namespace streetgen::pg
+
+STREETGEN_FUNCTION(streetgen_only_own_functions) {
+  using namespace streetgen::pg;
+  watch_catalogue();
+  const Oid owner = owner_of(NameStr(*PG_GETARG_NAME(0)));
+  // Who borrows the rights of the owner; whoever calls with his own borrows none.
+  const Oid caller = GetUserId() == GetOuterUserId() ? owner : GetOuterUserId();
+  if (owner == proved_owner && caller == proved_caller && changes == proved_at) PG_RETURN_BOOL(true);
+  const uint64 before = changes;
+  Oid types[] = {OIDOID, OIDOID};
+  Datum values[] = {ObjectIdGetDatum(owner), ObjectIdGetDatum(caller)};
+  if (SPI_connect() != SPI_OK_CONNECT) elog(ERROR, "no connection to SPI");
+  SPI_execute_with_args("SELECT streetgen._check_functions_beside($1, $2)", 2, types, values, nullptr, true, 1);
+  SPI_finish();
+  proved_owner = owner;
+  proved_caller = caller;
+  proved_at = before;
+  PG_RETURN_BOOL(true);
+}
