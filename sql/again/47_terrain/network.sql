@@ -61,7 +61,7 @@ SELECT l.nth, a, b, l.network AS rank, (ARRAY['highway', 'secondary', 'rural'])[
     utilisation, benefit, cost, by_hand_row, s.design_node_id AS town_a, e.design_node_id AS town_b,
     ST_MakeLine(s.geom, e.geom) AS geom
 FROM linked l JOIN pg_temp._town s ON s.nth = l.a JOIN pg_temp._town e ON e.nth = l.b;
-CREATE INDEX ON _link (nth);
+CREATE INDEX ON pg_temp._link (nth);
 CREATE TEMPORARY TABLE _meeting ON COMMIT DROP AS
 SELECT ST_ClusterDBSCAN(geom, 1, 1) OVER () AS place, * FROM (
     SELECT ST_SnapToGrid(ST_SetSRID(ST_Point(x, y), %2$s), 0.001) AS geom, first, second
@@ -147,7 +147,7 @@ SELECT row_number() OVER () AS nth, e.*, l.design_link_id, coalesce(l.rejected A
 FROM each e LEFT JOIN LATERAL (SELECT * FROM %1$I.design_link l WHERE l.network = e.network
     AND (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b)) = (e.node_a, e.node_b)
     ORDER BY by_hand DESC, rejected, design_link_id LIMIT 1) l ON true;
-CREATE INDEX ON _piece (design_link_id);
+CREATE INDEX ON pg_temp._piece (design_link_id);
 -- A link whose ends are others now, and that has rows by hand, goes on as the new one that is nearest to it.
 CREATE TEMPORARY TABLE _near ON COMMIT DROP AS
 WITH held AS (SELECT l.*, a.geom AS a, b.geom AS b FROM %1$I.design_link l

@@ -47,7 +47,7 @@ UPDATE %1$I.design_crossing c SET abscissa = f.abscissa, other_abscissa = f.othe
 INSERT INTO %1$I.design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
 SELECT %2$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM pg_temp._crossing
     WHERE nth NOT IN (SELECT found FROM pg_temp._match);
-DROP TABLE pg_temp._crossing, _match $sql$, model, link);
+DROP TABLE pg_temp._crossing, pg_temp._match $sql$, model, link);
 END $$;
 COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
     'Finds where a link crosses links that are built before it. A decision by hand stays with the crossing of the same '
