@@ -2,9 +2,10 @@
 //
 // Ends and vertices within `tolerance` (metres, planar) of each other join
 // transitively, whatever the order of the axes; a cluster wider than three
-// tolerances is reported and not joined.  A node lies at the vertex of its
-// smallest (axis_id, vertex).  An axis end within tolerance of the inside of
-// another axis' segment makes a node there.  Nodes within tolerance of each
+// tolerances, by the circle about it, is reported and not joined.  A node lies
+// where most arms of what joins meet: a vertex inside an axis has two, an end has
+// one.  Of several such places it is the middle.  An axis end within tolerance of
+// the inside of another axis' segment makes a node there.  Nodes within tolerance of each
 // other along an axis are one, in the same way and within the same bound.
 // Levels that differ meet only where the point is an end of at least one axis;
 // where it is interior to all, they pass over each other and make no node.  No

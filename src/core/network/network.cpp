@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "geometry/box_index.hpp"
+#include "geometry/enclosing_circle.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
@@ -65,7 +66,9 @@ class Cuts {
 class Builder {
  public:
   Builder(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing)
-      : tolerance_(tolerance), crossing_(crossing), groups_(0) {
+      : tolerance_(tolerance + std::min(same_place, tolerance / 1000)),
+        crossing_(crossing),
+        groups_(0) {
     for (const NetworkAxis& axis : axes) axes_.push_back(&axis);
     std::sort(axes_.begin(), axes_.end(),
               [](const NetworkAxis* a, const NetworkAxis* b) { return a->axis_id < b->axis_id; });
@@ -148,16 +151,20 @@ class Builder {
     pairs(tolerance_, [&](int i, int j) { joined.join(i, j); });
     std::vector<Box> extent(groups_.size());
     for (int i = 0; i < groups_.size(); ++i) extent[joined.of(i)].add(place_of(i).point);
+    std::map<int, Line> far;  // the points of groups that may be too wide
+    for (int i = 0; i < groups_.size(); ++i) {
+      const Box& box = extent[joined.of(i)];
+      if (std::hypot(box.max_x - box.min_x, box.max_y - box.min_y) > 3 * tolerance_)
+        far[joined.of(i)].push_back(place_of(i).point);
+    }
     std::set<int> wide;
-    for (int group = 0; group < groups_.size(); ++group) {
-      if (joined.of(group) != group) continue;
-      const Box& box = extent[group];
-      const double width = std::hypot(box.max_x - box.min_x, box.max_y - box.min_y);
-      if (width <= 3 * tolerance_) continue;
+    for (const auto& [group, points] : far) {
+      const Circle about = enclosing_circle(points);
+      if (2 * about.radius <= 3 * tolerance_) continue;
       wide.insert(group);
-      const AxisPoint place = place_of(group);
-      const std::int64_t axis_id = axes_[place.axis]->axis_id;
-      out_.reports.push_back({NetworkIssue::wide_cluster, axis_id, axis_id, place.point, width});
+      const std::int64_t axis_id = axes_[place_of(group).axis]->axis_id;
+      out_.reports.push_back(
+          {NetworkIssue::wide_cluster, axis_id, axis_id, about.centre, 2 * about.radius});
     }
     for (int i = 0; i < groups_.size(); ++i)
       if (wide.count(joined.of(i)) == 0) groups_.join(i, joined.of(i));
@@ -315,14 +322,55 @@ class Builder {
     return {vertices_[group].axis, vertices_[group].point};
   }
 
+  // Where the most arms meet of those that join; of places where as many do, the middle.
+  Point place_of_node(const std::vector<int>& members) const {
+    const auto arms_at = [&](const Point& place) {
+      int arms = 0;
+      for (const int i : members)
+        if (i < static_cast<int>(vertices_.size()) &&
+            distance(vertices_[i].point, place) <= same_place)
+          arms += vertices_[i].end ? 1 : 2;
+      return arms;
+    };
+    std::vector<Point> best;
+    int most = 0;
+    for (const int i : members) {
+      const Point& place = place_of(i).point;
+      const int arms = arms_at(place);
+      if (arms > most) best.clear();
+      most = std::max(most, arms);
+      if (arms == most) best.push_back(place);
+    }
+    Point sum;
+    for (const Point& place : best) sum = sum + (place - best.front());
+    return best.front() + sum * (1.0 / static_cast<double>(best.size()));
+  }
+
+  // Of groups whose members lie in several places, in the order of their axes.
+  std::map<int, std::vector<int>> members_apart() {
+    std::map<int, std::vector<int>> members;
+    for (int i = 0; i < groups_.size(); ++i)
+      if (const int group = groups_.of(i);
+          group != i && distance(place_of(i).point, place_of(group).point) > 0)
+        members.try_emplace(group);
+    for (int i = 0; !members.empty() && i < groups_.size(); ++i)
+      if (const auto all = members.find(groups_.of(i)); all != members.end())
+        all->second.push_back(i);
+    return members;
+  }
+
   void make_nodes() {
+    const std::map<int, std::vector<int>> apart = members_apart();
     node_of_.assign(groups_.size(), -1);
     for (int a = 0; a < static_cast<int>(axes_.size()); ++a)
       for (const Cut& cut : cuts_[a]) {
         const int group = groups_.of(cut.group);
         if (node_of_[group] < 0) {
+          const auto members = apart.find(group);
           node_of_[group] = static_cast<int>(out_.nodes.size());
-          out_.nodes.push_back({place_of(group).point, {}});
+          out_.nodes.push_back(
+              {members == apart.end() ? place_of(group).point : place_of_node(members->second),
+               {}});
         }
         out_.nodes[node_of_[group]].anchors.push_back({axes_[a]->axis_id, cut.abscissa});
       }
@@ -392,12 +440,12 @@ class Builder {
     }
   }
 
-  double tolerance_;
+  double tolerance_;  // metres, with the noise of coordinates
   Crossing crossing_;
   std::vector<const NetworkAxis*> axes_;  // by axis_id
   std::vector<Line> lines_;
   std::vector<double> lengths_;
-  std::vector<Vertex> vertices_;  // by (axis_id, index): a group's smallest is its place
+  std::vector<Vertex> vertices_;  // by (axis_id, index)
   std::vector<int> first_;
   Groups groups_;
   std::vector<Cuts> cuts_;

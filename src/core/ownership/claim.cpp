@@ -4,34 +4,60 @@
 #include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 
 namespace streetgen {
 
 namespace {
+
+// Lengths that differ by noise are equal: the bounds lie beside whole and half millimetres, which
+// are drawn.
+std::int64_t millimetres(double metres) { return std::llround(1000 * metres + 0.1137); }
 
 void add_axis(Claim& claim, const Layout& layout, int edge) {
   const StreetAxis& axis = layout.axis_of(edge);
   claim.edges.push_back(edge);
   claim.importance = std::min(claim.importance, axis.importance);
   claim.width = std::max({claim.width, axis.width, axis.width_end});
+  claim.axis_length = std::max(claim.axis_length, millimetres(layout.axis_lengths[edge]));
   claim.axis_id = std::min(claim.axis_id, axis.axis_id);
 }
 
 // Twice the millimetres: sections lie at odd places, nodes at even ones.
 std::int64_t order_key_at(double abscissa) { return 2 * std::llround(1000 * abscissa); }
 
-// Where the edge's line begins, metres along its axis, told from its first vertex between its ends:
-// those lie beside the axis where others meet it, and must not move what is measured beyond.
-double first_abscissa(const Layout& layout, int e) {
+// The segments of its axis that the edge's line begins and ends in: those at whose other ends its
+// line has a vertex.  Its ends lie beside the axis where others meet it.
+EndSegments end_segments(const Layout& layout, int e) {
   const Edge& edge = layout.streets.network.edges[e];
-  const Line& axis = layout.axis_of(e).line;
+  const Line &axis = layout.axis_of(e).line, &line = edge.line;
+  EndSegments ends;
   double abscissa = 0;
-  for (std::size_t i = 1; i < axis.size() && abscissa < edge.end_abscissa; ++i) {
-    abscissa += distance(axis[i - 1], axis[i]);
-    if (abscissa > edge.start_abscissa && distance(axis[i], edge.line[1]) == 0)
-      return abscissa - distance(edge.line[0], edge.line[1]);
+  for (std::size_t i = 1; i < axis.size(); ++i) {
+    const double size = distance(axis[i - 1], axis[i]), begin = abscissa;
+    abscissa += size;
+    if (ends.first == 0 && abscissa > edge.start_abscissa + same_place) {
+      if (line.size() > 2 && distance(axis[i], line[1]) > 0) return {};
+      ends.first = size;
+      ends.before = std::max(0.0, edge.start_abscissa - begin);
+    }
+    if (abscissa < edge.end_abscissa - same_place) continue;
+    if (line.size() > 2 && distance(axis[i - 1], line[line.size() - 2]) > 0) return {};
+    ends.last = size;
+    ends.beyond = std::max(0.0, abscissa - edge.end_abscissa);
+    break;
   }
-  return edge.start_abscissa;
+  return ends;
+}
+
+void add_stretch(Claim& claim, const Layout& layout, int edge, double from, double to) {
+  claim.skeleton.push_back({&layout.arms[2 * edge].line, from, to, end_segments(layout, edge)});
+}
+
+void measure(Claim& claim) {
+  double sum = 0;
+  for (const Stretch& stretch : claim.skeleton) sum += stretch.to - stretch.from;
+  claim.length = millimetres(sum);
 }
 
 }  // namespace
@@ -45,9 +71,9 @@ Claim claim_of_section(const Layout& layout, int e) {
   claim.level = edge.level;
   claim.axis_id = edge.axis_id;
   claim.order_key = order_key_at(edge.start_abscissa) + 1;
-  if (start < end)
-    claim.skeleton.push_back({&layout.arms[2 * e].line, start, end, first_abscissa(layout, e)});
+  if (start < end) add_stretch(claim, layout, e, start, end);
   add_axis(claim, layout, e);
+  measure(claim);
   return claim;
 }
 
@@ -60,14 +86,14 @@ Claim claim_of_intersection(const Layout& layout, int node) {
   claim.order_key = order_key_at(anchor.abscissa);
   claim.node = layout.streets.network.nodes[node].point;
   for (const EdgeEnd& end : layout.junctions[node].ends) {
-    const Line& along = layout.arms[2 * end.edge].line;
-    const double limit = layout.arm(end).limit, total = length(along);
+    const double limit = layout.arm(end).limit, total = length(layout.arms[2 * end.edge].line);
     if (limit > 0)
-      claim.skeleton.push_back({&along, end.at_start ? 0 : total - limit,
-                                end.at_start ? limit : total, first_abscissa(layout, end.edge)});
+      add_stretch(claim, layout, end.edge, end.at_start ? 0 : total - limit,
+                  end.at_start ? limit : total);
     add_axis(claim, layout, end.edge);
     claim.joins_levels |= layout.streets.network.edges[end.edge].level != claim.level;
   }
+  measure(claim);
   return claim;
 }
 

@@ -63,44 +63,76 @@ bool skeletons_cross(const Claim& a, const Claim& b, const Box& within) {
   return false;
 }
 
-// Every metre of the axis, wherever it is cut and whatever part of it the stretch is: an edit at
-// one end moves no border at the other. Both ends of an edge, too.
-template <class Use>
-void each_sample_place(const Stretch& stretch, double total, Use use) {
-  bool any = stretch.from <= 0;
-  if (any) use(0);
-  for (double k = std::ceil((stretch.abscissa + stretch.from) / sample_spacing);; ++k) {
-    const double at = k * sample_spacing - stretch.abscissa;
-    if (at > stretch.to || at > total - same_place) break;
-    if (at <= same_place) continue;
-    any = true;
-    use(at);
+// Into how many parts a segment is divided.  The bounds lie beside round lengths, which are drawn
+// so and come with noise.
+int parts_of(double segment) {
+  return std::max(1, static_cast<int>(segment / sample_spacing + 0.5137));
+}
+
+// Places on a piece of a line, a part of a segment of its axis.
+struct Division {
+  double step;        // metres
+  double offset = 0;  // metres: the first place lies this far before the piece
+  double scale = 1;
+};
+
+Division division_of(const Stretch& stretch, std::size_t piece, double size) {
+  const EndSegments& ends = stretch.segments;
+  const bool first = piece == 1 && ends.first > 0,
+             last = piece + 1 == stretch.line->size() && ends.last > 0;
+  if (first && stretch.line->size() == 2) {
+    const double kept = ends.first - ends.before - ends.beyond;
+    if (kept < same_place) return {size / parts_of(size)};
+    return {ends.first / parts_of(ends.first), ends.before, size / kept};
   }
-  if (stretch.to >= total)
-    use(total);
+  const double segment = first ? ends.first : last ? ends.last : size;
+  return {segment / parts_of(segment), first ? segment - size : 0};
+}
+
+// About every metre, in equal parts of each segment of the axis, wherever the axis is cut and
+// whatever part of it the stretch is: the same from either end.  Both ends of an edge, too.
+template <class Use>
+void each_sample_place(const Stretch& stretch, Use use) {
+  const Line& line = *stretch.line;
+  const auto inside = [&](double at) {
+    return at > stretch.from + same_place && at < stretch.to - same_place;
+  };
+  bool any = stretch.from <= same_place;
+  if (any) use(line.front());
+  double walked = 0;
+  for (std::size_t i = 1; i < line.size() && walked <= stretch.to; ++i) {
+    const double size = distance(line[i - 1], line[i]);
+    if (walked + size >= stretch.from) {
+      const auto [step, offset, scale] = division_of(stretch, i, size);
+      const double begin = std::max(0.0, stretch.from - walked) / scale + offset;
+      for (double k = std::floor(begin / step);; ++k) {
+        const double at = (k * step - offset) * scale;
+        if (at > size - same_place || walked + at > stretch.to) break;
+        if (at < same_place || !inside(walked + at)) continue;
+        any = true;
+        use(line[i - 1] + (line[i] - line[i - 1]) * (at / size));
+      }
+    }
+    walked += size;
+    if (i + 1 == line.size() || !inside(walked)) continue;
+    any = true;
+    use(line[i]);
+  }
+  if (stretch.to >= length(line) - same_place)
+    use(line.back());
   else if (!any)
-    use((stretch.from + stretch.to) / 2);
+    use(position_at(line, (stretch.from + stretch.to) / 2).point);
 }
 
 // Those near the box: a section lies within half its width of its axis, an intersection may not.
 void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
   const double margin = claim.skeleton.size() > 1 ? std::numeric_limits<double>::infinity()
                                                   : claim.width / 2 + 2 * sample_spacing;
-  for (const Stretch& stretch : claim.skeleton) {
-    const Line& line = *stretch.line;
-    double walked = 0, size = distance(line[0], line[1]);
-    std::size_t segment = 1;
-    each_sample_place(stretch, length(line), [&](double at) {
-      while (segment + 1 < line.size() && walked + size < at) {
-        walked += size;
-        ++segment;
-        size = distance(line[segment - 1], line[segment]);
-      }
-      const double t = size > 0 ? std::clamp((at - walked) / size, 0.0, 1.0) : 0;
-      const Point p = planar(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+  for (const Stretch& stretch : claim.skeleton)
+    each_sample_place(stretch, [&](const Point& place) {
+      const Point p = planar(place);
       if (within.holds(p, margin)) sites.push_back({p, first});
     });
-  }
 }
 
 // The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
@@ -143,8 +175,8 @@ void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Poi
 }  // namespace
 
 bool before(const Claim& a, const Claim& b) {
-  return std::tuple(a.importance, -a.width, a.axis_id, a.order_key) <
-         std::tuple(b.importance, -b.width, b.axis_id, b.order_key);
+  return std::tuple(a.importance, -a.width, -a.axis_length, -a.length, a.axis_id, a.order_key) <
+         std::tuple(b.importance, -b.width, -b.axis_length, -b.length, b.axis_id, b.order_key);
 }
 
 Dispute::Dispute(const Disputant& a, const Disputant& b) {

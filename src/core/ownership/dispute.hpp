@@ -34,7 +34,8 @@ class Dispute {
   std::vector<Line> border_;
 };
 
-// Rank where axes cross: importance, width, axis_id, order_key.
+// Rank where nothing nearer decides: the more important, the wider, that of the longer axis, the
+// longer.  Claims equal in all of these are told by axis_id and order_key.
 bool before(const Claim& a, const Claim& b);
 
 }  // namespace streetgen

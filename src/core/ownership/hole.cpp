@@ -17,6 +17,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
+#include "ownership/dispute.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/disjoint_sets.hpp"
 
@@ -208,10 +209,8 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
            holes_near(place.grown(coordinate_margin), members_near(group, place))) {
         const Box box = box_of({{found}}).grown(coordinate_margin);
         std::vector<int> around = members_near(group, box);
-        std::sort(around.begin(), around.end(), [&](int i, int j) {
-          return std::tie(claims[i].axis_id, claims[i].order_key) <
-                 std::tie(claims[j].axis_id, claims[j].order_key);
-        });
+        std::sort(around.begin(), around.end(),
+                  [&](int i, int j) { return before(claims[i], claims[j]); });
         if (std::none_of(around.begin(), around.end(), [&](int i) { return claims[i].wanted; }))
           continue;
         // Once more from its neighbours alone: the same whatever else was there.

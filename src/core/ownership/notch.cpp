@@ -12,13 +12,13 @@ namespace streetgen {
 
 namespace {
 
-constexpr double widest_wedge = 135 * M_PI / 180;
+constexpr double widest_wedge = 135 * M_PI / 180 + same_angle;
 constexpr double farthest = 1.5;      // metres from the place where the borders cross
 constexpr double beside = 0.01;       // metres: ground this near to that place is in the wedge
 constexpr double least_radius = 0.1;  // metres: kerbs that cross at a sharper angle leave a slit
 constexpr int chords = 8;
 constexpr double least_sine = 1e-6;
-const double smooth_cosine = std::cos(M_PI / 4);
+const double smooth_cosine = std::cos(M_PI / 4 + same_angle);
 
 // A side of a ring, which has the surface on its left.
 struct Side {

@@ -11,11 +11,17 @@
 
 namespace streetgen {
 
+// The segments of its axis in which an edge's line begins and ends, metres; 0: those of the line.
+struct EndSegments {
+  double first = 0, last = 0;     // their lengths
+  double before = 0, beyond = 0;  // what of them lies before the line begins, and beyond its end
+};
+
 // Part of an edge's line.
 struct Stretch {
   const Line* line = nullptr;
   double from = 0, to = 0;  // metres along it
-  double abscissa = 0;      // where the line begins, metres along its axis
+  EndSegments segments{};
 };
 
 // A surface that may claim ground.
@@ -26,6 +32,8 @@ struct Claim {
   std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
   int importance = 99;            // of its most important axis, 1 the highest
   double width = 0;               // of its widest axis, metres
+  std::int64_t axis_length = 0;   // of its longest axis, millimetres
+  std::int64_t length = 0;        // of its skeleton, millimetres
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t order_key = 0;     // distinct within one axis_id, to break ties
   std::vector<int> edges;         // that the surface covers or ends on
@@ -47,8 +55,8 @@ std::vector<std::vector<int>> opponents(const std::vector<Claim>& claims,
                                         const std::vector<std::pair<int, int>>& disputes);
 
 // Of the ground of a disputing pair each point goes to the one whose axis is nearer; where their
-// axes cross, to the more important (then the wider, then the smaller axis_id), if that does not
-// take an intersection its node. Pairs are judged on the surfaces as they come in, so that the
+// axes cross, to the one that comes before the other, if that does not take an intersection its
+// node. Pairs are judged on the surfaces as they come in, so that the
 // order does not matter. Claims that are not wanted may
 // come out unsettled.
 void settle_ownership(Geos& geos, std::vector<Claim>& claims,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "geometry/arrangement.hpp"
 #include "geometry/border_stretches.hpp"
@@ -11,6 +10,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
+#include "ownership/dispute.hpp"
 #include "ownership/notch.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -18,7 +18,7 @@ namespace streetgen {
 
 namespace {
 
-const double nearly_parallel = std::cos(M_PI / 18);
+const double nearly_parallel = std::cos(M_PI / 18 + same_angle);
 constexpr double least_slit = 0.01;  // square metres
 constexpr int nose_chords = 8;
 constexpr double around_cuts = 1.5;  // metres: small ground this near that they close
@@ -92,7 +92,7 @@ class Slits {
       if (claims_[i].surface->empty()) continue;
       poll_cancel();
       index_.each_near(boxes_[i], width_, [&](int j) {
-        if (j > i && may_part(i, j)) append_between(i, j, slits);
+        if (may_part(i, j) && before(claims_[i], claims_[j])) append_between(i, j, slits);
       });
     }
     return slits;
@@ -200,12 +200,9 @@ class Slits {
                      std::none_of(members.begin(), members.end(),
                                   [&](int k) { return inside(within, *claims_[k].surface); }));
     }
-    const auto rank = [&](int k) { return std::tie(claims_[k].axis_id, claims_[k].order_key); };
-    const std::vector<int> around =
-        rank(i) < rank(j) ? std::vector<int>{i, j} : std::vector<int>{j, i};
     for (Polygon& slit : faces.joined(open))
       if (signed_area(slit.front()) >= least_slit)
-        slits.push_back({std::move(slit.front()), around});
+        slits.push_back({std::move(slit.front()), {i, j}});
   }
 
   const std::vector<Claim>& claims_;
@@ -264,10 +261,9 @@ std::vector<Hole> slits_between(const std::vector<Claim>& claims, const std::vec
                                 double width, double radius, double max_hole_area) {
   if (width <= 0 && radius <= 0) return {};
   std::vector<Hole> slits = Slits(claims, width, radius, max_hole_area).found();
-  const auto rank = [&](int k) { return std::tie(claims[k].axis_id, claims[k].order_key); };
-  std::sort(slits.begin(), slits.end(), [&](const Hole& a, const Hole& b) {
-    return std::tuple(rank(a.around[0]), rank(a.around[1])) <
-           std::tuple(rank(b.around[0]), rank(b.around[1]));
+  std::stable_sort(slits.begin(), slits.end(), [&](const Hole& a, const Hole& b) {
+    const int k = a.around[0] != b.around[0] ? 0 : 1;
+    return before(claims[a.around[k]], claims[b.around[k]]);
   });
   Filled filled(claims, holes);
   std::vector<Hole> left;

@@ -33,6 +33,7 @@ void Layout::add_arms(int e) {
   const Edge& edge = streets.network.edges[e];
   const StreetAxis& axis = axis_of(e);
   const double total = length(axis.line);
+  axis_lengths.push_back(total);
   const auto half = [&](double abscissa) {
     const double share = total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0;
     return (axis.width + (axis.width_end - axis.width) * share) / 2;

@@ -53,6 +53,7 @@ struct Layout {
   const StreetSettings& settings;
   Streets streets;
   std::vector<const StreetAxis*> axes;  // by edge
+  std::vector<double> axis_lengths;     // by edge, metres
   std::vector<Arm> arms;                // by slot
   std::vector<Junction> junctions;      // by node
   std::vector<MergingRun> merging_runs;

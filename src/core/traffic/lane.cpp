@@ -43,7 +43,8 @@ LaneStrip strip_of(const Streets& streets, int e) {
   const double total = length(strip.axis);
   std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
   if (strip.to - strip.from < least_length) {
-    strip.from = std::max(0.0, (strip.from + strip.to - least_length) / 2);
+    strip.from = std::clamp((strip.from + strip.to - least_length) / 2, 0.0,
+                            std::max(0.0, total - least_length));
     strip.to = std::min(total, strip.from + least_length);
   }
   strip.from_border =

@@ -210,7 +210,11 @@ const Town& town(unsigned seed) {
   if (found != made.end()) return found->second;
   StreetSettings settings;
   settings.crossing = Crossing::split;
-  settings.kerb_radius_minimal = 0;  // arcs beside a surface may close a hole, which has no lane
+  // A section may be given a hole or a slit, which have no lane; arcs beside a surface may close
+  // one.
+  settings.max_hole_area = 0;
+  settings.slit_width = 0;
+  settings.kerb_radius_minimal = 0;
   Town town{streetgen::streets(bent_town(seed, 30), settings), {}};
   LaneSettings with_edges;
   with_edges.edge_lines = true;
