@@ -54,6 +54,7 @@ struct InterconnectionSettings {
   double tolerance = 0.05;      // metres, of the trajectories' chords
   double node_tolerance = 0.5;  // metres, of the network
   std::size_t most = 10000;     // at a node of more pairs of lanes none are made
+  DrivingSide driving_side = DrivingSide::right;
 };
 
 struct Interconnection {

@@ -327,6 +327,7 @@ STREETGEN_FUNCTION(streetgen_junction_movements) {
   settings.tolerance = PG_GETARG_FLOAT8(10);
   settings.node_tolerance = PG_GETARG_FLOAT8(11);
   settings.most = static_cast<std::size_t>(PG_GETARG_INT32(12));
+  settings.driving_side = PG_GETARG_BOOL(13) ? DrivingSide::left : DrivingSide::right;
   InitMaterializedSRF(fcinfo, 0);
   Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {

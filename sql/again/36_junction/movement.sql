@@ -4,18 +4,18 @@ CREATE OR REPLACE FUNCTION streetgen._junction_movements(grounds streetgen.junct
     legs streetgen.junction_leg[], lanes streetgen.junction_lane[], inner_edges streetgen.junction_inner_edge[],
     steps streetgen.junction_step[], restrictions streetgen.junction_restriction[],
     way_restrictions streetgen.junction_way_restriction[], srid integer, u_turn boolean, arcs boolean,
-    tolerance float8, node_tolerance float8, most integer)
+    tolerance float8, node_tolerance float8, most integer, drives_left boolean)
     RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
         angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_junction_movements';
 COMMENT ON FUNCTION streetgen._junction_movements(streetgen.junction_ground[], streetgen.junction_leg[],
     streetgen.junction_lane[], streetgen.junction_inner_edge[], streetgen.junction_step[],
     streetgen.junction_restriction[], streetgen.junction_way_restriction[], integer, boolean, boolean, float8, float8,
-    integer)
+    integer, boolean)
     IS 'The paths across junctions of several nodes, lane to lane, with the chain of paths at single nodes that lead '
         'the same way. u_turn: also back by the edge that one came by; arcs: by rule arcs, else bezier; tolerances in '
-        'm; most: pairs of lanes above which a junction gets none. geom: LINESTRING, EWKB. Bad geometry, a number out '
-        'of its range: 22023.';
+        'm; most: pairs of lanes above which a junction gets none; drives_left: one drives on the left. geom: '
+        'LINESTRING, EWKB. Bad geometry, a number out of its range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._via_edges() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -44,7 +44,8 @@ BEGIN
         max(value) FILTER (WHERE name = 'trajectory') = 'arcs' AS arcs,
         (max(value) FILTER (WHERE name = 'trajectory_tolerance'))::float8 AS chords,
         (max(value) FILTER (WHERE name = 'tolerance'))::float8 AS tolerance,
-        (max(value) FILTER (WHERE name = 'interconnections_maximal'))::float8::integer AS most INTO rules
+        (max(value) FILTER (WHERE name = 'interconnections_maximal'))::float8::integer AS most,
+        max(value) FILTER (WHERE name = 'driving_side') = 'left' AS drives_left INTO rules
         FROM {model}.setting;
     RETURN QUERY
     WITH member AS MATERIALIZED (
@@ -109,7 +110,7 @@ BEGIN
                     CROSS JOIN LATERAL ({via}) v LEFT JOIN {model}.junction_edge j USING (edge_id)
                 WHERE r.via_axes IS NOT NULL) w
             WHERE inside ORDER BY junction_id, turn_restriction_id, i),
-        {srid}, rules.u_turn, rules.arcs, rules.chords, rules.tolerance, rules.most);
+        {srid}, rules.u_turn, rules.arcs, rules.chords, rules.tolerance, rules.most, rules.drives_left);
 END $body$ $sql$, jsonb_build_object('model', quote_ident(model), 'srid', (SELECT srid FROM streetgen.model m
         WHERE m.name = model), 'on_ring', streetgen._on_ring(model),
         'via', streetgen._fill_template(streetgen._via_edges(), jsonb_build_object('model',

@@ -237,7 +237,7 @@ class Builder {
     std::vector<std::vector<Interconnection>> pairs;
     for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
     mark_restricted(node, legs, ends, movements);
-    choose_lanes(ends, movements);
+    choose_lanes(ends, movements, settings_.driving_side);
     const std::size_t first = out_.size();
     for (std::size_t m = 0; m < movements.size(); ++m)
       for (std::size_t p = 0; p < pairs[m].size(); ++p) {

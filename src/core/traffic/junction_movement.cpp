@@ -59,7 +59,7 @@ class Across {
         movements.push_back(std::move(movement));
       }
     }
-    choose_lanes(ends, movements);
+    choose_lanes(ends, movements, settings_.driving_side);
     for (std::size_t m = 0; m < movements.size(); ++m) keep_clear(ends, movements[m], drawn[m]);
     return with_verdicts(movements, drawn);
   }

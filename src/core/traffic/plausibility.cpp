@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "geometry/polyline.hpp"
+#include "traffic/mirrored_legs.hpp"
+#include "traffic/movement_angle.hpp"
 #include "traffic/turn.hpp"
 
 namespace streetgen {
@@ -50,20 +52,6 @@ Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
 Group targets(const Leg& leg, LaneKind kind) {
   Group same = group_of(leg.out, kind);
   return same.empty() && kind != LaneKind::general ? group_of(leg.out, LaneKind::general) : same;
-}
-
-double movement_angle(const Leg& from, const Leg& to) {
-  const LaneEnd &in = from.in.front(), &out = to.out.front();
-  const double angle = turn_angle(in.direction, out.direction);
-  if (turn_of(angle) != Turn::u_turn) return angle;
-  const bool to_the_left = cross(in.direction, out.place - in.place) >= 0;
-  return to_the_left ? std::abs(angle) : -std::abs(angle);
-}
-
-double movement_order(const Leg& from, const Leg& to) {
-  const LaneEnd &in = from.in.front(), &out = to.out.front();
-  const Point way = out.place - in.place;
-  return movement_angle(from, to) + (norm(way) > 0 ? turn_angle(in.direction, way) : 0);
 }
 
 class Plausibility {
@@ -220,15 +208,17 @@ class Plausibility {
   static std::size_t nearest_way(const std::vector<Way>& ways, double angle) {
     return std::min_element(ways.begin(), ways.end(),
                             [&](const Way& a, const Way& b) {
-                              return std::abs(a.angle - angle) < std::abs(b.angle - angle);
+                              return in_steps(std::abs(a.angle - angle)) <
+                                     in_steps(std::abs(b.angle - angle));
                             }) -
            ways.begin();
   }
 
   static std::size_t nearest_mark(const std::vector<double>& said, double angle) {
-    return std::min_element(
-               said.begin(), said.end(),
-               [&](double a, double b) { return std::abs(a - angle) < std::abs(b - angle); }) -
+    return std::min_element(said.begin(), said.end(),
+                            [&](double a, double b) {
+                              return in_steps(std::abs(a - angle)) < in_steps(std::abs(b - angle));
+                            }) -
            said.begin();
   }
 
@@ -268,16 +258,15 @@ class Plausibility {
   // The way that goes on nearest to straight, a change of importance set against the angle.
   int way_through(const std::vector<Way>& ways) const {
     int best = -1;
-    double least = std::numeric_limits<double>::infinity();
+    long long least = 0;
     for (int j = 0; j < static_cast<int>(ways.size()); ++j) {
-      if (std::abs(ways[j].angle) > 45) continue;
-      const double cost =
-          std::abs(ways[j].angle) +
-          importance_weight * std::abs(ways[j].to->importance - from(ways[j]).importance);
-      if (cost < least) {
-        least = cost;
-        best = j;
-      }
+      if (in_steps(std::abs(ways[j].angle)) > in_steps(45)) continue;
+      const long long cost =
+          in_steps(std::abs(ways[j].angle) +
+                   importance_weight * std::abs(ways[j].to->importance - from(ways[j]).importance));
+      if (best >= 0 && cost >= least) continue;
+      least = cost;
+      best = j;
     }
     return best;
   }
@@ -386,7 +375,7 @@ class Plausibility {
   }
 
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
-  using Cost = std::tuple<bool, bool, bool, double>;
+  using Cost = std::tuple<bool, bool, bool, long long>;
 
   // How far the pair leaves what else goes the same way, in lanes.
   double astray(const Way& way, int in, int out) const {
@@ -404,7 +393,8 @@ class Plausibility {
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
     return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            tight(way, in, out), std::abs(way.angle) + importance_weight * astray(way, in, out)};
+            tight(way, in, out),
+            in_steps(std::abs(way.angle) + importance_weight * astray(way, in, out))};
   }
 
   bool forbidden(const Way& way, int in, int out) const {
@@ -491,10 +481,19 @@ class Plausibility {
   std::vector<Movement>& movements_;
   std::vector<Way> ways_;
 };
+
 }  // namespace
 
-void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements) {
-  Plausibility(legs, movements).run();
+void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements,
+                  DrivingSide driving_side) {
+  if (driving_side == DrivingSide::right) {
+    Plausibility(legs, movements).run();
+    return;
+  }
+  std::vector<Leg> seen = legs;
+  mirror(seen, movements);
+  Plausibility(seen, movements).run();
+  mirror(seen, movements);
 }
 
 }  // namespace streetgen

@@ -48,7 +48,9 @@ struct Movement {
   bool forbidden(LaneKind in, LaneKind out) const { return forbidden(in) && forbidden(out); }
 };
 
-// Fills the verdicts.  At most one movement from a leg to a leg.
-void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements);
+// Fills the verdicts.  At most one movement from a leg to a leg.  Where one drives on the left, all
+// is as in the mirror on the right.
+void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements,
+                  DrivingSide driving_side);
 
 }  // namespace streetgen
