@@ -63,7 +63,7 @@ KerbLine kerb_line(const Line& axis, double u, double v, double half_start, doub
     double trim = 0;
     if (std::abs(half) < rounding) {
       kerb.line.push_back(part[i]);
-    } else if (turn < -straight_sine) {
+    } else if (turn < 0 && distance(before, after) > same_place) {
       kerb.line.push_back(part[i] + before);
       append_arc(kerb.line, part[i], part[i] + before, part[i] + after, beside < 0, join_quarter);
       kerb.line.push_back(part[i] + after);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -124,7 +125,7 @@ void append_arc(Ring& ring, const Point& centre, const Point& from, const Point&
   if (!counter_clockwise && sweep > 0) sweep -= 2 * M_PI;
   const double radius_from = distance(centre, from), radius_to = distance(centre, to);
   const int chords =
-      std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / M_PI_2 * quarter - 1e-9)));
+      std::max(1, static_cast<int>(std::ceil((std::abs(sweep) - same_angle) / M_PI_2 * quarter)));
   for (int i = 1; i < chords; ++i) {
     const double t = static_cast<double>(i) / chords;
     const double radius = radius_from + (radius_to - radius_from) * t;

@@ -1,9 +1,13 @@
 #include "geometry/surface_union.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "geometry/arrangement.hpp"
+#include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -14,14 +18,43 @@ namespace {
 // their borders cross as often as there are pairs of them.
 constexpr std::size_t at_once = 64;
 
+// Parts that share a vertex may differ there by noise, and would leave a crack: each vertex lies
+// where the first one near it does.
+std::vector<MultiPolygon> on_common_vertices(const std::vector<MultiPolygon>& parts) {
+  std::vector<MultiPolygon> moved = parts;
+  std::vector<std::pair<Point*, int>> order;  // by x, with their places among all
+  for (MultiPolygon& part : moved)
+    for (Polygon& polygon : part)
+      for (Ring& ring : polygon)
+        for (Point& p : ring) order.emplace_back(&p, static_cast<int>(order.size()));
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first->x, a.second) < std::tie(b.first->x, b.second);
+  });
+  std::vector<Point> before;
+  before.reserve(order.size());
+  for (const auto& [p, place] : order) before.push_back(*p);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    int first = order[k].second;
+    const auto look = [&](std::size_t l) {
+      if (order[l].second >= first || distance(before[l], before[k]) > same_place) return;
+      first = order[l].second;
+      *order[k].first = before[l];
+    };
+    for (std::size_t l = k; l-- > 0 && before[k].x - before[l].x <= same_place;) look(l);
+    for (std::size_t l = k + 1; l < order.size() && before[l].x - before[k].x <= same_place; ++l)
+      look(l);
+  }
+  return moved;
+}
+
 }  // namespace
 
-MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
-  if (parts.size() > at_once) {
-    const auto middle = parts.begin() + parts.size() / 2;
-    return united(geos,
-                  {united(geos, {parts.begin(), middle}), united(geos, {middle, parts.end()})});
+MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& all) {
+  if (all.size() > at_once) {
+    const auto middle = all.begin() + all.size() / 2;
+    return united(geos, {united(geos, {all.begin(), middle}), united(geos, {middle, all.end()})});
   }
+  const std::vector<MultiPolygon> parts = on_common_vertices(all);
   std::vector<LineView> lines;
   for (const MultiPolygon& part : parts)
     for (const Polygon& polygon : part) lines.insert(lines.end(), polygon.begin(), polygon.end());

@@ -9,8 +9,8 @@
 namespace streetgen {
 
 // By the faces that they make together. Rings may cross themselves: what lies in an odd number of a
-// polygon's rings is in it. Vertices stay where they are, or nearly; the work grows with their
-// square.
+// polygon's rings is in it. Vertices stay where they are, or nearly; those within a micrometre of
+// each other become one. The work grows with their square.
 MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts);
 
 }  // namespace streetgen

@@ -7,6 +7,10 @@ namespace streetgen {
 // Sines and cosines are rounded to this share: lines that turn by less are straight.
 constexpr double straight_sine = 1e-12;
 
+// Radians.  Directions that turn by less from one another differ by noise.  A bound of an angle
+// lies this far beside its round number, at which streets are drawn.
+constexpr double same_angle = 1e-6;
+
 // Metres.  An offset that is smaller lies on the axis itself, and points that are nearer repeat
 // each other: rounding alone keeps them apart.
 constexpr double rounding = 1e-9;

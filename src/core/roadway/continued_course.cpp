@@ -23,20 +23,27 @@ bool keeps_width(const Arm& last, const Arm& next) {
          same_half(next.start_to(-1), last.end_to(-1));
 }
 
-// The same street: of the axes of the same level and width the one that turns least.
-const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& junction) {
+// The same street: of the axes of the same level and width the one that turns least, of two that
+// turn as much the one on the side of the kerb.
+const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& junction,
+                     int side) {
   const auto& edges = layout.streets.network.edges;
   const Arm& own = layout.arm(last);
   const Point direction = unit(own.line.back() - own.line[own.line.size() - 2]);
-  double best = std::cos(widest_bend);
+  double least = widest_bend, on_side = 0;
   const EdgeEnd* next = nullptr;
   for (const EdgeEnd& other : junction.ends) {
     const Arm& on = layout.arm(other);
-    const double cosine = dot(direction, unit(on.line[1] - on.line[0]));
+    const Point onwards = on.line[1] - on.line[0];
+    const double turn = side * std::atan2(cross(direction, onwards), dot(direction, onwards));
+    const double size = std::abs(turn);
     if (other.edge == last.edge || edges[other.edge].level != edges[last.edge].level ||
-        !keeps_width(own, on) || widens(on) || cosine <= best)
+        !keeps_width(own, on) || widens(on) || size >= widest_bend)
       continue;
-    best = cosine;
+    const bool as_much = std::abs(size - least) <= same_angle;
+    if (next != nullptr && (as_much ? turn <= on_side : size > least)) continue;
+    least = size;
+    on_side = turn;
     next = &other;
   }
   return next;
@@ -116,7 +123,7 @@ Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
     looked_at.push_back(last.at_start ? edge.to_node : edge.from_node);
     const Junction& junction = layout.junctions[looked_at.back()];
     const EdgeEnd* const kerb = unbroken ? beside(layout, last, junction, side) : nullptr;
-    const EdgeEnd* next = alike(layout, last, junction);
+    const EdgeEnd* next = alike(layout, last, junction, side);
     unbroken = next == nullptr || next == kerb;
     if (next == nullptr) next = kerb;
     if (next == nullptr) break;

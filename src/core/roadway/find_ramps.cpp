@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/width_transition.hpp"
 
@@ -12,19 +13,19 @@ namespace streetgen {
 
 namespace {
 
-const double straightest = std::cos(M_PI / 6);  // of a highway past its ramp
-constexpr double look = 10;                     // metres from the node, to tell directions
-constexpr double fast = 80;                     // km/h, of a highway without a class
-constexpr double least_taper = 1;               // metres
-constexpr double friction = 0.35;               // to the side, that a driver bears on a ramp
-constexpr double gravity = 9.81;                // m/s2
+const double straightest = std::cos(M_PI / 6 + same_angle);  // of a highway past its ramp
+constexpr double look = 10;         // metres from the node, to tell directions
+constexpr double fast = 80;         // km/h, of a highway without a class
+constexpr double least_taper = 1;   // metres
+constexpr double friction = 0.35;   // to the side, that a driver bears on a ramp
+constexpr double gravity = 9.81;    // m/s2
 constexpr double farthest = 200;    // metres from the node where a link is beside its lane
 constexpr double margin = 0.01;     // metres
 constexpr double straight = 1e-9;   // radians
 constexpr int tries = 6;            // of radii of the outer kerb, each half of the last
 constexpr double tangent_step = 5;  // metres
 // A longer tangent ends where the link turns by 45 degrees off the highway.
-const double least_along = std::cos(M_PI / 4);
+const double least_along = std::cos(M_PI / 4 + same_angle);
 constexpr double most_of_highway = 1.0 / 3;  // of an edge, that becomes a ramp's intersection
 constexpr double least_link = 1;             // metres that stay between the limits of a link
 

@@ -7,6 +7,7 @@
 #include "geometry/box.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
 
@@ -22,6 +23,44 @@ struct FaceSide {
   EdgeEnd end;
   CornerPlace corner;
 };
+
+// Axes of a face's own, so that what is tried on it turns with it.
+struct Frame {
+  Point origin, along;
+
+  Point seen(const Point& p) const { return {dot(p - origin, along), cross(along, p - origin), 0}; }
+  Point place(const Point& p) const { return origin + along * p.x + left_normal(along) * p.y; }
+};
+
+// Along the greatest spread of the ring; of one as wide in all directions along its longest side.
+Frame frame_of(const Ring& ring) {
+  constexpr double as_wide = 1e-6;
+  Frame frame{ring.front(), {1, 0, 0}};
+  double all = 0, longest = 0;
+  Point sum;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Point side = ring[i] - ring[i - 1];
+    const double size = norm(side);
+    all += size;
+    sum = sum + ((ring[i] + ring[i - 1]) * 0.5 - ring.front()) * size;
+    if (size <= longest + same_place) continue;
+    longest = size;
+    frame.along = unit(side);
+  }
+  frame.origin = ring.front() + sum * (1 / all);
+  double apart = 0, twice = 0, spread = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Point off = (ring[i] + ring[i - 1]) * 0.5 - frame.origin;
+    const double size = distance(ring[i], ring[i - 1]);
+    apart += (off.x * off.x - off.y * off.y) * size;
+    twice += 2 * off.x * off.y * size;
+    spread += dot(off, off) * size;
+  }
+  if (std::hypot(apart, twice) < as_wide * spread) return frame;
+  const double angle = std::atan2(twice, apart) / 2;
+  frame.along = {std::cos(angle), std::sin(angle), 0};
+  return frame;
+}
 
 class Faces {
  public:
@@ -156,11 +195,12 @@ class Faces {
 
   bool swallowed(const std::vector<FaceSide>& face) const {
     const Ring ring = ring_of(face);
+    const Frame frame = frame_of(ring);
     Box box;
-    for (const Point& p : ring) box.add(p);
-    if (!has_room(face, {ring}, {}, box)) return false;
+    for (const Point& p : ring) box.add(frame.seen(p));
+    if (!has_room(face, {ring}, {}, frame, box)) return false;
     const std::vector<Polygon> paved = fillets(face);
-    return !paved.empty() && !has_room(face, {ring}, paved, box);
+    return !paved.empty() && !has_room(face, {ring}, paved, frame, box);
   }
 
   // How far the nearest kerb or fillet is, negative on the roadway.
@@ -178,9 +218,9 @@ class Faces {
   }
 
   bool has_room(const std::vector<FaceSide>& face, const Polygon& ground,
-                const std::vector<Polygon>& paved, const Box& box) const {
+                const std::vector<Polygon>& paved, const Frame& frame, const Box& box) const {
     const Point middle{(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2, 0};
-    const double clear = clearance(face, ground, paved, middle);
+    const double clear = clearance(face, ground, paved, frame.place(middle));
     if (clear >= least_room) return true;
     const double half_x = (box.max_x - box.min_x) / 2, half_y = (box.max_y - box.min_y) / 2;
     const double farthest = std::hypot(half_x, half_y);
@@ -189,7 +229,7 @@ class Faces {
       Box quarter;
       quarter.add(middle);
       quarter.add({middle.x + x * half_x, middle.y + y * half_y, 0});
-      return has_room(face, ground, paved, quarter);
+      return has_room(face, ground, paved, frame, quarter);
     };
     return part(-1, -1) || part(1, -1) || part(-1, 1) || part(1, 1);
   }

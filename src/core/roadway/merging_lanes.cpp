@@ -13,12 +13,12 @@ namespace streetgen {
 
 namespace {
 
-const double straightest = std::cos(M_PI / 6);  // of a highway that goes on
-constexpr double look = 10;                     // metres from the node, to tell directions
-constexpr double shortest = 20;                 // metres, of a run with a merging lane
-constexpr double shortest_piece = 1;            // metres of a lane on a further edge
-constexpr double least_taper = 1;               // metres
-constexpr double least_taper_share = 1.0 / 3;   // of the room of a merging lane
+const double straightest = std::cos(M_PI / 6 + same_angle);  // of a highway that goes on
+constexpr double look = 10;                    // metres from the node, to tell directions
+constexpr double shortest = 20;                // metres, of a run with a merging lane
+constexpr double shortest_piece = 1;           // metres of a lane on a further edge
+constexpr double least_taper = 1;              // metres
+constexpr double least_taper_share = 1.0 / 3;  // of the room of a merging lane
 
 EdgeEnd far_end(const EdgeEnd& end) { return {end.edge, !end.at_start}; }
 

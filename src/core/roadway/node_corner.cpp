@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -12,9 +13,9 @@ namespace streetgen {
 namespace {
 
 // Beyond this angle from a to b the corner lies outside a bend and has no arc.
-constexpr double widest_corner = 200 * M_PI / 180;
+constexpr double widest_corner = 200 * M_PI / 180 + same_angle;
 // From here on the borders are nearly one line: an arc that does not fit is left out.
-constexpr double nearly_straight = 160 * M_PI / 180;
+constexpr double nearly_straight = 160 * M_PI / 180 + same_angle;
 
 constexpr double shortest_arc = 5e-3;  // metres
 
@@ -60,7 +61,8 @@ std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius
 double angle_between(const Arm& a, const Arm& b) {
   const double from = heading(a, std::min(1.0, length(a.line)));
   const double to = heading(b, std::min(1.0, length(b.line)));
-  return std::fmod(to - from + 4 * M_PI, 2 * M_PI);
+  const double turn = std::fmod(to - from + 4 * M_PI, 2 * M_PI);
+  return turn > 2 * M_PI - same_angle ? 0 : turn;
 }
 
 namespace {
@@ -68,7 +70,7 @@ namespace {
 // The kerb lines alone, where there is no arc: they cross, or one arm's flat end sticks out.
 void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
                        SolvedCorner& solved) {
-  if (angle >= M_PI) return;
+  if (angle >= M_PI - same_angle) return;
   const auto crossing = corner_arc(a, b, 0);
   const Point node = planar(a.line.front());
   if (crossing && distance(crossing->centre, node) <= reach) {
@@ -104,20 +106,28 @@ std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
     return heading(arms[i], std::min(at, length(arms[i].line)));
   };
   std::vector<double> near(arms.size());
-  for (std::size_t i = 0; i < arms.size(); ++i) near[i] = key(i, 1);
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    near[i] = key(i, 1);
+    if (near[i] > M_PI - same_angle) near[i] -= 2 * M_PI;
+  }
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     return near[i] != near[j] ? near[i] < near[j] : i < j;
   });
-  // Arms that leave together part later: the one that turns left comes after.
-  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-    const std::size_t i = order[k], j = order[k + 1];
-    if (near[j] - near[i] > 1e-6) continue;
-    for (double at = 2; at < 64; at *= 2) {
-      const double turn = std::remainder(key(j, at) - key(i, at), 2 * M_PI);
-      if (std::abs(turn) <= 1e-6) continue;
-      if (turn < 0) std::swap(order[k], order[k + 1]);
-      break;
-    }
+  // Arms that leave together part later: the one that turns left comes after. Of arms that never
+  // part the wider one comes first.
+  const auto parts_before = [&](std::size_t i, std::size_t j) {
+    for (double at = 2; at < 64; at *= 2)
+      if (const double turn = std::remainder(key(j, at) - key(i, at), 2 * M_PI);
+          std::abs(turn) > same_angle)
+        return turn > 0;
+    return arms[i].half_start != arms[j].half_start ? arms[i].half_start > arms[j].half_start
+                                                    : i < j;
+  };
+  for (auto run = order.begin(); run != order.end();) {
+    auto end = run + 1;
+    while (end != order.end() && near[*end] - near[*(end - 1)] <= same_angle) ++end;
+    if (end - run > 1) std::sort(run, end, parts_before);
+    run = end;
   }
   return order;
 }

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/surface_ring.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double nearly_parallel = 20 * M_PI / 180;
+constexpr double nearly_parallel = 20 * M_PI / 180 + same_angle;
 constexpr double radius_step = 1e-6;  // metres, the end of the bisection
 
 // Whether the arc lies farther from the crossing of its kerbs, or closes more ground, than wanted.

@@ -11,11 +11,11 @@ namespace streetgen {
 
 namespace {
 
-const double least_cosine = std::cos(M_PI / 6);  // of a turn that is no kink
-constexpr int quarter = 8;                       // chords of a quarter circle
-constexpr double shortest = 1e-3;                // metres of a side that an arc takes
-constexpr double most = 0.9;                     // of the way to what an arc must not reach
-constexpr double widest = 0.49 * M_PI;           // half of a turn: beyond it a line goes back
+const double least_cosine = std::cos(M_PI / 6 + same_angle);  // of a turn that is no kink
+constexpr int quarter = 8;                                    // chords of a quarter circle
+constexpr double shortest = 1e-3;                             // metres of a side that an arc takes
+constexpr double most = 0.9;            // of the way to what an arc must not reach
+constexpr double widest = 0.49 * M_PI;  // half of a turn: beyond it a line goes back
 
 bool turns(const Point& before, const Point& at, const Point& after) {
   const Point in = at - before, out = after - at;

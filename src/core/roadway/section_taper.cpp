@@ -57,7 +57,7 @@ class SectionTapers {
     const double own = bend(a, b);
     return std::none_of(junction.ends.begin(), junction.ends.end(), [&](const EdgeEnd& other) {
       const bool third = slot(other) != slot(a) && slot(other) != slot(b);
-      return third && (bend(a, other) < own || bend(other, b) < own);
+      return third && std::min(bend(a, other), bend(other, b)) < own - same_angle;
     });
   }
 

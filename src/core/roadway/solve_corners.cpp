@@ -101,7 +101,7 @@ void keep_islands(Layout& layout, SolvedCorners& solved) {
 
 // Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
 bool tapers(const Arm& a, const Arm& b, double angle) {
-  constexpr double nearly_straight = 20 * M_PI / 180;
+  constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
   return std::abs(angle - M_PI) < nearly_straight && sideways(a, b) > same_width;
 }
 

@@ -75,7 +75,7 @@ void append_round_end(Ring& ring, Point node, const Point& from, const Point& to
 // Whether the outside of a bend is round. Two streets of different width that leave within a right
 // angle of each other are no bend but a fork: behind the node both end flat.
 bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
-  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 || as_wide(a, b));
+  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 - same_angle || as_wide(a, b));
 }
 
 // From the axis to an end of the border line: a change may go on within the section.
@@ -296,12 +296,12 @@ double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 // keeps its width, no other one that does.
 bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t from,
              std::size_t to) {
-  constexpr double nearly_straight = 20 * M_PI / 180;
+  constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
   const double own = bend(gaps, from, to);
   if (own >= nearly_straight) return false;
   const bool keeps_width = as_wide(arms[from], arms[to]);
   for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (i != from && i != to && bend(gaps, i, to) < own &&
+    if (i != from && i != to && bend(gaps, i, to) < own - same_angle &&
         (!keeps_width || as_wide(arms[i], arms[to])))
       return false;
   return true;
@@ -414,7 +414,7 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
 }
 
 Ring closed(Ring ring) {
-  const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= 1e-9; };
+  const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= sides_touch; };
   ring.erase(std::unique(ring.begin(), ring.end(), together), ring.end());
   while (ring.size() > 1 && together(ring.back(), ring.front())) ring.pop_back();
   if (ring.size() < 3) return {};

@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "geometry/tolerance.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/street.hpp"
 
 namespace streetgen {
 
-constexpr double widest_bend = M_PI / 3;  // beyond it no axis goes on from another
+constexpr double widest_bend = M_PI / 3 + same_angle;  // beyond it no axis goes on from another
 
 // Two axes of different width, or beside their roadways otherwise, that go on from one another.
 bool changes_width(const Arm& a, const Arm& b);

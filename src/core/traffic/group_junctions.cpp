@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/junction.hpp"
 #include "traffic/end_control.hpp"
@@ -12,8 +13,8 @@ namespace streetgen {
 
 namespace {
 
-const double opposite = std::cos(M_PI / 6);  // of the directions of two carriageways
-constexpr double across = 0.5;               // sine of the angle of a link and a carriageway
+const double opposite = std::cos(M_PI / 6 + same_angle);  // of the directions of two carriageways
+constexpr double across = 0.5;  // sine of the angle of a link and a carriageway
 
 constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
 

@@ -5,6 +5,7 @@
 
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 
 namespace streetgen {
 
@@ -108,7 +109,8 @@ Line along(const LaneStrip& strip, const LaneShares& shares) {
         WidthProfile::extended(from.abscissa, strip.offset_at(from.abscissa, shares), to.abscissa,
                                strip.offset_at(to.abscissa, shares), total);
     const Line part = offset_line(strip.axis, from.abscissa, to.abscissa, start, end);
-    line.insert(line.end(), part.begin(), part.end());
+    const bool goes_on = !line.empty() && distance(line.back(), part.front()) <= same_place;
+    line.insert(line.end(), part.begin() + (goes_on ? 1 : 0), part.end());
   });
   return distinct(std::move(line));
 }

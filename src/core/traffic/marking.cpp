@@ -5,6 +5,7 @@
 
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/surface.hpp"
 
@@ -114,7 +115,7 @@ bool goes_on(const Line& line) {
     most = std::max(most, turned);
     before = along;
   }
-  return most - least < 2 * M_PI / 3;
+  return most - least < 2 * M_PI / 3 - same_angle;
 }
 
 // Arrows are drawn towards x, from the origin, at full size.
@@ -141,7 +142,7 @@ void append_branch(double angle, std::vector<MultiPolygon>& parts) {
     return;
   }
   const Point direction{std::cos(angle), std::sin(angle)}, side = left_normal(direction);
-  const Point neck = from + direction * (std::abs(angle) > M_PI_2 ? 1.0 : 0.6);
+  const Point neck = from + direction * (std::abs(angle) > M_PI_2 + same_angle ? 1.0 : 0.6);
   parts.push_back({{quad({0, 0}, from, {0, arrow_shaft / 2})}});
   parts.push_back({{quad(from - direction * (arrow_shaft / 2), neck, side * (arrow_shaft / 2))}});
   const Point tip = neck + direction * (arrow_head * 0.7);

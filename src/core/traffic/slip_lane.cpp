@@ -3,14 +3,16 @@
 #include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 
 namespace streetgen {
 
 namespace {
 
-const double flattest = std::cos(M_PI / 3);    // of a street and the slip lane that leaves it
-const double least_turn = std::cos(M_PI / 6);  // of a slip lane between its ends
-constexpr std::size_t most_pieces = 8;         // edges of a slip lane
+// Of a street and the slip lane that leaves it.
+const double flattest = std::cos(M_PI / 3 + same_angle);
+const double least_turn = std::cos(M_PI / 6 + same_angle);  // of a slip lane between its ends
+constexpr std::size_t most_pieces = 8;                      // edges of a slip lane
 
 class Finder {
  public:
