@@ -41,4 +41,4 @@ CREATE TABLE failed AS SELECT name, pg_temp.context(statement) AS context FROM (
   ('import_axes, writing', 'SELECT FROM streetgen.import_axes(''imported'', ''line'', ''{"source_ref": "id"}'')'),
   ('import_osm', 'SELECT FROM streetgen.import_osm(''imported'', ''bad'')'),
   ('import_bdtopo', 'SELECT FROM streetgen.import_bdtopo(''imported'', ''bad_line'')')) c(name, statement);
-SELECT format('%s says where in %s lines', name, lines), lines < 30 AND context LIKE '%fail%' FROM (SELECT *, cardinality(string_to_array(context, E'\n')) AS lines FROM failed) f;
+SELECT format('%s says where in under 30 lines', name), cardinality(string_to_array(context, E'\n')) < 30 AND context LIKE '%fail%' FROM failed;
