@@ -101,8 +101,8 @@ $sql$, model, streetgen._on_ring(model)) INTO found USING nodes;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_junction_kind(name, text, bigint[], text) IS
-    'Refuses (22023) a kind by hand that does not fit the arms of the nodes of a junction: end, continuation, roundabout where no '
-    'axis goes round, and what needs several arms at an end.';
+    'Refuses (22023) a kind by hand that does not fit the arms of the nodes of a junction: end, continuation, '
+    'roundabout where no axis goes round, and what needs several arms at an end.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_unfit_kind() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -133,7 +133,8 @@ $sql$, TG_TABLE_SCHEMA) INTO at USING NEW.axis_id, NEW.geom;
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_unfit_kind() IS
     'Trigger of junction_override: refuses (22023) a kind by hand that does not fit the arms of the junction, or of '
-    'the node that is none yet, at its place. Where streets do not follow, and where no junction is computed, every kind is taken.';
+    'the node that is none yet, at its place. Where streets do not follow, and where no junction is computed, every '
+    'kind is taken.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_junction() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -1,5 +1,6 @@
-// streetgen._only_own_functions: whether functions of others may stand in for those that a model calls.  The rule is
-// SQL, streetgen._check_functions_beside; a session asks it once, and again after the catalogue changed.
+// streetgen._only_own_functions: whether functions of others may stand in for those that a model
+// calls.  The rule is SQL, streetgen._check_functions_beside; a session asks it once, and again
+// after the catalogue changed.
 #include "frame/border.hpp"
 
 extern "C" {
@@ -7,7 +8,8 @@ extern "C" {
 #include <catalog/namespace.h>
 #include <catalog/pg_namespace.h>
 #include <catalog/pg_type.h>
-#include <executor/spi.h>
+#include <nodes/value.h>
+#include <parser/parse_func.h>
 #include <utils/builtins.h>
 #include <utils/inval.h>
 #include <utils/syscache.h>
@@ -48,13 +50,14 @@ STREETGEN_FUNCTION(streetgen_only_own_functions) {
   const Oid owner = owner_of(NameStr(*PG_GETARG_NAME(0)));
   // Who borrows the rights of the owner; whoever calls with his own borrows none.
   const Oid caller = GetUserId() == GetOuterUserId() ? owner : GetOuterUserId();
-  if (owner == proved_owner && caller == proved_caller && changes == proved_at) PG_RETURN_BOOL(true);
+  if (owner == proved_owner && caller == proved_caller && changes == proved_at)
+    PG_RETURN_BOOL(true);
   const uint64 before = changes;
   Oid types[] = {OIDOID, OIDOID};
-  Datum values[] = {ObjectIdGetDatum(owner), ObjectIdGetDatum(caller)};
-  if (SPI_connect() != SPI_OK_CONNECT) elog(ERROR, "no connection to SPI");
-  SPI_execute_with_args("SELECT streetgen._check_functions_beside($1, $2)", 2, types, values, nullptr, true, 1);
-  SPI_finish();
+  List* rule =
+      list_make2(makeString(pstrdup("streetgen")), makeString(pstrdup("_check_functions_beside")));
+  OidFunctionCall2(LookupFuncName(rule, 2, types, false), ObjectIdGetDatum(owner),
+                   ObjectIdGetDatum(caller));
   proved_owner = owner;
   proved_caller = caller;
   proved_at = before;
