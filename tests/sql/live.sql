@@ -265,7 +265,7 @@ INSERT INTO town.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860200,650330
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17, 40, 1, 2.5);
 DELETE FROM town.axis WHERE axis_id = 11;
 SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
-  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'', true)', 'SELECT town._reach(''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
+  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'', true)', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
 -- What stands in a session's temporary schema must not run with the owner's rights.
 CREATE TEMPORARY TABLE ran_as (who name);
 GRANT INSERT ON ran_as TO PUBLIC;
@@ -284,7 +284,7 @@ DROP DOMAIN pg_temp.float8;
 UPDATE town.axis SET width = 8.5 WHERE axis_id = 4;
 RESET ROLE;
 SELECT 'what an editor does is followed', test.difference('town', 'once') IS NULL AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
-SELECT 'functions in the schema are the owner''s, run with its rights and are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE')
+SELECT 'functions in the schema are the owner''s, and those that run with its rights are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT (prosecdef AND has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE'))
     AND 'search_path=pg_catalog, public, pg_temp' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
   FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
 
@@ -362,14 +362,14 @@ SELECT 'and loses it when the arc is back', pg_temp.ceded() = :ceded;
 SELECT 'as from scratch again', test.followed('bend', 'once');
 SELECT streetgen.drop_model('bend') \g /dev/null
 
--- Beyond the reach of an edit lies an axis too short for an edge: the node where its neighbours meet lies at its vertex all the same.
+-- Beyond the reach of an edit lies an axis too short for an edge: the node where its neighbours meet lies in the middle of it all the same.
 SELECT streetgen.create_model('short', 2154) \g /dev/null
 INSERT INTO short.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650300.3 6860000.2)', 7),
   (2, 'SRID=2154;LINESTRING(650300.3 6860000.2, 650400 6860050)', 7), (3, 'SRID=2154;LINESTRING(650000 6860000, 650300 6860000)', 7),
   (4, 'SRID=2154;LINESTRING(650000 6860000, 650000 6859950)', 7);
-SELECT 'it has no edge, and a node', (SELECT count(*) = 0 FROM short.edge WHERE axis_id = 1) AND (SELECT ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3);
+SELECT 'it has no edge, and a node', (SELECT count(*) = 0 FROM short.edge WHERE axis_id = 1) AND (SELECT ST_Distance(ST_EndPoint(geom), 'SRID=2154;POINT(650300.15 6860000.1)') < 1e-6 FROM short.edge WHERE axis_id = 3);
 UPDATE short.axis SET width = 8 WHERE axis_id = 4;
-SELECT 'an edit far from it leaves its node', ST_EndPoint(geom) = ST_SetSRID(ST_MakePoint(650300, 6860000), 2154) FROM short.edge WHERE axis_id = 3;
+SELECT 'an edit far from it leaves its node', ST_Distance(ST_EndPoint(geom), 'SRID=2154;POINT(650300.15 6860000.1)') < 1e-6 FROM short.edge WHERE axis_id = 3;
 SELECT streetgen.drop_model('short') \g /dev/null
 
 -- The node where an edited axis ends moves, which turns the street that begins there, far away too: at its other end (155, 0) corners bend anew, and of the
@@ -458,12 +458,13 @@ SELECT 'the street that met the one that is deleted has a dead end', bool_and(ab
 SELECT 'as from scratch', test.followed('gone', 'once');
 SELECT streetgen.drop_model('gone') \g /dev/null
 
--- An axis too short for an edge joins the start of another to a place on it: the same line, but of a shorter stretch.
+-- An axis too short for an edge joins the start of another to a place on it: the same line, but of a shorter stretch. The node stays where most arms meet.
 SELECT streetgen.create_model('short', 2154) \g /dev/null
-INSERT INTO short.axis (axis_id, geom, width, width_end) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650400 6860000)', 7, 9);
-CREATE TEMPORARY TABLE before_short AS SELECT geom FROM short.edge;
+INSERT INTO short.axis (axis_id, geom, width, width_end) VALUES (1, 'SRID=2154;LINESTRING(650300 6860000, 650400 6860000)', 7, 9),
+  (3, 'SRID=2154;LINESTRING(650300 6860000, 650250 6860080)', 7, NULL);
+CREATE TEMPORARY TABLE before_short AS SELECT geom FROM short.edge WHERE axis_id = 1;
 INSERT INTO short.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650300.3 6860000, 650300.7 6860000)', 7);
-SELECT 'an edge keeps its line and begins farther on along its axis', count(*) = 1 FROM short.edge JOIN before_short USING (geom) WHERE abs(start_abscissa - 0.7) < 1e-6;
+SELECT 'an edge keeps its line and begins farther on along its axis', count(*) = 1 FROM short.edge JOIN before_short USING (geom) WHERE axis_id = 1 AND abs(start_abscissa - 0.7) < 1e-6;
 SELECT 'as from scratch', test.followed('short', 'once');
 UPDATE short.axis SET geom = ST_Translate(geom, 0, 90) WHERE axis_id = 2;
 SELECT 'and at its start again when that is elsewhere', count(*) = 1 FROM short.edge WHERE axis_id = 1 AND start_abscissa = 0;
