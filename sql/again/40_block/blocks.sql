@@ -189,8 +189,9 @@ street AS MATERIALIZED (
     WHERE a.axis_id = ANY (axes) AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id <> a.axis_id
         AND e.geom && ST_Expand(a.geom, reach) AND ST_DWithin(e.geom, a.geom, reach))
         -- Where it lies as it did, its own edges tell.
-        AND NOT coalesce((SELECT ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001 FROM %1$I.edge e
-            WHERE e.axis_id = a.axis_id), false))
+        AND NOT coalesce((SELECT ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
+                AND bool_and(streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
+            FROM %1$I.edge e WHERE e.axis_id = a.axis_id), false))
 SELECT DISTINCT s.axis_id, coalesce(b.block_id, 0) FROM street s LEFT JOIN LATERAL (
         SELECT edge_id FROM %1$I.edge e WHERE e.from_node IN (s.from_node, s.to_node)
         UNION ALL SELECT edge_id FROM %1$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e ON true
@@ -205,15 +206,18 @@ WHERE b.there OR e.edge_id IS NULL$sql$, model);
     END IF;
     FOREACH by_place IN ARRAY ARRAY[false, true] LOOP
         IF by_place THEN
-            -- As far as this session holds them, or nobody does.
-            blocks := ARRAY(SELECT unnest(blocks) UNION SELECT block_id FROM (
-                SELECT DISTINCT coalesce(b.block_id, 0) AS block_id FROM %2$I.edge s, LATERAL (
+            -- More than was locked: nobody else may hold these, nor a run that does not know of them have shut the
+            -- door.
+            further := ARRAY(SELECT DISTINCT coalesce(b.block_id, 0) FROM %2$I.edge s, LATERAL (
                     SELECT edge_id FROM %2$I.edge e WHERE e.from_node IN (s.from_node, s.to_node)
                     UNION ALL SELECT edge_id FROM %2$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e,
                     LATERAL (SELECT block_id FROM %2$I.block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
-                WHERE s.axis_id = ANY (axes) OFFSET 0) t
-                WHERE pg_try_advisory_xact_lock(hashtext('streetgen.' || %3$L),
-                    streetgen._chain_key('block', block_id)));
+                WHERE s.axis_id = ANY (axes) AND coalesce(b.block_id, 0) <> ALL (blocks));
+            IF NOT streetgen._lock_places(%3$L, ARRAY(SELECT streetgen._chain_key('block', b) FROM unnest(further) b),
+                '{}', wait => false) OR further <> '{}' AND NOT streetgen._door_is_open(%3$L) THEN
+                PERFORM streetgen._refuse_place(%3$L);
+            END IF;
+            blocks := blocks || further;
         END IF;
         FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %1$s LOOP
             found := true;
@@ -242,6 +246,7 @@ CREATE OR REPLACE FUNCTION %1$I._renew_blocks(blocks bigint[], axes bigint[])
 #variable_conflict use_column
 DECLARE
     by_place boolean;
+    further bigint[];
     found boolean := false;
 BEGIN
     %2$s

@@ -113,12 +113,12 @@ DELETE FROM pg_temp._interchange i USING %1$I.design_node n WHERE n.design_node_
 UPDATE %1$I.design_node n SET geom = i.geom, rejected = false FROM pg_temp._interchange i
     WHERE n.design_node_id = i.design_node_id AND n.kind = 'interchange' AND NOT n.by_hand
     AND (n.rejected OR NOT ST_Equals(n.geom, i.geom));
-UPDATE pg_temp._interchange SET design_node_id = nextval(pg_get_serial_sequence('%1$I.design_node', 'design_node_id'))
+UPDATE pg_temp._interchange SET design_node_id = nextval(pg_get_serial_sequence(%2$L, 'design_node_id'))
     WHERE design_node_id IS NULL;
 INSERT INTO %1$I.design_node (design_node_id, kind, importance, geom) SELECT design_node_id, 'interchange', 0, geom
     FROM pg_temp._interchange i WHERE NOT EXISTS (SELECT FROM %1$I.design_node n
         WHERE n.design_node_id = i.design_node_id);
-DROP TABLE pg_temp._match $sql$, model);
+DROP TABLE pg_temp._match $sql$, model, format('%I.design_node', model));
 END $$;
 COMMENT ON FUNCTION streetgen._place_interchanges(name) IS
     'Gives each place where links of a network cross its node (temporary table _interchange): a town within a metre, '

@@ -1,5 +1,13 @@
 -- How far an edit or a run reaches: the axes that it writes, those it computes with, and the keys that lock both.
 
+CREATE OR REPLACE FUNCTION streetgen._runs_along(edge geometry, axis geometry, start_abscissa float8,
+    end_abscissa float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN ST_Distance(ST_LineInterpolatePoint(edge, 1.0 / 3), ST_LineInterpolatePoint(axis, greatest(0, least(1,
+        (2 * start_abscissa + end_abscissa) / (3 * ST_Length(axis)))))) < 0.01;
+COMMENT ON FUNCTION streetgen._runs_along(geometry, geometry, float8, float8) IS
+    'Does an edge still run between these abscissas of its axis, in its direction? A reversed axis lies where it did.';
+
 CREATE OR REPLACE FUNCTION streetgen._reach_value() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN 'CASE name WHEN ''roundabout_radius_greatest'' THEN 2 * value::float8 + 10 ELSE value::float8 END';
@@ -83,7 +91,8 @@ BEGIN
             WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
         UNION SELECT axis_id, edge_id, true FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
         -- An axis put between others may turn those that lie nearest.
-        UNION SELECT axis_id, edge_id, NOT EXISTS (SELECT FROM near n WHERE n.met AND n.axis_id <> ALL (requested))
+        UNION SELECT axis_id, edge_id, cardinality(requested) > 1
+            OR NOT EXISTS (SELECT FROM near n WHERE n.met AND n.axis_id <> ALL (requested))
             FROM near
         UNION SELECT e.axis_id, e.edge_id, false FROM reaching l
             JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
@@ -164,7 +173,8 @@ BEGIN
                UNION SELECT axis_id FROM run) a)
         INTO gathered, districts, chains;
     still := NOT EXISTS (SELECT FROM unnest(requested) r(axis_id) LEFT JOIN %1$I.axis a USING (axis_id)
-        WHERE NOT coalesce((SELECT bool_and(e.level = a.level AND e.input_hash <> 0)
+        WHERE NOT coalesce((SELECT bool_and(e.level = a.level AND e.input_hash <> 0
+                    AND streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
                 AND ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
             FROM %1$I.edge e WHERE e.axis_id = r.axis_id), false));
     -- Two sessions that change an axis each have half of the way each: both know the axes that are there.

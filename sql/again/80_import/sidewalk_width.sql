@@ -80,7 +80,7 @@ WITH side AS MATERIALIZED (
     LEFT JOIN %1$I.delivered d ON (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref)
     WHERE w.fate IN ('taken', 'of zero: no sidewalk')),
 judged AS MATERIALIZED (
-    SELECT *, known AND there IS DISTINCT FROM before AND there <> wanted AS by_hand FROM side),
+    SELECT *, known AND there IS DISTINCT FROM before AND there IS DISTINCT FROM wanted AS by_hand FROM side),
 conflict AS (
     INSERT INTO %1$I.open_conflict (relation, row_id, column_name, source, source_ref, by_hand, source_old, source_new,
         stands)

@@ -49,12 +49,16 @@ std::vector<MultiPolygon> on_common_vertices(const std::vector<MultiPolygon>& pa
 
 }  // namespace
 
-MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& all) {
-  if (all.size() > at_once) {
-    const auto middle = all.begin() + all.size() / 2;
-    return united(geos, {united(geos, {all.begin(), middle}), united(geos, {middle, all.end()})});
+MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
+  return united_as_they_lie(geos, on_common_vertices(parts));
+}
+
+MultiPolygon united_as_they_lie(Geos& geos, const std::vector<MultiPolygon>& parts) {
+  if (parts.size() > at_once) {
+    const auto middle = parts.begin() + parts.size() / 2;
+    return united_as_they_lie(geos, {united_as_they_lie(geos, {parts.begin(), middle}),
+                                     united_as_they_lie(geos, {middle, parts.end()})});
   }
-  const std::vector<MultiPolygon> parts = on_common_vertices(all);
   std::vector<LineView> lines;
   for (const MultiPolygon& part : parts)
     for (const Polygon& polygon : part) lines.insert(lines.end(), polygon.begin(), polygon.end());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -158,7 +159,9 @@ class Builder {
         far[joined.of(i)].push_back(place_of(i).point);
     }
     std::set<int> wide;
-    for (const auto& [group, points] : far) {
+    for (auto& [group, points] : far) {
+      // In the order of a line the circle would be sought anew at each point.
+      std::shuffle(points.begin(), points.end(), std::minstd_rand{});
       const Circle about = enclosing_circle(points);
       if (2 * about.radius <= 3 * tolerance_) continue;
       wide.insert(group);

@@ -54,12 +54,6 @@ void add_stretch(Claim& claim, const Layout& layout, int edge, double from, doub
   claim.skeleton.push_back({&layout.arms[2 * edge].line, from, to, end_segments(layout, edge)});
 }
 
-void measure(Claim& claim) {
-  double sum = 0;
-  for (const Stretch& stretch : claim.skeleton) sum += stretch.to - stretch.from;
-  claim.length = millimetres(sum);
-}
-
 }  // namespace
 
 Claim claim_of_section(const Layout& layout, int e) {
@@ -73,7 +67,6 @@ Claim claim_of_section(const Layout& layout, int e) {
   claim.order_key = order_key_at(edge.start_abscissa) + 1;
   if (start < end) add_stretch(claim, layout, e, start, end);
   add_axis(claim, layout, e);
-  measure(claim);
   return claim;
 }
 
@@ -93,7 +86,6 @@ Claim claim_of_intersection(const Layout& layout, int node) {
     add_axis(claim, layout, end.edge);
     claim.joins_levels |= layout.streets.network.edges[end.edge].level != claim.level;
   }
-  measure(claim);
   return claim;
 }
 

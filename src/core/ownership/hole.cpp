@@ -262,7 +262,7 @@ void give_holes(Geos& geos, std::vector<Claim>& claims, const std::vector<Hole>&
       owner = claims[i].surface;
     }
     if (owner == nullptr) continue;
-    *owner = united(geos, {*owner, {{on_vertices(hole.ring, *owner)}}});
+    *owner = united_as_they_lie(geos, {*owner, {{on_vertices(hole.ring, *owner)}}});
     fill_holes(*owner, least_part);
   }
 }

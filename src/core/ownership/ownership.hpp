@@ -33,7 +33,6 @@ struct Claim {
   int importance = 99;            // of its most important axis, 1 the highest
   double width = 0;               // of its widest axis, metres
   std::int64_t axis_length = 0;   // of its longest axis, millimetres
-  std::int64_t length = 0;        // of its skeleton, millimetres
   std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
   std::int64_t order_key = 0;     // distinct within one axis_id, to break ties
   std::vector<int> edges;         // that the surface covers or ends on

@@ -25,7 +25,13 @@ namespace {
 // Since the session began: then it is the SQL that was made anew, and this module the older one.
 bool was_one_build = false;
 
-void forget(Datum, int, uint32) { is_one_build = false; }
+// How often the catalogue has changed.
+uint64 changes = 0;
+
+void forget(Datum, int, uint32) {
+  is_one_build = false;
+  ++changes;
+}
 
 // What streetgen._build_mark() gives, without a call of it: anybody may ask at any time.
 bool sql_has_our_mark() {
@@ -74,11 +80,10 @@ void look_for_build_mark() {
     CacheRegisterSyscacheCallback(PROCOID, forget, 0);
     listens = true;
   }
-  // A change that comes while we look is looked at, too.
-  do {
-    is_one_build = true;
+  // A change that comes while we look is looked at, too.  A look that an error ends proves nothing.
+  while (!is_one_build) {
+    const uint64 before = changes;
     if (!sql_has_our_mark()) {
-      is_one_build = false;
       const char* database = get_database_name(MyDatabaseId);
       ereport(
           ERROR,
@@ -90,7 +95,8 @@ void look_for_build_mark() {
                                    "psql -d %s -f %s",
                                    quoted(database), quoted(renewal_script()))));
     }
-  } while (!is_one_build);
+    is_one_build = changes == before;
+  }
   was_one_build = true;
 }
 
