@@ -65,11 +65,9 @@ WHERE NOT c.known OR t.before ->> c.name IS DISTINCT FROM t.after ->> c.name $sq
         streetgen._rows_delivered(model, relation), relation || '_id',
         streetgen._values_there(model, relation) || ' || jsonb_build_object(''geom'', t.geom::text'
             || CASE relation WHEN 'axis' THEN ', ''width_by_hand'', t.width_by_hand)' ELSE ')' END,
-        -- What an importer writes whatever is by hand. A hash is that of all columns: a delivery that lacks some has
-        -- none.
+        -- What an importer writes whatever is by hand.
         CASE relation WHEN 'axis'
-            THEN 'jsonb_build_object(''source_geom'', p.source_geom::text, ''source_hash'', CASE
-                WHEN coalesce(d.said, ''{}'') - ARRAY(SELECT jsonb_object_keys(p.said)) = ''{}'' THEN p.hash END)'
+            THEN 'jsonb_build_object(''source_geom'', p.source_geom::text, ''source_hash'', p.hash)'
             ELSE '''{}''::jsonb' END, relation) USING source;
 END $$;
 COMMENT ON FUNCTION streetgen._compare_delivery(name, name, text) IS
