@@ -360,7 +360,7 @@ CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
             AND (relname IN ('axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override'
             OR relname = ANY (streetgen._object_table())
-            -- It names functions, which run with the rights of the owner.
+            -- That table names functions, which run with the rights of the owner.
             AND relname <> 'specialised_type') $$;
 COMMENT ON FUNCTION streetgen._edited_tables(name) IS
     'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';

@@ -1,12 +1,12 @@
--- Whose functions a model meets: its functions find those of PostGIS by search_path, and so they would find functions
--- of others beside these whose arguments fit better.
+-- A model finds functions of PostGIS by search_path, and so would find functions of others beside these whose arguments
+-- fit better.
 
 CREATE OR REPLACE FUNCTION streetgen._check_functions_beside(owner oid, caller oid) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     beside record;
-    -- Who has the rights of the owner, of PostGIS or of its schema anyway.
+    -- Roles that have the rights of the owner, of PostGIS or of its schema anyway.
     trusted oid[];
     creators text;
     planted text;

@@ -99,7 +99,7 @@ CREATE OR REPLACE FUNCTION streetgen._drop_roads(model name, gone bigint[]) RETU
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- What is left of other roads a run finds by their edges.
+    -- A run finds by their edges what is left of other roads.
     EXECUTE format($sql$
 WITH member AS (SELECT m.road_id FROM %1$I.edge e JOIN %1$I.road_edge m USING (edge_id) WHERE e.axis_id = ANY ($1))
 DELETE FROM %1$I.road r WHERE r.road_id IN (SELECT road_id FROM member) AND NOT EXISTS (

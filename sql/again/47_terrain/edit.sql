@@ -73,7 +73,7 @@ BEGIN
     END IF;
     EXECUTE format('SELECT max(abscissa + length) FROM %I.alignment_element WHERE design_link_id = $1 AND NOT rejected',
         model) INTO length USING (is_now ->> 'design_link_id')::bigint;
-    -- Of a link without a road nothing is known yet.
+    -- A link without a road tells nothing yet.
     IF length IS NOT NULL AND NOT (first >= 0 AND last <= length + 0.001) THEN
         RAISE EXCEPTION 'the % of link % lies at % m, and the link is % m long', replace(relation, '_', ' '),
             is_now ->> 'design_link_id', concat_ws(' to ', first, nullif(last, first)), round(length::numeric, 3)

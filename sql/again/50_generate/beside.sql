@@ -34,7 +34,7 @@ BEGIN
     IF places = '{}' THEN
         RETURN '{}';
     END IF;
-    -- What others write is not seen: what changed may lie beside an axis that is new there.
+    -- This session does not see what others write: a changed axis may lie beside one that is new there.
     EXECUTE format($sql$
 WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
 far AS (

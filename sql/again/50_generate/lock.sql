@@ -78,11 +78,17 @@ COMMENT ON FUNCTION streetgen._lock_all_places(name) IS
         'some.';
 
 CREATE OR REPLACE FUNCTION streetgen._door_is_open(model name) RETURNS boolean
-    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-    -- A lock of the session, unlike one of the transaction, can be given back at once.
-    SELECT CASE WHEN pg_try_advisory_lock_shared(key, door) THEN pg_advisory_unlock_shared(key, door) ELSE false END
-    FROM (SELECT hashtext('streetgen.' || model) AS key, streetgen._door() AS door) k $$;
+BEGIN
+    IF NOT streetgen._lock_places(model, '{}', ARRAY[streetgen._door()], wait => false) THEN
+        RETURN false;
+    END IF;
+    -- The savepoint of this block gives the lock back at once.
+    RAISE SQLSTATE 'SG001';
+EXCEPTION WHEN SQLSTATE 'SG001' THEN
+    RETURN true;
+END $$;
 COMMENT ON FUNCTION streetgen._door_is_open(name) IS
     'May a session that has just taken places of a model keep them? Not while a run that does not know of them has '
         'shut the door.';
