@@ -22,14 +22,6 @@ namespace streetgen {
 
 namespace {
 
-// On its longest segment: no end of that may touch another kerb.
-Point place_on(const Line& line) {
-  std::size_t longest = 1;
-  for (std::size_t i = 2; i < line.size(); ++i)
-    if (distance(line[i - 1], line[i]) > distance(line[longest - 1], line[longest])) longest = i;
-  return (line[longest - 1] + line[longest]) * 0.5;
-}
-
 // Whether the roadway of the level ends there, so that ground lies on the axis beyond.
 bool bares_axis(const Kerb& kerb) {
   return kerb.method == Method::level_change || kerb.side == KerbSide::across_start ||
@@ -89,14 +81,16 @@ class BlockFinder {
                        [&](const EdgeSide& side) { return stays(side); });
   }
 
+  void add_along(const Line& line, std::set<int>& faces) {
+    for (std::size_t i = 1; i < line.size(); ++i) index_.add_along(line[i - 1], line[i], faces);
+  }
+
   // Those in which a ring of kerbs lies; among them may be the outside.
   std::set<int> faces_of(const std::vector<int>& kerbs) {
     std::set<int> faces;
     if (std::any_of(kerbs.begin(), kerbs.end(),
                     [&](int k) { return bares_axis(input_.kerbs[k]); })) {
-      for (const int k : kerbs)
-        for (std::size_t i = 1; i < input_.kerbs[k].line.size(); ++i)
-          index_.add_along(input_.kerbs[k].line[i - 1], input_.kerbs[k].line[i], faces);
+      for (const int k : kerbs) add_along(input_.kerbs[k].line, faces);
       return faces;
     }
     std::vector<int> untold;
@@ -106,9 +100,8 @@ class BlockFinder {
       else
         untold.push_back(k);
     }
-    for (const int k : untold)
-      faces.insert(index_.at(place_on(input_.kerbs[k].line),
-                             faces.empty() ? FaceIndex::outside : *faces.rbegin()));
+    // What others contest may pass an axis whose street has no ground there.
+    for (const int k : untold) add_along(input_.kerbs[k].line, faces);
     return faces;
   }
 

@@ -70,15 +70,6 @@ const PreparedSurface& FaceIndex::prepared(int face) {
   return prepared_.emplace(face, PreparedSurface(kept)).first->second;
 }
 
-int FaceIndex::at(const Point& place, int likely) {
-  if (likely >= 0 && prepared(likely).holds(place)) return likely;
-  int face = outside;
-  index_.each_near(box_of(place, place), 0, [&](int other) {
-    if (face < 0 && other != likely && prepared(other).holds(place)) face = other;
-  });
-  return face;
-}
-
 void FaceIndex::add_along(const Point& from, const Point& to, std::set<int>& faces) {
   const std::vector<int> near = index_.near(box_of(from, to), 0);
   std::vector<double> at{0, 1};

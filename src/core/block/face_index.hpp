@@ -23,8 +23,6 @@ class FaceIndex {
   // The face beside the side of an edge that the kerb belongs to. None where there are several
   // such faces, where the side is not told, or where others contest the kerb: it may lie beyond.
   std::optional<int> beside(const Kerb& kerb) const;
-  // The face that holds a place on no edge, or the outside; `likely` is looked at first.
-  int at(const Point& place, int likely);
   // Adds the faces that hold part of a segment, longer than a micrometre, and maybe the outside.
   void add_along(const Point& from, const Point& to, std::set<int>& faces);
   // The faces that share an edge with a face; looked for among all.

@@ -200,11 +200,7 @@ TEST(Block, OfAnyTownIsItsFaceLessTheRoadway) {
 }
 
 TEST(Block, OfAnyTownOnTwoLevelsIsItsFaceLessTheRoadway) {
-  for (unsigned seed = 1; seed <= 26; ++seed) {
-    // Two of its lines lie one on the other, on two levels. There an intersection of the other
-    // level takes the ground about 0.6 m of an axis, and the block beside goes 0.4 m2 beyond the
-    // axis.
-    if (seed == 20) continue;
+  for (unsigned seed = 1; seed <= 25; ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 24);
     for (StreetAxis& axis : axes) axis.level = axis.axis_id % 3 == 0;
     const Streets town = with_kerbs(axes);
