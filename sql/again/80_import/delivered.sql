@@ -122,8 +122,8 @@ BEGIN
         settled AS (DELETE FROM %1$I.open_conflict c USING now n
             WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name
                 AND n.value IS NOT DISTINCT FROM CASE c.stands WHEN 'hand' THEN c.source_new ELSE c.by_hand END)
-        UPDATE %1$I.open_conflict c SET by_hand = n.value FROM now n
-            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name AND c.stands = 'hand'
+        UPDATE %1$I.open_conflict c SET by_hand = n.value, stands = 'hand' FROM now n
+            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name
                 AND n.value IS DISTINCT FROM c.by_hand AND n.value IS DISTINCT FROM c.source_new;
     END IF;
     RETURN NULL;

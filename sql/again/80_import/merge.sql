@@ -48,8 +48,13 @@ WITH changed AS (
             THEN jsonb_build_object('geom', coalesce(p.cleaned, p.source_geom)::text) ELSE '{}' END AS after
     FROM pg_temp._import_said p JOIN %1$I.delivered d ON d.relation = %6$L AND d.source = $1
         AND d.source_ref = p.source_ref),
-there AS (SELECT d.*, t.%3$I AS id, (%4$s) AS by_hand FROM changed d CROSS JOIN LATERAL (%2$s) t)
+there AS (
+    SELECT d.*, t.%3$I AS id, (%4$s) AS by_hand, count(*) OVER (PARTITION BY d.source_ref) > 1
+        OR t.source_ref IS DISTINCT FROM d.source_ref AS cut
+    FROM changed d CROSS JOIN LATERAL (%2$s) t)
 SELECT t.id, t.source_ref, t.by_hand, t.merged, t.marks, c.name AS column_name, t.after -> c.name AS value,
+    -- Each piece would get the whole line.
+    t.cut AND c.name = 'geom' AS kept,
     CASE WHEN c.known THEN t.before ->> c.name END AS source_old, t.after ->> c.name AS source_new,
     CASE WHEN t.by_hand ->> c.name IS NOT DISTINCT FROM t.after ->> c.name THEN 'alike'
         WHEN o.stands = 'hand' AND o.source_old IS NOT DISTINCT FROM t.after ->> c.name AND c.known THEN 'taken back'
@@ -65,14 +70,17 @@ WHERE NOT c.known OR t.before ->> c.name IS DISTINCT FROM t.after ->> c.name $sq
         streetgen._rows_delivered(model, relation), relation || '_id',
         streetgen._values_there(model, relation) || ' || jsonb_build_object(''geom'', t.geom::text'
             || CASE relation WHEN 'axis' THEN ', ''width_by_hand'', t.width_by_hand)' ELSE ')' END,
-        -- What an importer writes whatever is by hand.
+        -- An importer writes these whatever is by hand. The hash of a delivery that lacks columns is told from others.
         CASE relation WHEN 'axis'
-            THEN 'jsonb_build_object(''source_geom'', p.source_geom::text, ''source_hash'', p.hash)'
+            THEN 'jsonb_build_object(''source_geom'', p.source_geom::text, ''source_hash'', CASE '
+                'WHEN d.said - ARRAY(SELECT jsonb_object_keys(p.said)) <@ ''{"level": 0, "direction": "both"}'' '
+                'THEN p.hash ELSE p.hash # 1 END)'
             ELSE '''{}''::jsonb' END, relation) USING source;
 END $$;
 COMMENT ON FUNCTION streetgen._compare_delivery(name, name, text) IS
     'Makes the table of what the import changes, column by column: alike (the row has it), taken back (the source '
-    'says again what it said before a conflict), taken, or in conflict with what is by hand.';
+    'says again what it said before a conflict), taken, or in conflict with what is by hand. The line of a row that '
+    'was cut by hand is kept, whoever wins.';
 
 CREATE OR REPLACE FUNCTION streetgen._write_merged(model name, relation name, wins text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -89,7 +97,8 @@ WITH merged AS MATERIALIZED (
             THEN '{"width_by_hand": false, "source_width": null, "source_width_end": null}'
         ELSE jsonb_build_object('source_width', merged -> 'width', 'source_width_end', merged -> 'width_end')
         END AS patch
-    FROM (SELECT *, fate = 'taken' OR fate = 'in conflict' AND $1 = 'source' AS taken FROM pg_temp._import_merge) m
+    FROM (SELECT *, fate = 'taken' OR fate = 'in conflict' AND $1 = 'source' AND NOT kept AS taken
+        FROM pg_temp._import_merge) m
     GROUP BY id, marks, merged, by_hand)
 UPDATE %1$I.%2$I t SET (%3$s) = (SELECT %4$s FROM jsonb_populate_record(t, m.patch) r) FROM merged m
 WHERE t.%5$I = m.id AND m.patch <> '{}' $sql$, model, relation,
@@ -116,7 +125,8 @@ WHERE (c.relation, c.row_id, c.column_name) = ($1, m.id, m.column_name) AND m.fa
     EXECUTE format($sql$
 INSERT INTO %I.open_conflict (relation, row_id, column_name, source, source_ref, by_hand, source_old, source_new,
     stands)
-SELECT $1, m.id, m.column_name, $2, m.source_ref, m.by_hand ->> m.column_name, m.source_old, m.source_new, $3
+SELECT $1, m.id, m.column_name, $2, m.source_ref, m.by_hand ->> m.column_name, m.source_old, m.source_new,
+    CASE WHEN m.kept THEN 'hand' ELSE $3 END
 FROM pg_temp._import_merge m WHERE m.fate = 'in conflict'
 ON CONFLICT (relation, row_id, column_name) DO UPDATE SET by_hand = excluded.by_hand,
     source_new = excluded.source_new, stands = excluded.stands $sql$, model) USING relation, source, wins;
@@ -132,7 +142,7 @@ DECLARE
 BEGIN
     FOR absent IN EXECUTE format($sql$
 SELECT d.source_ref, d.row_id, jsonb_object_agg(k.name, before ->> k.name)::text AS source_old,
-    jsonb_object_agg(k.name, after ->> k.name)::text AS source_new
+    jsonb_object_agg(k.name, after ->> k.name)::text AS source_new, EXISTS (%3$s) AS cut
 FROM (SELECT d.*, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.source_geom)::text) AS before,
         p.said || jsonb_build_object('geom', CASE WHEN d.source_geom::bytea = p.source_geom::bytea
             THEN coalesce(d.cleaned, d.source_geom) ELSE coalesce(p.cleaned, p.source_geom) END::text) AS after
@@ -141,16 +151,19 @@ FROM (SELECT d.*, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.sou
 CROSS JOIN LATERAL jsonb_object_keys(d.after) k(name)
 WHERE before ->> k.name IS DISTINCT FROM after ->> k.name
     AND NOT EXISTS (SELECT FROM %1$I.%2$I t WHERE t.source = $2 AND t.source_ref = d.source_ref)
-GROUP BY d.source_ref, d.row_id ORDER BY d.source_ref $sql$, model, relation) USING relation, source LOOP
+GROUP BY d.source, d.source_ref, d.source_geom, d.row_id ORDER BY d.source_ref $sql$, model, relation,
+        streetgen._rows_delivered(model, relation)) USING relation, source LOOP
         EXECUTE format($sql$
 INSERT INTO %I.open_conflict (relation, row_id, column_name, source, source_ref, source_old, source_new, stands)
 VALUES ($1, $2, '*', $3, $4, $5, $6, $7)
 ON CONFLICT (relation, row_id, column_name) DO UPDATE SET source_new = excluded.source_new $sql$, model)
-            USING relation, absent.row_id, source, absent.source_ref, absent.source_old, absent.source_new, wins;
+            USING relation, absent.row_id, source, absent.source_ref, absent.source_old, absent.source_new,
+                CASE WHEN absent.cut THEN 'hand' ELSE wins END;
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._keep_deleted(name, name, text, text) IS
-    'Keeps a conflict for each row that was deleted by hand and that the source changed.';
+    'Keeps a conflict for each row that was deleted by hand and that the source changed. One of which pieces stand '
+    'stays away, whoever wins.';
 
 CREATE OR REPLACE FUNCTION streetgen._bring_back(model name, relation name, source text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -182,9 +195,10 @@ DECLARE
     wins constant text := streetgen._delivery_wins(model);
     absent text;
 BEGIN
-    PERFORM streetgen._compare_delivery(model, relation, source), streetgen._write_merged(model, relation, wins),
-        streetgen._keep_conflicts(model, relation, source, wins),
-        streetgen._keep_deleted(model, relation, source, wins);
+    -- Triggers of what is written find the conflicts as they are to be.
+    PERFORM streetgen._compare_delivery(model, relation, source),
+        streetgen._keep_deleted(model, relation, source, wins),
+        streetgen._keep_conflicts(model, relation, source, wins), streetgen._write_merged(model, relation, wins);
     DROP TABLE pg_temp._import_merge;
     EXECUTE format($sql$
 UPDATE %1$I.delivered d SET said = jsonb_strip_nulls(coalesce(d.said, '{}') || p.said), source_geom = p.source_geom,
@@ -195,9 +209,9 @@ FROM pg_temp._import_said p WHERE (d.relation, d.source, d.source_ref) = ($1, $2
         FOR absent IN EXECUTE format($sql$
 SELECT d.source_ref FROM pg_temp._import_part p JOIN %1$I.delivered d ON (d.relation, d.source, d.source_ref)
     = ($1, $2, p.source_ref)
-WHERE NOT EXISTS (SELECT FROM %1$I.%2$I t WHERE t.source = $2 AND t.source_ref = p.source_ref) ORDER BY 1 $sql$, model,
-            relation) USING relation, source LOOP
-            PERFORM streetgen._insert_json(model, relation, streetgen._delivered_row(model, relation, source, absent));
+WHERE NOT EXISTS (%2$s) ORDER BY 1 $sql$, model, streetgen._rows_delivered(model, relation)) USING relation, source
+        LOOP
+            PERFORM streetgen._insert_delivered(model, relation, source, absent);
         END LOOP;
     END IF;
 END $$;

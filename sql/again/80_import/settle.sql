@@ -1,39 +1,73 @@
 -- Settling a conflict between what is by hand and what a source says.
 
-CREATE OR REPLACE FUNCTION streetgen._insert_json(model name, relation name, said jsonb) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._insert_json(model name, relation name, said jsonb) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    columns constant text := (SELECT string_agg(quote_ident(attname), ', ') FROM pg_attribute
-        WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0 AND NOT attisdropped
-            AND said ? attname);
+    key constant name := relation || '_id';
+    taken boolean;
+    columns text;
+    row_id bigint;
 BEGIN
-    EXECUTE format('INSERT INTO %1$I.%2$I (%3$s) SELECT %3$s FROM jsonb_populate_record(NULL::%1$I.%2$I, $1)', model,
-        relation, columns) USING said;
+    EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I WHERE %I = $1)', model, relation, key) INTO taken
+        USING (said ->> key)::bigint;
+    columns := (SELECT string_agg(quote_ident(attname), ', ') FROM pg_attribute
+        WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0 AND NOT attisdropped
+            AND said ? attname AND NOT (taken AND attname = key));
+    EXECUTE format('INSERT INTO %1$I.%2$I (%3$s) SELECT %3$s FROM jsonb_populate_record(NULL::%1$I.%2$I, $1) '
+        'RETURNING %4$I', model, relation, columns, key) INTO row_id USING said;
+    RETURN row_id;
 END $$;
 COMMENT ON FUNCTION streetgen._insert_json(name, name, jsonb) IS
-    'Inserts a row, given as streetgen._row_json gives it, into a table of a model.';
+    'Inserts a row, given as streetgen._row_json gives it, into a table of a model, and returns its key: the one that '
+    'it had, or a new one where another row has that.';
 
-CREATE OR REPLACE FUNCTION streetgen._delivered_row(model name, relation name, source text, source_ref text)
-    RETURNS jsonb
+CREATE OR REPLACE FUNCTION streetgen._insert_delivered(model name, relation name, source text, source_ref text)
+    RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    said jsonb;
+    former bigint;
+    row_id bigint;
+BEGIN
+    EXECUTE format($sql$
+SELECT d.row_id, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.source_geom)::text, 'source', d.source,
+        'source_ref', d.source_ref, %2$L, d.row_id) || CASE d.relation WHEN 'axis'
+        THEN jsonb_build_object('source_geom', d.source_geom::text) ELSE '{}' END
+FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.source_ref = $3 $sql$, model, relation || '_id')
+        INTO former, said USING relation, source, source_ref;
+    row_id := streetgen._insert_json(model, relation, said);
+    IF row_id <> former THEN
+        EXECUTE format('UPDATE %I.delivered d SET row_id = $4
+            WHERE (d.relation, d.source, d.source_ref) = ($1, $2, $3)', model)
+            USING relation, source, source_ref, row_id;
+        EXECUTE format('UPDATE %I.open_conflict c SET row_id = $4
+            WHERE (c.relation, c.source, c.source_ref) = ($1, $2, $3) AND c.column_name = ''*''', model)
+            USING relation, source, source_ref, row_id;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._insert_delivered(name, name, text, text) IS
+    'Inserts the row that a source delivered last; delivered and a conflict about the whole row get its key.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_doubling(model name, relation name, row_id bigint, source text,
+    source_ref text) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    row jsonb;
+    others text;
 BEGIN
     EXECUTE format($sql$
-SELECT d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.source_geom)::text, 'source', d.source, 'source_ref',
-        d.source_ref) || CASE d.relation WHEN 'axis' THEN jsonb_build_object('source_geom', d.source_geom::text)
-        ELSE '{}' END
-    -- Somebody may have given its key to another row.
-    || CASE WHEN EXISTS (SELECT FROM %1$I.%2$I t WHERE t.%3$I = d.row_id) THEN '{}'
-        ELSE jsonb_build_object(%3$L, d.row_id) END
-FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.source_ref = $3 $sql$, model, relation,
-        relation || '_id') INTO row USING relation, source, source_ref;
-    RETURN row;
+SELECT string_agg(t.%2$I::text, ', ' ORDER BY t.%2$I) FROM %1$I.delivered d CROSS JOIN LATERAL (%3$s) t
+WHERE (d.relation, d.source, d.source_ref) = ($1, $2, $3) AND t.%2$I <> $4 $sql$, model, relation || '_id',
+        streetgen._rows_delivered(model, relation)) INTO others USING relation, source, source_ref, row_id;
+    IF others IS NOT NULL THEN
+        RAISE EXCEPTION 'the source has % % whole, and it was cut by hand', relation, row_id USING ERRCODE = '22023',
+            DETAIL = format('Other pieces stand: %s.', others), HINT = 'Delete them, or let hold what is by hand.';
+    END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._delivered_row(name, name, text, text) IS
-    'The row that a source delivered last, with the key that it had, for streetgen._insert_json.';
+COMMENT ON FUNCTION streetgen._refuse_doubling(name, name, bigint, text, text) IS
+    'Raises 22023 where other rows than this one stand for a row of a source: its whole line would lie on them.';
 
 CREATE OR REPLACE FUNCTION streetgen._give_column(model name, relation name, row_id bigint, column_name text,
     value text) RETURNS void
@@ -97,6 +131,9 @@ BEGIN
         RAISE EXCEPTION 'there is no conflict in column "%" of % %', column_name, relation, row_id
             USING ERRCODE = '22023', HINT = format('SELECT * FROM %I.import_conflict lists them.', model);
     END IF;
+    IF holds = 'source' AND column_name IN ('geom', '*') AND conflict.source_new IS NOT NULL THEN
+        PERFORM streetgen._refuse_doubling(model, relation, row_id, conflict.source, conflict.source_ref);
+    END IF;
     IF holds = conflict.stands THEN
         NULL;
     ELSIF column_name <> '*' AND holds = 'source' AND column_name IN ('width', 'width_end') THEN
@@ -106,9 +143,10 @@ BEGIN
             THEN conflict.by_hand ELSE conflict.source_new END);
     ELSIF (CASE holds WHEN 'hand' THEN conflict.by_hand ELSE conflict.source_new END) IS NULL THEN
         EXECUTE format('DELETE FROM %I.%I WHERE %I = $1', model, relation, relation || '_id') USING row_id;
+    ELSIF holds = 'hand' THEN
+        PERFORM streetgen._insert_json(model, relation, conflict.by_hand::jsonb);
     ELSE
-        PERFORM streetgen._insert_json(model, relation, CASE holds WHEN 'hand' THEN conflict.by_hand::jsonb
-            ELSE streetgen._delivered_row(model, relation, conflict.source, conflict.source_ref) END);
+        PERFORM streetgen._insert_delivered(model, relation, conflict.source, conflict.source_ref);
     END IF;
     EXECUTE format('DELETE FROM %I.open_conflict c WHERE (c.relation, c.row_id, c.column_name) = ($1, $2, $3)', model)
         USING relation, row_id, column_name;
@@ -117,5 +155,5 @@ COMMENT ON FUNCTION streetgen.settle_conflict(name, bigint, text, text, text) IS
     'Ends a conflict of view import_conflict. holds: hand, and the row has what was by hand, or source, and it has '
     'what the source says now. A whole row (column_name *) comes back or is deleted so. relation: the table of the row '
     '(axis, control_point or turn_restriction). Later deliveries find what then stands beside what the source said '
-    'last, and tell again only what the source changes. An unknown model: 3F000; no such conflict, or another word '
-    'for holds: 22023; who may not edit the model: 42501.';
+    'last, and tell again only what the source changes. An unknown model: 3F000; no such conflict, another word for '
+    'holds, or the line of a source for one of several pieces: 22023; who may not edit the model: 42501.';

@@ -40,23 +40,26 @@ BEGIN
   END LOOP;
 END $$;
 
--- What must be after a delivery: before it (was), by hand (hand), as the source has it now (will), each as test.axes.
-CREATE FUNCTION test.expected(was regclass, hand regclass, will regclass, wins text) RETURNS TABLE (axis_id bigint, ref text, said jsonb, conflicts text[]) LANGUAGE plpgsql AS $$
+-- What must be after a delivery: before it (was), by hand (hand), as the source has it now (will), each as test.axes. The line of a row that was cut by hand stays whoever wins,
+-- and such a row does not come back beside its pieces: these conflicts are kept.
+CREATE FUNCTION test.expected(was regclass, hand regclass, will regclass, wins text) RETURNS TABLE (axis_id bigint, ref text, said jsonb, conflicts text[], kept text[]) LANGUAGE plpgsql AS $$
 BEGIN
   RETURN QUERY EXECUTE format($q$
   WITH was AS (TABLE %1$s), hand AS (TABLE %2$s), will AS (TABLE %3$s),
   -- Each row by hand with the row of the source that it came from, itself or cut off it.
-  row AS (SELECT h.*, w.ref AS of, w.said AS old, n.said AS new FROM hand h LEFT JOIN was w ON w.ref = regexp_replace(h.ref, '_1$', '') LEFT JOIN will n ON n.ref = w.ref),
+  row AS (SELECT h.*, w.ref AS of, w.said AS old, n.said AS new, count(*) OVER (PARTITION BY w.ref) > 1 OR h.ref <> w.ref AS cut FROM hand h LEFT JOIN was w ON w.ref = regexp_replace(h.ref, '_1$', '') LEFT JOIN will n ON n.ref = w.ref),
   edited AS (SELECT of, bool_or(said <> old OR by_hand) AS edited FROM row GROUP BY of),
-  merged AS (SELECT r.*, array_agg(k ORDER BY k) FILTER (WHERE clash) AS clashes, jsonb_object_agg(k, CASE WHEN old -> k = new -> k OR clash AND $1 = 'hand' THEN r.said -> k ELSE new -> k END) AS result
+  merged AS (SELECT r.*, array_agg(k ORDER BY k) FILTER (WHERE clash) AS clashes, array_agg(k) FILTER (WHERE clash AND cut AND k = 'geom') AS kept,
+    jsonb_object_agg(k, CASE WHEN old -> k = new -> k OR clash AND ($1 = 'hand' OR cut AND k = 'geom') THEN r.said -> k ELSE new -> k END) AS result
     FROM row r, jsonb_object_keys(r.said) k, LATERAL (SELECT old -> k <> new -> k AND r.said -> k <> new -> k AND (r.said -> k <> old -> k OR k IN ('width', 'width_end') AND r.by_hand) AS clash) c
-    WHERE new IS NOT NULL GROUP BY r.axis_id, r.ref, r.by_hand, r.said, r.of, r.old, r.new)
-  SELECT axis_id, ref, result, coalesce(clashes, '{}') FROM merged
+    WHERE new IS NOT NULL GROUP BY r.axis_id, r.ref, r.by_hand, r.said, r.of, r.old, r.new, r.cut)
+  SELECT axis_id, ref, result, coalesce(clashes, '{}'), coalesce(kept, '{}') FROM merged
   -- Rows that the source deleted: what was edited stays, or is told.
-  UNION ALL SELECT r.axis_id, r.ref, CASE $1 WHEN 'hand' THEN r.said END, '{*}' FROM row r JOIN edited e USING (of) WHERE new IS NULL AND e.edited
+  UNION ALL SELECT r.axis_id, r.ref, CASE $1 WHEN 'hand' THEN r.said END, '{*}', '{}' FROM row r JOIN edited e USING (of) WHERE new IS NULL AND e.edited
   -- Rows that were deleted by hand come back where the source changed them and wins.
-  UNION ALL SELECT w.axis_id, w.ref, CASE $1 WHEN 'source' THEN n.said END, '{*}' FROM was w JOIN will n USING (ref) WHERE n.said <> w.said AND NOT EXISTS (SELECT FROM hand h WHERE h.ref = w.ref)
-  UNION ALL SELECT NULL, n.ref, n.said, '{}' FROM will n WHERE NOT EXISTS (SELECT FROM was w WHERE w.ref = n.ref)
+  UNION ALL SELECT w.axis_id, w.ref, CASE WHEN $1 = 'source' AND NOT cut THEN n.said END, '{*}', CASE WHEN cut THEN '{*}' ELSE '{}' END::text[] FROM was w JOIN will n USING (ref),
+    LATERAL (SELECT EXISTS (SELECT FROM hand h WHERE h.ref = w.ref || '_1') AS cut) c WHERE n.said <> w.said AND NOT EXISTS (SELECT FROM hand h WHERE h.ref = w.ref)
+  UNION ALL SELECT NULL, n.ref, n.said, '{}', '{}' FROM will n WHERE NOT EXISTS (SELECT FROM was w WHERE w.ref = n.ref)
   $q$, was, hand, will) USING wins;
 END $$;
 
