@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "random_line.hpp"
+#include "rounds.hpp"
 #include "streetgen/arc_road.hpp"
 
 namespace streetgen {
@@ -84,7 +85,7 @@ Problem random_problem(std::mt19937& random) {
 
 TEST(FitRadii, AreThoseOfTheDefinition) {
   std::mt19937 random(7);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     const Problem problem = random_problem(random);
     const std::vector<double> found = fit_radii(problem.lengths, problem.bends);
     const std::vector<double> expected = radii_by_bisection(problem.lengths, problem.bends);
@@ -96,7 +97,7 @@ TEST(FitRadii, AreThoseOfTheDefinition) {
 
 TEST(FitRadii, TheSmallestIsTheClosedForm) {
   std::mt19937 random(8);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < rounds(20000); ++i) {
     Problem problem = random_problem(random);
     const std::size_t n = problem.bends.size();
     for (Bend& bend : problem.bends) bend.bound = 1e9, bend.fixed.reset();
@@ -112,7 +113,7 @@ TEST(FitRadii, TheSmallestIsTheClosedForm) {
 
 TEST(FitRadii, OfARoadAreThoseOfItsPolyline) {
   std::mt19937 random(9);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const Line line = random_line(random, {9, 2.5, i % 2 ? 0.2 : 0});
     ArcRoadFit fit;
     fit.cap = 300;

@@ -7,6 +7,7 @@
 
 #include "geometry/polyline.hpp"
 #include "random_line.hpp"
+#include "rounds.hpp"
 #include "streetgen/arc_road.hpp"
 #include "streetgen/error.hpp"
 
@@ -112,7 +113,7 @@ TEST(RoadOffset, CutsOutWhatInnerBendsTurnOver) {
   // As tight as the offset: the arc is a point.
   EXPECT_NEAR(road.offset(10)->length(), 180, 1e-9);
   std::mt19937 random(2);
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < rounds(400); ++i) {
     ArcRoadFit tight;
     tight.cap = 1 + i % 7;
     const ArcRoad bends = ArcRoad::fit(random_line(random, {7, 0.6, 0, true}), tight);

@@ -14,6 +14,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "network/face.hpp"
 #include "random_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -191,7 +192,7 @@ TEST(Block, OfNoStreetsOrOneLineIsNone) {
 
 // Streets far worse than real ones: of any angle, overlapping, with and without nodes.
 TEST(Block, OfAnyTownIsItsFaceLessTheRoadway) {
-  for (unsigned seed = 1; seed <= 25; ++seed)
+  for (int seed = 1; seed <= rounds(25); ++seed)
     for (const Crossing crossing : {Crossing::over, Crossing::split}) {
       StreetSettings settings;
       settings.crossing = crossing;
@@ -200,7 +201,7 @@ TEST(Block, OfAnyTownIsItsFaceLessTheRoadway) {
 }
 
 TEST(Block, OfAnyTownOnTwoLevelsIsItsFaceLessTheRoadway) {
-  for (unsigned seed = 1; seed <= 25; ++seed) {
+  for (int seed = 1; seed <= rounds(25); ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 24);
     for (StreetAxis& axis : axes) axis.level = axis.axis_id % 3 == 0;
     const Streets town = with_kerbs(axes);

@@ -10,6 +10,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "random_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -214,7 +215,7 @@ TEST(Kerb, GoesAcrossBetweenTwoIntersectionsOfDifferentLevels) {
 }
 
 TEST(Kerb, IsTheBorderOfTheRoadwayWhateverTheTown) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= rounds(5); ++seed) {
     StreetSettings settings;
     settings.crossing = Crossing::split;
     settings.round_dead_ends = seed % 2 == 0;
@@ -242,7 +243,7 @@ std::map<std::string, double> kerbs_within(const Streets& town, bool (*outer)(st
 
 TEST(Kerb, EndsWhereANeighbourHoldsTheGround) {
   const auto outer = [](std::int64_t axis_id) { return axis_id % 2 == 0; };
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= rounds(5); ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 30);
     for (StreetAxis& axis : axes) axis.level = axis.axis_id % 5 == 0;
     const Streets town = with_kerbs(axes);

@@ -12,6 +12,7 @@
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
+#include "rounds.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
@@ -169,7 +170,7 @@ std::vector<Line> random_edges(unsigned seed) {
 // Lines that cross, touch, lie on each other and go back on themselves.
 TEST(Face, OfAnyLinesAreThoseOfAPolygonizer) {
   Geos geos;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (int seed = 1; seed <= rounds(200); ++seed) {
     const NetworkFaces found = faces_of(random_edges(seed));
     expect_whole(found, std::to_string(seed));
     std::set<std::pair<std::pair<double, double>, std::pair<double, double>>> sides;
@@ -210,7 +211,7 @@ std::multiset<std::string> names(const NetworkFaces& found, bool mirrored) {
 
 // Exact on the grid: by whole metres and quarter turns.
 TEST(Face, IsTheSameMirroredTurnedAndMoved) {
-  for (unsigned seed = 1; seed <= 50; ++seed) {
+  for (int seed = 1; seed <= rounds(50); ++seed) {
     std::vector<Line> edges = random_edges(seed), mirrored = edges, turned = edges, moved = edges;
     for (Line& line : edges)
       for (Point& p : line) p = {std::floor(p.x - 650000), std::floor(p.y - 6860000), 0};
@@ -230,7 +231,7 @@ TEST(Face, IsTheSameMirroredTurnedAndMoved) {
 
 // A face keeps its ring whatever else the network has: edits look at some faces alone.
 TEST(Face, OfItsOwnEdgesIsTheSame) {
-  for (unsigned seed = 1; seed <= 50; ++seed) {
+  for (int seed = 1; seed <= rounds(50); ++seed) {
     const std::vector<Line> edges = random_edges(seed);
     const NetworkFaces all = faces_of(edges);
     for (const Face& face : all.faces) {

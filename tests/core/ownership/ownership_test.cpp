@@ -9,6 +9,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "ownership/hole.hpp"
+#include "rounds.hpp"
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
@@ -46,7 +47,7 @@ double summed_area(const Town& town) {
 
 TEST(Ownership, EveryPointKeepsOneOwner) {
   Geos geos;
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  for (int seed = 1; seed <= rounds(100); ++seed) {
     std::mt19937_64 random(seed);
     const auto place = [&] { return Point{random() % 800 / 10.0, random() % 800 / 10.0, 0}; };
     Town town;
@@ -76,7 +77,7 @@ TEST(Ownership, AxesThatNoiseTellsApartLeaveNoGroundToNobody) {
 // Streets of two levels, some of which also tile with one of the other.
 TEST(Ownership, WhereLevelsMeetAPlaceIsOwnedOnceByWhatTiles) {
   Geos geos;
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  for (int seed = 1; seed <= rounds(100); ++seed) {
     std::mt19937_64 random(seed);
     const auto place = [&] { return Point{random() % 400 / 10.0, random() % 400 / 10.0, 0}; };
     Town town;
