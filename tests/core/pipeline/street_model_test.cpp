@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "random_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -19,7 +20,7 @@ StreetModelInput random_input(unsigned seed) {
 
 // Debug and sanitized builds check the invariants of every step here.
 TEST(StreetModel, RunsEveryStepInOrder) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= rounds(5); ++seed) {
     const StreetModelInput input = random_input(seed);
     const StreetModel model = street_model(input);
     const Streets alone = streets(input.axes, input.settings);

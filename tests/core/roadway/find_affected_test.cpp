@@ -5,6 +5,7 @@
 
 #include "geometry/polyline.hpp"
 #include "random_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -44,7 +45,7 @@ struct Areas {
 
 // Surfaces about one axis, built from what may matter to them, against those of the whole town.
 TEST(Streets, ComeOutTheSameFromTheirVicinityAlone) {
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (int seed = 1; seed <= rounds(3); ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 24);
     const Streets whole = streets(axes, {});
     const Areas areas(whole);
@@ -73,7 +74,7 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
   std::size_t asked = 0, left = 0;
   StreetSettings settings;
   settings.crossing = Crossing::split;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (int seed = 1; seed <= rounds(3); ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 40);
     for (StreetAxis& axis : axes) axis.width = axis.width_end = axis.width / 3;
     const Streets before = streets(axes, settings);
@@ -199,7 +200,7 @@ TEST(Streets, GroundComesBackToASurfaceThatWasLeftNoneBesideIt) {
 // they were, none comes out.
 TEST(Streets, LeaveOutWhatStaysWhatItWas) {
   std::size_t out = 0, met = 0;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (int seed = 1; seed <= rounds(3); ++seed) {
     std::vector<StreetAxis> axes = random_town(seed, 40);
     const Streets whole = streets(axes, {});
     const auto& edges = whole.network.edges;

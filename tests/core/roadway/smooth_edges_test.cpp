@@ -5,6 +5,7 @@
 #include <random>
 
 #include "geometry/polyline.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -49,7 +50,7 @@ std::vector<StreetAxis> random_road(unsigned seed) {
 }
 
 TEST(SmoothEdges, HaveOneTangentAtANodeOfTwo) {
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (int seed = 1; seed <= rounds(200); ++seed) {
     const Streets town = streets(random_road(seed), smooth());
     for (std::size_t n = 0; n < town.network.nodes.size(); ++n) {
       Line through;
@@ -70,7 +71,7 @@ TEST(SmoothEdges, StayWithinTheShiftAndBendByChords) {
   const double shift = 0.3, tolerance = 0.02;
   StreetSettings settings = smooth();
   settings.smoothing = Smoothing{shift, tolerance};
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (int seed = 1; seed <= rounds(200); ++seed) {
     const std::vector<StreetAxis> axes = random_road(seed);
     const Streets town = streets(axes, settings);
     ASSERT_EQ(town.network.edges.size(), axes.size());

@@ -10,6 +10,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/surface_union.hpp"
+#include "rounds.hpp"
 #include "sidewalk/strip.hpp"
 
 namespace streetgen {
@@ -305,7 +306,7 @@ TEST(Sidewalk, OfRandomBlocksLieInsideAndOverlapNowhere) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0, 1);
   Geos geos;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < rounds(200); ++round) {
     const int corners = 3 + static_cast<int>(share(random) * 6);
     Line block;
     for (int i = 0; i < corners; ++i) {
@@ -371,7 +372,7 @@ TEST(Sidewalk, LeavesTheOuterBendToTheNextKerb) {
 TEST(Sidewalk, LiesNearItsKerbWhateverWayTheKerbsGo) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0, 1);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     Line way{{6.5e5, 6.86e6, 0}};
     double heading = 0;
     for (int i = 0; i < 12; ++i) {
@@ -408,7 +409,7 @@ std::vector<int> near(const std::vector<SidewalkKerb>& kerbs, const std::vector<
 TEST(Sidewalk, IsTheSameWhicheverKerbsAreGivenFartherOff) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(0, 1);
-  for (int round = 0; round < 90; ++round) {
+  for (int round = 0; round < rounds(90); ++round) {
     const int corners = round % 3 == 0 ? 24 : 60;
     const double spike = 2 + round % 12;
     Line block;
