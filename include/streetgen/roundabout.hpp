@@ -45,7 +45,9 @@ struct RingEdge {
 
 // A closed way of edges within the bounds of radius and shape, with no edge between it and the
 // ground within.  What hangs into that ground is left out, and what crosses without a node, above
-// or below, parts nothing.  Edges may lie on several levels, as those of a ring over a motorway.
+// or below, parts nothing.  Where a way hangs there that leaves it again so, there is no ring: what
+// is one depends on nothing beyond the smallest circle about it, but for what a double one needs.
+// Edges may lie on several levels, as those of a ring over a motorway.
 // A double roundabout is one ring of two faces.  Both are nearly circles: compactness of 0.9, one
 // radius at most twice the other.  They share one piece of way, fit into half of the greatest
 // circle, and neither has another such neighbour.  Their shape is that of the less round one; so is

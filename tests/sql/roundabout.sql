@@ -175,6 +175,13 @@ SELECT 'an arm that is cut far away is the edge at the ring', (SELECT count(*) =
 DELETE FROM town.axis WHERE axis_id = 90;
 SELECT 'and joined again the whole', (SELECT count(*) = 1 FROM town.roundabout_arm JOIN town.edge USING (edge_id) WHERE axis_id = 4 AND ST_Length(geom) > 450)
   AND (SELECT bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town'));
+-- What hangs within a ring, leaves it across and leads far away.
+INSERT INTO town.axis (axis_id, geom, width) SELECT n, ST_Translate(line, 650000, 6862000), 4 FROM (VALUES
+  (91, ST_SetSRID(ST_Boundary(ST_Buffer(ST_Point(0, 0), 20)), 2154)), (92, 'SRID=2154;LINESTRING(20 0, 0 7, -300 9)'::geometry), (93, 'SRID=2154;LINESTRING(-300 9, -340 49, -380 9)'),
+  (94, 'SRID=2154;LINESTRING(-300 9, -340 -31, -380 9)')) a(n, line);
+DELETE FROM town.axis WHERE axis_id = 94;
+SELECT 'no edit far away makes a ring or takes one', bool_and(inserted = 0 AND updated = 0 AND deleted = 0) FROM streetgen.generate('town', wait => true);
+DELETE FROM town.axis WHERE axis_id BETWEEN 91 AND 93;
 DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'with its axis the ring goes', NOT EXISTS (SELECT FROM town.roundabout WHERE accepted) AND NOT EXISTS (SELECT FROM town.roundabout_edge JOIN town.roundabout USING (roundabout_id) WHERE accepted);
 UPDATE anew.axis SET direction = 'reverse' WHERE axis_id = 1;

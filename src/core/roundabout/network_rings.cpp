@@ -207,6 +207,17 @@ class RingFinder {
     return line;
   }
 
+  // A walk that leaves the ground within, across the ring without a node, would depend on all that
+  // it comes to.
+  bool lies_within(const std::set<int>& edges, const Circle& about) const {
+    return std::all_of(edges.begin(), edges.end(), [&](int e) {
+      const Line& line = network_.edges[e].line;
+      return std::all_of(line.begin(), line.end(), [&](const Point& p) {
+        return distance(planar(p), about.centre) <= about.radius + coordinate_margin;
+      });
+    });
+  }
+
   std::optional<RingFace> face_of_loop(Loop loop) const {
     const double greatest = settings_.radius_greatest, least = settings_.radius_least;
     const double size = size_of(loop.steps);
@@ -216,8 +227,10 @@ class RingFinder {
     RingFace face{std::move(loop), {}, {}};
     face.line = line_of(face.loop.steps);
     if (signed_area(face.line) <= 0 || compactness_of(face.line) < settings_.shape_least ||
-        enclosing_circle(face.line).radius > greatest || simple({{face.line}}) == false)
+        simple({{face.line}}) == false)
       return std::nullopt;
+    const Circle about = enclosing_circle(face.line);
+    if (about.radius > greatest || !lies_within(face.loop.edges, about)) return std::nullopt;
     const auto shape = roundness_of(face.line);
     if (!shape || shape->circle.radius < least) return std::nullopt;
     face.shape = *shape;

@@ -102,6 +102,21 @@ TEST(NetworkRings, AreNotPartedByStreetsThatCrossWithoutANode) {
   EXPECT_EQ(network_rings(overshot, {})[0].inside, 1);
 }
 
+// What leaves a ring across it leads to streets that an edit beside the ring does not look at.
+TEST(NetworkRings, DoNotDependOnWhatIsFarAway) {
+  std::vector<RingAxis> leaving = roundabout({0, 0}, 20, OneWay::no);
+  leaving.push_back({9, {{20, 0}, {0, 7}, {-200, 9}}});
+  EXPECT_TRUE(network_rings(leaving, {}).empty());
+  std::vector<RingAxis> apart = leaving;
+  apart.push_back({10, arc({-240, 9}, 40, 0, 180, 12)});
+  apart.push_back({11, arc({-240, 9}, 40, 180, 360, 12)});
+  ASSERT_EQ(network_rings(apart, {}).size(), 1u);
+  EXPECT_LT(distance(network_rings(apart, {})[0].centre, {-240, 9, 0}), 1e-3);
+  // Where the street ends within, the ring is one whatever lies around it.
+  apart[5].line.pop_back();
+  EXPECT_EQ(network_rings(apart, {}).size(), 2u);
+}
+
 // Over a motorway a ring has bridges; a street that passes from one of its nodes to another on a
 // third level parts nothing either.
 TEST(NetworkRings, LieOnSeveralLevels) {
