@@ -24,6 +24,39 @@ SELECT 'a row that moved is followed, one by hand stays, one that is gone goes',
 SELECT 'they follow their street', count(*) = 1 FROM (SELECT FROM town.street_object WHERE source_ref = '1' AND ST_Y(geom) > 6860004.9) s;
 UPDATE town.axis SET width = 10 WHERE axis_id = 1;
 SELECT 'as it widens', abs(ST_Y(geom) - 6860006) < 1e-6 FROM town.street_object WHERE source_ref = '1';
+-- What is by hand stays, column by column, and what the source changes too is told.
+CREATE TABLE sign (id integer, kind text, turned float8, geom geometry(Point, 2154));
+INSERT INTO sign SELECT i, 'sign', 90, ST_SetSRID(ST_MakePoint(650010 + 10 * i, 6860007), 2154) FROM generate_series(1, 8) i;
+CREATE FUNCTION pg_temp.deliver() RETURNS SETOF text LANGUAGE sql AS
+  $$SELECT format('%s %s', what, source_refs) FROM streetgen.import_objects('town', 'sign', '{"type": "kind", "source_ref": "id", "orientation": "turned"}') WHERE what IN ('by hand, kept', 'in conflict') ORDER BY 1$$;
+CREATE FUNCTION pg_temp.sign(ref integer) RETURNS text LANGUAGE sql AS
+  $$SELECT format('%s %s %s %s', type, round(abscissa), orientation, placed_by) FROM town.street_object WHERE source = 'sign' AND source_ref = ref::text$$;
+SELECT count(*) FROM pg_temp.deliver() \g /dev/null
+UPDATE town.street_object_editing SET abscissa = abscissa + 3 WHERE street_object_id IN (SELECT street_object_id FROM town.street_object WHERE source = 'sign' AND source_ref IN ('1', '2', '3', '8'));
+UPDATE town.street_object_editing SET type = 'lamp' WHERE street_object_id = (SELECT street_object_id FROM town.street_object WHERE source = 'sign' AND source_ref = '4');
+DELETE FROM town.street_object WHERE source = 'sign' AND source_ref IN ('5', '6');
+SELECT 'what the source has as before stays by hand, deleted objects too', array_agg(t) = '{"by hand, kept {1,2,3,4,5,6,8}"}' FROM pg_temp.deliver() t;
+UPDATE sign SET geom = ST_Translate(geom, 1, 0) WHERE id IN (2, 4, 6, 7);
+UPDATE sign SET kind = 'bench' WHERE id = 3;
+DELETE FROM sign WHERE id = 8;
+SELECT 'what both changed is in conflict, and told', array_agg(t) = '{"by hand, kept {1,3,4,5}","in conflict {2,6,8}"}' FROM pg_temp.deliver() t;
+SELECT 'the place by hand stays', pg_temp.sign(2) = 'sign 33 90 user' AND pg_temp.sign(8) = 'sign 93 90 user';
+SELECT 'the type of one that was moved is taken', pg_temp.sign(3) = 'bench 43 90 user';
+SELECT 'the type by hand stays, and its place follows', pg_temp.sign(4) = 'lamp 51 90 user';
+SELECT 'a deleted one stays away', count(*) = 0 FROM town.street_object WHERE source = 'sign' AND source_ref IN ('5', '6');
+SELECT 'what nobody edited follows', pg_temp.sign(7) = 'sign 81 90 import';
+SELECT streetgen.settle_conflict('town', row_id, column_name, 'source', 'street_object') FROM town.import_conflict WHERE source = 'sign' \g /dev/null
+SELECT 'settled for the source it has what that says', pg_temp.sign(2) = 'sign 31 90 import' AND pg_temp.sign(6) = 'sign 71 90 import' AND pg_temp.sign(8) IS NULL;
+SELECT 'no conflict is left', count(*) = 0 FROM town.import_conflict;
+UPDATE sign SET geom = ST_Translate(geom, 1, 0), turned = 45;
+SELECT streetgen.set('town', 'delivery_wins', 'source') \g /dev/null
+SELECT 'where the source wins, it is told too', array_agg(t) = '{"by hand, kept {4}","in conflict {1,3,5}"}' FROM pg_temp.deliver() t;
+SELECT 'all is as the source has it but what it does not say', pg_temp.sign(1) = 'sign 21 45 import' AND pg_temp.sign(3) = 'bench 41 45 import' AND pg_temp.sign(4) LIKE 'lamp 52 45 user' AND pg_temp.sign(5) = 'sign 61 45 import';
+SELECT streetgen.settle_conflict('town', row_id, column_name, 'hand', 'street_object') FROM town.import_conflict WHERE source = 'sign' AND column_name = 'geom' AND source_ref = '1' \g /dev/null
+SELECT 'settled for the hand it stands where it did', pg_temp.sign(1) = 'sign 23 45 user';
+SELECT streetgen.set('town', 'delivery_wins', 'hand') \g /dev/null
+DELETE FROM town.street_object WHERE source = 'sign';
+DELETE FROM town.open_conflict;
 -- Of OpenStreetMap.
 CREATE TABLE osm_object (node_id bigint, class varchar(30), direction varchar(10), geom geometry(Point, 2154));
 INSERT INTO osm_object VALUES (10, 'crossing', NULL, 'SRID=2154;POINT(650050 6860000)'), (11, 'tree', 'north', 'SRID=2154;POINT(650050 6860007)'), (12, 'bench', '180', 'SRID=2154;POINT(650055 6860007)'), (13, 'stop', NULL, 'SRID=2154;POINT(650090 6859994)');
@@ -61,6 +94,7 @@ SELECT count(*) FROM streetgen.import_objects('town', 'post', '{"type": {"value"
 SELECT 'plain, the same name counts', string_agg(axis_id::text, ',' ORDER BY source_ref) = '1,2,1' FROM town.street_object WHERE source = 'post';
 SELECT streetgen.set('town', 'object_names', 'fuzzy') \g /dev/null
 DELETE FROM town.street_object WHERE source = 'post';
+DELETE FROM town.delivered WHERE source = 'post';
 SELECT 'names by similarity want their extension', (r).state = '0A000' AND (r).hint LIKE 'CREATE EXTENSION pg_trgm; or set object_names to plain.' FROM (SELECT test.refusal($$SELECT streetgen.import_objects('town', 'post', '{"type": {"value": "pole"}, "source_ref": "id", "name": "street"}')$$) AS r) t;
 CREATE EXTENSION pg_trgm;
 UPDATE town.object_type SET distance_least = 25 WHERE type = 'pole';

@@ -56,4 +56,16 @@ SELECT 'importing again follows the table', NOT EXISTS (SELECT FROM restricted.t
 SELECT 'and leaves the others untouched', (SELECT count(*) = 5 FROM restricted.turn_restriction r JOIN before USING (turn_restriction_id) WHERE r.xmin::text = writer);
 SELECT 'one made by hand stays', (SELECT count(*) = 1 FROM restricted.turn_restriction WHERE source IS NULL);
 SELECT 'a kind that is none is refused', test.state($q$INSERT INTO restricted.turn_restriction (from_axis, to_axis, geom, kind) VALUES (2, 3, 'SRID=2154;POINT(0 0)', 'maybe')$q$) = '23514';
-DROP TABLE town_line, town_restriction, import_report, before;
+-- By hand and by the source: each keeps its column, and one that both changed is told.
+UPDATE restricted.turn_restriction SET except_kinds = 'bus|cycle' WHERE source_ref LIKE '10/%' OR source_ref LIKE '13/%';
+DELETE FROM restricted.turn_restriction WHERE source_ref LIKE '12/%';
+UPDATE town_restriction SET restriction = 'no_right_turn' WHERE relation_id = 10;
+UPDATE town_restriction SET excepted = 'psv' WHERE relation_id IN (12, 13);
+CREATE TABLE merged AS SELECT * FROM streetgen.import_osm('restricted', 'town') WHERE class = 'turn_restriction';
+SELECT 'what is by hand stays beside what the source changed', turn = 'right' AND except_kinds = 'bus|cycle' FROM restricted.turn_restriction WHERE source_ref LIKE '10/%';
+SELECT 'what both changed stays by hand, and is told', except_kinds = 'bus|cycle' AND source_new = 'bus' FROM restricted.turn_restriction JOIN restricted.import_conflict c ON row_id = turn_restriction_id AND column_name = 'except_kinds' WHERE turn_restriction.source_ref LIKE '13/%';
+SELECT 'one deleted by hand stays away', count(*) = 0 FROM restricted.turn_restriction WHERE source_ref LIKE '12/%';
+SELECT 'both are reported', array_agg(what || ' ' || count ORDER BY what) = '{"by hand, kept 1","in conflict 2"}' FROM merged;
+SELECT streetgen.settle_conflict('restricted', row_id, column_name, 'source', 'turn_restriction') FROM restricted.import_conflict WHERE relation = 'turn_restriction' \g /dev/null
+SELECT 'settled for the source', string_agg(split_part(source_ref, '/', 1) || ' ' || coalesce(except_kinds, ''), ',' ORDER BY source_ref) FILTER (WHERE source_ref ~ '^1[023]/') = '10 bus|cycle,12 bus,13 bus' FROM restricted.turn_restriction;
+DROP TABLE town_line, town_restriction, import_report, before, merged;

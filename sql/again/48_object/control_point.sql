@@ -18,6 +18,22 @@ COMMENT ON FUNCTION streetgen._carry_controlled_object() IS
     'Trigger of control_point: the object of a control point that moved stands where the control point does; the '
     'object of one that is gone stays.';
 
+CREATE OR REPLACE FUNCTION streetgen._stands_at_control_point(model name, control_point bigint, place geometry)
+    RETURNS boolean
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    stands boolean := false;
+BEGIN
+    IF control_point IS NOT NULL THEN
+        EXECUTE format('SELECT ST_DWithin(geom, $2, 1e-9) FROM %I.control_point WHERE control_point_id = $1', model)
+            INTO stands USING control_point, place;
+    END IF;
+    RETURN coalesce(stands, false);
+END $$;
+COMMENT ON FUNCTION streetgen._stands_at_control_point(name, bigint, geometry) IS
+    'Does an object that is put at this place go with the control point that it points to?';
+
 CREATE OR REPLACE FUNCTION streetgen._find_control_points(model name, source text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     SET streetgen.computes = 'on'

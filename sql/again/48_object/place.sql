@@ -207,6 +207,7 @@ DECLARE
     place record;
     known boolean;
     renamed boolean;
+    changed boolean;
 BEGIN
     EXECUTE format('SELECT count(*) FILTER (WHERE type = $1) = 1, count(*) FILTER (WHERE type = $2) = 0
         FROM %I.object_type WHERE type IN ($1, $2)', TG_TABLE_SCHEMA) INTO known, renamed USING NEW.type, OLD.type;
@@ -218,14 +219,20 @@ BEGIN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.geom := ST_Force2D(NEW.geom);
     END IF;
-    IF TG_OP = 'UPDATE' AND OLD.placed_by = 'rule' AND (NEW.placed_by, NEW.rule_id, NEW.rule_place, NEW.type,
-        NEW.geom::bytea, NEW.placement, NEW.axis_id, NEW.abscissa, NEW.abscissa_end, NEW.side, NEW.axis_offset,
-        NEW.orientation, NEW.orientation_kind) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place, OLD.type,
+    changed := TG_OP = 'UPDATE' AND (NEW.type, NEW.geom::bytea, NEW.placement, NEW.axis_id, NEW.abscissa,
+        NEW.abscissa_end, NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind) IS DISTINCT FROM (OLD.type,
         OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa, OLD.abscissa_end, OLD.side, OLD.axis_offset,
-        OLD.orientation, OLD.orientation_kind) THEN
+        OLD.orientation, OLD.orientation_kind);
+    IF TG_OP = 'UPDATE' AND OLD.placed_by = 'rule' AND (changed
+        OR (NEW.placed_by, NEW.rule_id, NEW.rule_place) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place))
+    THEN
         -- It belongs to the user from then on, and the rule leaves its place free.
         PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
         NEW.placed_by := CASE NEW.placed_by WHEN 'rule' THEN 'user' ELSE NEW.placed_by END;
+    ELSIF changed AND OLD.placed_by = 'import' AND NEW.placed_by = 'import'
+        AND NOT streetgen._stands_at_control_point(TG_TABLE_SCHEMA, NEW.control_point_id, NEW.geom) THEN
+        -- A delivery of its source keeps what is by hand.
+        NEW.placed_by := 'user';
     END IF;
     IF NEW.placed_by <> 'rule' THEN
         NEW.rule_id := NULL;
@@ -297,6 +304,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
-    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s; '
-    'a type that was renamed does not. An abscissa beyond the axis, an axis or a type that is not there, a side that '
-    'is missing, a number that is none: 22023.';
+    'without an axis it stands where its geometry lies. What a user changes of an object of a rule or an import makes '
+    'it the user''s; a type that was renamed does not, nor does its control point that moves. An abscissa beyond the '
+    'axis, an axis or a type that is not there, a side that is missing, a number that is none: 22023.';

@@ -271,7 +271,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('street_object', 'axis_offset', 'metres to the left of the axis; by the border metres away from the roadway'),
     ('street_object', 'orientation', 'degrees clockwise from the axis, or from the north'),
     ('street_object', 'orientation_kind', 'axis or absolute: what orientation is counted from'),
-    ('street_object', 'placed_by', 'user, import or rule'),
+    ('street_object', 'placed_by', 'user (also what one changed since), import or rule'),
     ('street_object', 'rule_id', 'the rule that placed it; 0: a function of the user; NULL: none'),
     ('street_object', 'rule_place', 'number of its place in the rule'),
     ('street_object', 'source', 'dataset of an import'),

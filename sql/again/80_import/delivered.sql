@@ -5,9 +5,10 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS t
     AS $$ SELECT CASE relation WHEN 'axis' THEN ARRAY(SELECT name FROM streetgen._axis_input())
         WHEN 'control_point' THEN '{kind,direction}'
         WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
-        END || '{geom}' $$;
+        WHEN 'street_object' THEN '{type,orientation}' END || '{geom}' $$;
 COMMENT ON FUNCTION streetgen._delivered_columns(text) IS
-    'The columns of a table of a model that a delivery may fill: axis, control_point or turn_restriction.';
+    'The columns of a table of a model that a delivery may fill: axis, control_point, turn_restriction or '
+    'street_object.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, columns text[] DEFAULT NULL) RETURNS text
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
@@ -70,7 +71,7 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_column()
     ('import_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
     ('import_conflict', 'source_new', 'what the source says now; NULL: nothing, or of *: deleted by the source'),
     ('import_conflict', 'stands', 'hand or source: whose value the row has, by setting delivery_wins'),
-    ('import_conflict', 'relation', 'the table of the row: axis, control_point or turn_restriction'),
+    ('import_conflict', 'relation', 'the table of the row: axis, control_point, turn_restriction or street_object'),
     ('import_conflict', 'row_id', 'the key of the row'),
     ('import_conflict', 'source', 'the source, as in that table'),
     ('import_conflict', 'source_ref', 'its identity in the source') $$;
@@ -100,7 +101,7 @@ DECLARE
     settler name;
     event record;
 BEGIN
-    FOREACH relation IN ARRAY '{axis,control_point,turn_restriction}'::name[] LOOP
+    FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,street_object}'::name[] LOOP
         CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
         settler := '_settle_' || relation;
         EXECUTE format($sql$
@@ -131,7 +132,9 @@ END $body$ $sql$, model, settler, relation, relation || '_id',
             streetgen._row_json(format('%I.%I', model, relation)::regclass, 'a',
                 streetgen._delivered_columns(relation)));
         FOR event IN SELECT * FROM (VALUES ('update', 'REFERENCING NEW TABLE AS after'),
-            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
+            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables)
+            -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
+            WHERE (relation, name) <> ('street_object', 'update') LOOP
             EXECUTE format('CREATE OR REPLACE TRIGGER settle_%1$s AFTER %1$s ON %2$I.%3$I %4$s FOR EACH STATEMENT '
                 'EXECUTE FUNCTION %2$I.%5$I()', event.name, model, relation, event.tables, settler);
             EXECUTE format('COMMENT ON TRIGGER settle_%s ON %I.%I IS %L', event.name, model, relation,
@@ -144,10 +147,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_settling(name) IS
     'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it.';
 
+CREATE OR REPLACE FUNCTION streetgen._row_delivered(model name, relation name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('SELECT %3$s FROM %1$I.%2$I m WHERE m.source = d.source AND m.source_ref = d.source_ref',
+        model, relation, CASE relation WHEN 'street_object' THEN (
+            -- An object that nobody moved stands where its axis has it.
+            SELECT string_agg(CASE attname WHEN 'geom' THEN 'CASE WHEN m.placed_by = ''import'' OR ST_DWithin(m.geom, '
+                    'd.source_geom, 1e-6) THEN coalesce(d.source_geom, m.geom) ELSE m.geom END AS geom'
+                    ELSE 'm.' || quote_ident(attname) END, ', ' ORDER BY attnum)
+            FROM pg_attribute WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0
+                AND NOT attisdropped) ELSE 'm.*' END) $$;
+COMMENT ON FUNCTION streetgen._row_delivered(name, name) IS
+    'SQL of the row of a model that stands for a row d of delivered.';
+
 CREATE OR REPLACE FUNCTION streetgen._rows_delivered(model name, relation name) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format('SELECT m.* FROM %1$I.%2$I m WHERE m.source = d.source AND m.source_ref = d.source_ref',
-        model, relation) || CASE relation WHEN 'axis' THEN format(
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._row_delivered(model, relation) || CASE relation WHEN 'axis' THEN format(
         -- Pieces that were cut off it by hand.
         ' UNION ALL SELECT m.* FROM %1$I.axis m WHERE m.geom && ST_Expand(d.source_geom, 100) AND m.source = d.source
             AND m.source_geom::bytea = d.source_geom::bytea AND streetgen._is_piece(m.source_ref, d.source_ref)
@@ -160,6 +175,9 @@ CREATE OR REPLACE FUNCTION streetgen._values_there(model name, relation name) RE
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._row_json(format('%I.%I', model, relation)::regclass, 't',
             array_remove(streetgen._delivered_columns(relation), 'geom'))
+        || CASE relation WHEN 'street_object' THEN ' || CASE WHEN t.placed_by = ''import'' THEN '
+            'jsonb_build_object(''orientation'', d.said -> ''orientation'') WHEN t.orientation = 0 AND '
+            't.orientation_kind = ''axis'' THEN ''{"orientation": null}'' ELSE ''{}'' END' ELSE '' END
         -- An emptied width is estimated until the source says another: it is not by hand.
         || CASE relation WHEN 'axis' THEN ' || CASE WHEN t.width IS NULL AND NOT t.width_by_hand THEN '
             'jsonb_build_object(''width'', d.said -> ''width'', ''width_end'', coalesce(to_jsonb(t.width_end), '

@@ -82,13 +82,17 @@ COMMENT ON FUNCTION streetgen._compare_delivery(name, name, text) IS
     'says again what it said before a conflict), taken, or in conflict with what is by hand. The line of a row that '
     'was cut by hand is kept, whoever wins.';
 
-CREATE OR REPLACE FUNCTION streetgen._write_merged(model name, relation name, wins text) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._write_merged(model name, relation name, source text, wins text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     written constant text[] := streetgen._delivered_columns(relation) || CASE relation WHEN 'axis'
         THEN '{source_geom,source_hash,width_by_hand,source_width,source_width_end}'::text[] ELSE '{}' END;
 BEGIN
+    IF relation = 'street_object' THEN
+        PERFORM streetgen._write_merged_objects(model, source, wins);
+        RETURN;
+    END IF;
     EXECUTE format($sql$
 WITH merged AS MATERIALIZED (
     SELECT id, marks || coalesce(jsonb_object_agg(column_name, value) FILTER (WHERE taken), '{}') || CASE
@@ -105,7 +109,7 @@ WHERE t.%5$I = m.id AND m.patch <> '{}' $sql$, model, relation,
         (SELECT string_agg(quote_ident(name), ', ') FROM unnest(written) name),
         (SELECT string_agg('r.' || quote_ident(name), ', ') FROM unnest(written) name), relation || '_id') USING wins;
 END $$;
-COMMENT ON FUNCTION streetgen._write_merged(name, name, text) IS
+COMMENT ON FUNCTION streetgen._write_merged(name, name, text, text) IS
     'Writes what the comparison found to be taken, and where the source wins also what is in conflict. A width that '
     'stays by hand gets that of the source beside it.';
 
@@ -198,7 +202,8 @@ BEGIN
     -- Triggers of what is written find the conflicts as they are to be.
     PERFORM streetgen._compare_delivery(model, relation, source),
         streetgen._keep_deleted(model, relation, source, wins),
-        streetgen._keep_conflicts(model, relation, source, wins), streetgen._write_merged(model, relation, wins);
+        streetgen._keep_conflicts(model, relation, source, wins),
+        streetgen._write_merged(model, relation, source, wins);
     DROP TABLE pg_temp._import_merge;
     EXECUTE format($sql$
 UPDATE %1$I.delivered d SET said = jsonb_strip_nulls(coalesce(d.said, '{}') || p.said), source_geom = p.source_geom,
@@ -243,7 +248,7 @@ HAVING count(*) > 0 $sql$, model, relation, relation || '_id',
         streetgen._values_there(model, relation), CASE relation WHEN 'axis' THEN 'OR t.width_by_hand' END,
         -- The hash is sooner asked; it takes 0 of these for nothing.
         CASE relation WHEN 'axis' THEN '(' || streetgen._source_hash('t', 'axis') || ' IS DISTINCT FROM t.source_hash '
-            'OR 0 IN (t.lanes_both, t.roadway_offset)) AND' END)
+            'OR 0 IN (t.lanes_both, t.roadway_offset)) AND' END, streetgen._row_delivered(model, relation))
         USING source, relation, among;
 END $$;
 COMMENT ON FUNCTION streetgen._tell_by_hand(name, name, text, text[]) IS

@@ -70,40 +70,15 @@ UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a
     ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %2$s), a.axis_id LIMIT 1)$sql$, model, alike);
     RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
         o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;
-    EXECUTE format($sql$
-WITH gone AS (
-    DELETE FROM %1$I.street_object p WHERE p.source = $1 AND p.source_ref IS NOT NULL AND NOT EXISTS (
-        SELECT FROM pg_temp._import_object o WHERE o.source_ref = p.source_ref)),
-placed AS (
-    SELECT o.*, a.line, a.width, a.width_end, a.roadway_offset, b.borders, p.abscissa, p.side AS at_side,
-        p.axis_offset, p.border_offset
-    FROM pg_temp._import_object o LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
-            roadway_offset FROM %1$I.axis_used OFFSET 0) a USING (axis_id)
-        LEFT JOIN streetgen._axis_borders(%1$L, NULL) b USING (axis_id)
-        LEFT JOIN LATERAL streetgen._located(a.line, a.width, a.width_end, a.roadway_offset, b.borders, o.geom) p
-            ON axis_id IS NOT NULL),
-stood AS (
-    SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN border_offset > 0 THEN 'border' ELSE 'axis' END
-            AS placement,
-        CASE WHEN border_offset > 0 THEN at_side END AS side,
-        CASE WHEN border_offset > 0 THEN border_offset ELSE axis_offset END AS aside
-    FROM placed p)
-INSERT INTO %1$I.street_object AS p (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
-    orientation_kind, placed_by, source, source_ref, source_hash, method)
-SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry(line, width, width_end, roadway_offset,
-        borders, abscissa, NULL, side, aside) END,
-    streetgen._object_angle(line, abscissa, NULL, coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL
-        AND axis_id IS NOT NULL THEN 'axis' ELSE 'absolute' END), placement, axis_id, abscissa, side, aside,
-    coalesce(orientation::float8, 0), CASE WHEN orientation IS NULL AND axis_id IS NOT NULL THEN 'axis'
-    ELSE 'absolute' END, 'import', $1, source_ref, source_hash, CASE WHEN axis_id IS NULL THEN 'absolute'
-    ELSE 'relative' END
-FROM stood ORDER BY source_ref, label
-ON CONFLICT (source, source_ref) WHERE source_ref IS NOT NULL
-DO UPDATE SET (type, geom, angle, placement, axis_id, abscissa, side, axis_offset,
-    orientation, orientation_kind, source_hash, method) = ROW (excluded.type, excluded.geom, excluded.angle,
-    excluded.placement, excluded.axis_id, excluded.abscissa, excluded.side, excluded.axis_offset,
-    excluded.orientation, excluded.orientation_kind, excluded.source_hash, excluded.method)
-WHERE p.source_hash IS DISTINCT FROM excluded.source_hash$sql$, model) USING source;
+    PERFORM streetgen._place_import(model);
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT r.source_ref, o.geom AS source_geom,
+        NULL::geometry AS cleaned, r.type, o.orientation::float8, r.source_hash
+        FROM pg_temp._import_row r JOIN pg_temp._import_object o USING (source_ref);
+    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'street_object', source);
+    EXECUTE format('INSERT INTO %1$I.street_object (%2$s, source) SELECT %2$s, $1 FROM pg_temp._import_row '
+        'WHERE source_ref IS NULL ORDER BY label', model, 'type, geom, angle, placement, axis_id, abscissa, side, '
+        'axis_offset, orientation, orientation_kind, placed_by, source_hash, method') USING source;
+    DROP TABLE pg_temp._import_row;
     EXECUTE format('INSERT INTO %1$I.pedestrian_crossing (street_object_id) SELECT street_object_id '
         'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._types_below(''crossing'')) '
         'ON CONFLICT DO NOTHING', model) USING source;
@@ -125,8 +100,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._import_objects(name, text, text) IS
     'Upserts the objects of a prepared query by source and source_ref, each at the nearest axis within object_snap, '
     'and reports how many; those off all axes stay where they lie and are listed (the first thousand), and so are '
-    'those nearer to another object than distance_least of their type. What was '
-    'edited by hand stays until its row of the source changes. Bad rows: 22023, and the model as it was.';
+    'those nearer to another object than distance_least of their type. What is '
+    'by hand stays as in axes. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_objects(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -145,11 +120,11 @@ COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'as far: on the roadway from the axis, beside it from the border. Where setting object_names is fuzzy, an axis of '
     'a similar name counts as nearer by half of the similarity of pg_trgm. Crossings, traffic lights and signs point '
     'to the control point of their kind within a metre, each to one of its own, and move with it. With a source_ref, '
-    'importing again follows the '
-    'source, and what was edited by hand stays until its row changes. Reports counts by type, objects off all '
-    'axes, which stay where they lie, and objects nearer to another one than distance_least of their type. pg_trgm '
-    'that is asked for and missing: 0A000. A missing column: 42703; a bad row or mapping: 22023; a model without the '
-    'subject: 55000; then the model stays as it was. Needs the rights of the owner (42501).';
+    'importing again follows the source; what is by hand stays as setting delivery_wins says, deleted objects too. '
+    'Reports counts by type, objects off all axes, which stay where they lie, and objects nearer to another one than '
+    'distance_least of their type. pg_trgm that is asked for and missing: 0A000. A missing column: 42703; '
+    'a bad row or mapping: 22023; a model without the subject: 55000; then the model stays as it was. Needs the rights '
+    'of the owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm')
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

@@ -13,7 +13,9 @@ BEGIN
         USING (said ->> key)::bigint;
     columns := (SELECT string_agg(quote_ident(attname), ', ') FROM pg_attribute
         WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0 AND NOT attisdropped
-            AND said ? attname AND NOT (taken AND attname = key));
+            AND said ? attname AND NOT (taken AND attname = key)
+            -- Another object may point to the control point since.
+            AND NOT (relation = 'street_object' AND attname = 'control_point_id'));
     EXECUTE format('INSERT INTO %1$I.%2$I (%3$s) SELECT %3$s FROM jsonb_populate_record(NULL::%1$I.%2$I, $1) '
         'RETURNING %4$I', model, relation, columns, key) INTO row_id USING said;
     RETURN row_id;
@@ -23,7 +25,7 @@ COMMENT ON FUNCTION streetgen._insert_json(name, name, jsonb) IS
     'it had, or a new one where another row has that.';
 
 CREATE OR REPLACE FUNCTION streetgen._insert_delivered(model name, relation name, source text, source_ref text)
-    RETURNS void
+    RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -37,7 +39,8 @@ SELECT d.row_id, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.sour
         THEN jsonb_build_object('source_geom', d.source_geom::text) ELSE '{}' END
 FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.source_ref = $3 $sql$, model, relation || '_id')
         INTO former, said USING relation, source, source_ref;
-    row_id := streetgen._insert_json(model, relation, said);
+    row_id := CASE relation WHEN 'street_object' THEN streetgen._insert_object(model, said)
+        ELSE streetgen._insert_json(model, relation, said) END;
     IF row_id <> former THEN
         EXECUTE format('UPDATE %I.delivered d SET row_id = $4
             WHERE (d.relation, d.source, d.source_ref) = ($1, $2, $3)', model)
@@ -46,9 +49,11 @@ FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.source_ref =
             WHERE (c.relation, c.source, c.source_ref) = ($1, $2, $3) AND c.column_name = ''*''', model)
             USING relation, source, source_ref, row_id;
     END IF;
+    RETURN row_id;
 END $$;
 COMMENT ON FUNCTION streetgen._insert_delivered(name, name, text, text) IS
-    'Inserts the row that a source delivered last; delivered and a conflict about the whole row get its key.';
+    'Inserts the row that a source delivered last and returns its key; delivered and a conflict about the whole row '
+    'get it.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_doubling(model name, relation name, row_id bigint, source text,
     source_ref text) RETURNS void
@@ -136,6 +141,9 @@ BEGIN
     END IF;
     IF holds = conflict.stands THEN
         NULL;
+    ELSIF column_name <> '*' AND relation = 'street_object' THEN
+        PERFORM streetgen._give_object(model, row_id, column_name, CASE holds WHEN 'hand'
+            THEN conflict.by_hand ELSE conflict.source_new END);
     ELSIF column_name <> '*' AND holds = 'source' AND column_name IN ('width', 'width_end') THEN
         PERFORM streetgen._give_width(model, row_id, column_name);
     ELSIF column_name <> '*' THEN
@@ -146,7 +154,7 @@ BEGIN
     ELSIF holds = 'hand' THEN
         PERFORM streetgen._insert_json(model, relation, conflict.by_hand::jsonb);
     ELSE
-        PERFORM streetgen._insert_delivered(model, relation, conflict.source, conflict.source_ref);
+        row_id := streetgen._insert_delivered(model, relation, conflict.source, conflict.source_ref);
     END IF;
     EXECUTE format('DELETE FROM %I.open_conflict c WHERE (c.relation, c.row_id, c.column_name) = ($1, $2, $3)', model)
         USING relation, row_id, column_name;
@@ -154,6 +162,7 @@ END $$;
 COMMENT ON FUNCTION streetgen.settle_conflict(name, bigint, text, text, text) IS
     'Ends a conflict of view import_conflict. holds: hand, and the row has what was by hand, or source, and it has '
     'what the source says now. A whole row (column_name *) comes back or is deleted so. relation: the table of the row '
-    '(axis, control_point or turn_restriction). Later deliveries find what then stands beside what the source said '
-    'last, and tell again only what the source changes. An unknown model: 3F000; no such conflict, another word for '
-    'holds, or the line of a source for one of several pieces: 22023; who may not edit the model: 42501.';
+    '(axis, control_point, turn_restriction or street_object). Later deliveries find what then '
+    'stands beside what the source said last, and tell again only what the source changes. An unknown model: 3F000; no '
+    'such conflict, another word for holds, or the line of a source for one of several pieces: 22023; who may not edit '
+    'the model: 42501.';
