@@ -162,7 +162,7 @@ BEGIN
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
-    PERFORM streetgen._merge_delivery(model, 'axis', source);
+    PERFORM streetgen._merge_delivery(model, 'axis', source), streetgen._pass_taken_keys(model, 'axis');
     -- What a mapping does not mention is at its default.
     EXECUTE format($sql$
 WITH written AS (
