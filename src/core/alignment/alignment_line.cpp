@@ -21,7 +21,7 @@ void add_grade_abscissas(const std::vector<GradePiece>& grades, double tolerance
   }
 }
 
-// Of the whole offset after so many metres of the taper.
+// The share of the whole offset after so many metres of the taper.
 double taper_share(double metres, double taper) {
   const double t = taper > 0 ? std::clamp(metres / taper, 0.0, 1.0) : 1;
   return t * t * (3 - 2 * t);

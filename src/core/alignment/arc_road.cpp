@@ -30,7 +30,7 @@ void refuse_gap(const Point& from, const Point& to, double least, std::size_t nu
                                               " m from the end of the one before it");
 }
 
-// Of an arc between ends as they are stored: only its own rounding moves the middle.
+// The middle of an arc between ends as they are stored: only its own rounding moves it.
 Point middle_of(const RoadPiece& piece, const Point& end) {
   const double half = std::sin(piece.angle() / 4);
   const Point outward = piece.towards_centre(piece.length / 2) * -1;

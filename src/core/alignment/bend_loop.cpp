@@ -119,7 +119,7 @@ class Cutting {
     return far;
   }
 
-  // What of the parts, in this order, is the loop that an end of the road leaves open: all up to
+  // The loop, of the parts in this order, that an end of the road leaves open: all up to
   // the last piece that is turned over.
   template <class Parts>
   std::size_t open_loop(Parts part, Parts end) const {

@@ -1,4 +1,4 @@
-// What an inner bend turns over beside a road: the loops of raw borders.
+// Loops of raw borders, which an inner bend turns over beside a road.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct RawBorderPiece {
   bool turned_over = false;  // an inner bend that is tighter than the offset made it
 };
 
-// What stays of a border, in order: each part starts where the one before it ends.
+// A part of a border that stays; each starts where the one before it ends.
 struct BorderPart {
   std::size_t index;  // of the piece
   double from, to;    // metres along it

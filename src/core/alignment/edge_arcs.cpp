@@ -18,7 +18,7 @@ constexpr double least_piece = 1e-3;        // metres
 constexpr double near_bend = 1;             // metres along the axis, from an override to its bend
 constexpr double fits = 1 - 1e-12;          // of a segment that two radii fill
 
-// Where an edge leaves its node: unit.
+// The direction in which an edge leaves its node: unit.
 Point leaving(const Network& network, const EdgeEnd& end) {
   const Line& line = network.edges[end.edge].line;
   return end.at_start ? unit(planar(line[1]) - planar(line[0]))
@@ -69,7 +69,7 @@ Radii radii_by_hand(const Line& line, const Edge& edge, const std::vector<RoadOv
   return radii;
 }
 
-// What a bend of radius one takes of both its segments.
+// The length that a bend of radius one takes of both its segments.
 double tangent_of(const Line& line, std::size_t bend) {
   const Point in = unit(line[bend] - line[bend - 1]), out = unit(line[bend + 1] - line[bend]);
   const double cosine = dot(in, out), sine = std::abs(cross(in, out));

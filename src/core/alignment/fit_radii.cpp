@@ -15,7 +15,7 @@ namespace {
 constexpr double unsettled = -1;
 constexpr std::size_t between_polls = 4096;
 
-// What stops the growth at a radius: a segment that is full (even place) or a bend at its bound.
+// A stop of the growth at a radius: a segment that is full (even place) or a bend at its bound.
 struct Stop {
   double radius;
   std::size_t place;

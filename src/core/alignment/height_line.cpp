@@ -53,7 +53,8 @@ class Rounding {
            !(on_ground(i - 1) && on_ground(i) && on_ground(i + 1));
   }
 
-  // What a parabola may take there since the road was lifted or sunk by that; none: it was not.
+  // The height that a parabola may take there since the road was lifted or sunk by it; none: it was
+  // not.
   std::optional<double> loss(std::size_t i) const {
     std::optional<double> least;
     for (const KinkLoss& loss : change(i) < 0 ? bounds_.lowered : bounds_.raised)

@@ -25,13 +25,13 @@ struct KinkLoss {
   double most = 0;
 };
 
-// How the road may leave its kinks.
+// The ways in which the road may leave its kinks.
 struct KinkBounds {
   HeightLine ground;
   double radius = 0;          // metres, wanted
   std::vector<double> fixed;  // abscissas whose height stays
-  // Where a crest may lose height, since the road was lifted by that, and where a sag may gain it,
-  // since the road was sunk by that.
+  // Kinks where a crest may lose height, since the road was lifted by that, and where a sag may
+  // gain it, since the road was sunk by that.
   std::vector<KinkLoss> lowered, raised;
 };
 

@@ -31,7 +31,8 @@ struct LeastHeight {
   double z = 0;
 };
 
-// Of each road.  Roads of one node have one height there, the greatest of their grounds or more. Of
+// The least heights of each road.  Roads of one node have one height there, the greatest of their
+// grounds or more. Of
 // lifts that raise each other without end the last one is passed over.
 std::vector<HeightLine> least_heights(const std::vector<GradedRoad>& roads,
                                       const std::vector<Lift>& lifts,

@@ -65,7 +65,7 @@ void set_out(Line& line, double heading, double tolerance) {
   line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, tolerance / aside));
 }
 
-// Where the line turns back, a step aside: at the end of the longer side, which it turns least.
+// A step aside where the line turns back: at the end of the longer side, which it turns least.
 Line without_reversals(const Line& line, double tolerance) {
   Line out{line.front()};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -93,7 +93,7 @@ class Chain {
       const double back = i + 2 < line_.size() ? tangent_at(i + 1) : 0;
       const Point to = line_[i + 1] - way * back;
       const double straight = dot(to - from, way);
-      // What is shorter would be written as nothing.
+      // A shorter piece would be written as nothing.
       if (straight > sides_touch) add(from, heading_of(side), straight, 0);
       from = to;
       if (back > 0) {

@@ -28,7 +28,7 @@ double steepest(const HeightLine& ground) {
   return most;
 }
 
-// What a vertical arc between the two greatest grades takes from its crest.
+// The height that a vertical arc between the two greatest grades takes from its crest.
 double crest_loss(const ProfileEdge& edge) { return edge.radius * edge.grade * edge.grade / 2; }
 
 HeightLine upside_down(HeightLine heights) {
@@ -95,7 +95,7 @@ class Builder {
     return std::count(is_off_ground_.begin(), is_off_ground_.end(), true);
   }
 
-  // Those that are solved, in the order of solved_.
+  // The roads that are solved, in the order of solved_.
   std::vector<GradedRoad> roads(bool mirrored) const {
     std::vector<GradedRoad> roads;
     for (const int e : solved_)
@@ -166,7 +166,7 @@ class Builder {
     }
   }
 
-  // What the arcs took; whether that is less than the roads were lifted or sunk by for them.
+  // Takes what the arcs took; is that less than the roads were lifted or sunk by for them?
   bool take_losses(const std::vector<HeightLine>& straight) {
     bool less = false;
     const auto take = [&](double* loss, int edge, double at) {

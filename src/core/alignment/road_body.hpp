@@ -1,4 +1,4 @@
-// What an arc road holds, and what makes one.
+// The body of an arc road, and what makes one.
 #pragma once
 
 #include <memory>
@@ -46,7 +46,7 @@ Point leftwards(const Point& direction);
 // The angle over one chord that leaves an arc by the tolerance.
 double chord_angle(double radius, double tolerance);
 
-// How many equal chords span an angle so.
+// The number of equal chords that span an angle so.
 std::size_t chord_count(double angle, double radius, double tolerance);
 
 // The surface between two offsets of a road, of pieces.

@@ -88,7 +88,7 @@ class Stations {
   std::vector<Station> stations_;
 };
 
-// What still runs back is a loop that the chords leave open: it becomes its middle.
+// A step that still runs back is a loop that the chords leave open: it becomes its middle.
 void shut_steps_back(const std::vector<RawBorderPiece>& border, Line& points) {
   for (std::size_t first = 0; first < border.size(); ++first) {
     std::size_t last = first;

@@ -70,7 +70,7 @@ std::vector<RawBorderPiece> raw_border(const std::vector<RoadPiece>& road, doubl
   return border;
 }
 
-// Where the straight pieces before and after a bend would meet.
+// The place where the straight pieces before and after a bend would meet.
 struct RoadCorner {
   Point place;
   Point aside;         // horizontal: to where they would meet at an offset of one metre

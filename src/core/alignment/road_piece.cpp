@@ -95,7 +95,7 @@ Box RoadPiece::box() const {
     box.add(origin + forward * (radius * std::tan(whole / 2)));
     return box;
   }
-  // Where the direction has no part along x, or along y.
+  // The arc turns back where its direction has no part along x, or along y.
   for (const double first : {std::atan2(-forward.x, inward.x), std::atan2(-forward.y, inward.y)})
     for (double at = first < 0 ? first + M_PI : first; at < whole; at += M_PI)
       box.add(point(at * radius));

@@ -36,7 +36,7 @@ RoadPiece straight_piece(const Point& from, const Point& to);
 // Through three distinct points; straight where they lie on a line, a circle where ends are one.
 RoadPiece arc_piece(const Arc& arc);
 
-// Where two pieces of the plane meet, ends included: metres along each.
+// A place where two pieces of the plane meet, ends included: metres along each.
 struct PieceCrossing {
   double a, b;
 };

@@ -54,7 +54,7 @@ bool straight_at(const Line& points, std::size_t i, double near) {
          square_from_segment(points[i], points[i - 1], points[i + 1]) <= near * near;
 }
 
-// Of a run whose points are straight one by one, those are bends that leave the chord of all.
+// Points that leave the chord of a run are bends, though each is straight beside the next.
 void keep_farthest(const Line& points, std::size_t first, std::size_t last, double near,
                    std::vector<bool>& bends) {
   std::vector<std::pair<std::size_t, std::size_t>> chords{{first, last}};

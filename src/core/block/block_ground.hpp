@@ -14,10 +14,10 @@ struct FaceGround {
   bool by_faces = false;  // the rings cross or touch themselves, and were cut into faces
 };
 
-// Of one face: each loop in it is all around ground, or around roadway within ground.
+// The ground of one face: each loop in it is all around ground, or around roadway within ground.
 FaceGround ground_of(const std::vector<const KerbLoop*>& loops);
 
-// Of several faces between which a street has no roadway: there the edges part the ground.  The
+// The ground of several faces between which a street has no roadway: there the edges part it.  The
 // loops are all there are.
 std::vector<MultiPolygon> ground_of(const std::vector<const Face*>& faces,
                                     const std::vector<KerbLoop>& loops);

@@ -1,4 +1,4 @@
-// What kind of block a piece of ground is.
+// The kind of block that a piece of ground is.
 #pragma once
 
 #include "streetgen/block.hpp"

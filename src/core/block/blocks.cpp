@@ -85,7 +85,7 @@ class BlockFinder {
     for (std::size_t i = 1; i < line.size(); ++i) index_.add_along(line[i - 1], line[i], faces);
   }
 
-  // Those in which a ring of kerbs lies; among them may be the outside.
+  // The faces in which a ring of kerbs lies; among them may be the outside.
   std::set<int> faces_of(const std::vector<int>& kerbs) {
     std::set<int> faces;
     if (std::any_of(kerbs.begin(), kerbs.end(),
@@ -100,7 +100,7 @@ class BlockFinder {
       else
         untold.push_back(k);
     }
-    // What others contest may pass an axis whose street has no ground there.
+    // A contested kerb may pass an axis whose street has no ground there.
     for (const int k : untold) add_along(input_.kerbs[k].line, faces);
     return faces;
   }
@@ -142,7 +142,7 @@ class BlockFinder {
     return any_of(has_kerb_) && !any_of(has_end_);
   }
 
-  // Where a loop lies in several faces a street between them has no roadway.
+  // A loop that lies in several faces has a street without roadway between them.
   void divide_ground() {
     std::map<int, std::vector<int>> groups;
     for (const int face : bare_) groups[part_of_.of(face)].push_back(face);

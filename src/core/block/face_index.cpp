@@ -9,7 +9,7 @@ namespace streetgen {
 
 namespace {
 
-// Which sides of its edge a kerb lies on: of the start or the end of a section both.
+// The sides of its edge that a kerb lies on: both at the start or the end of a section.
 struct OnSides {
   bool left, right;
 };

@@ -1,4 +1,4 @@
-// Which face of a network a place or a kerb lies in.
+// The face of a network in which a place or a kerb lies.
 #pragma once
 
 #include <map>

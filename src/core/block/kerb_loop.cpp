@@ -17,7 +17,7 @@ constexpr double joined = same_site;
 
 bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// How far to the right of the way back, radians in (0, 2 pi].
+// The turn to the right from the way back, radians in (0, 2 pi].
 double turn_from_back(const Point& came, const Point& goes) {
   const Point back = came * -1;
   const double turn = std::atan2(-cross(back, goes), dot(back, goes));

@@ -45,7 +45,7 @@ std::optional<Common> common(const Point& a, const Point& b, const Point& c, con
   return Common{first, last, from, to};
 }
 
-// Where sharing begins and ends, shorter pieces are the noise of borders computed in two ways.
+// Shorter pieces where sharing begins and ends are noise of borders computed in two ways.
 void join_crumbs(BorderLoop& loop) {
   const auto shared =
       std::find_if(loop.begin(), loop.end(), [](const BorderPiece& piece) { return piece.shared; });

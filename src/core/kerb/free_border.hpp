@@ -1,4 +1,4 @@
-// What of a surface's border no other surface shares.
+// The border of a surface that no other surface shares.
 #pragma once
 
 #include <utility>
@@ -31,9 +31,9 @@ class FreeBorder {
 
   const Box& box() const { return box_; }
   bool lies_along(const Point& from, const Point& to) const;
-  // Where parts of the surface touch each other, on sides that no neighbour shares; it comes last.
+  // Shares sides where parts of the surface touch each other; it comes after the neighbours.
   void share_with_itself();
-  // Of the same level, or of the other one where the roadway goes on.
+  // Shares sides with a neighbour of the same level, or of the other one where the roadway goes on.
   void share_with(const MultiPolygon& neighbour, bool other_level);
   // With a surface that may overlap this one: also where it holds the ground beyond the border.
   void share_with_claim(const MultiPolygon& neighbour);

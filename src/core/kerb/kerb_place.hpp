@@ -1,4 +1,4 @@
-// Which kerb a piece of a border belongs to.
+// The kerb to which a piece of a border belongs.
 #pragma once
 
 #include <vector>

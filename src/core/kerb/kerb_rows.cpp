@@ -11,7 +11,7 @@ namespace streetgen {
 
 namespace {
 
-// Of the corner, from the first point of the line to its last.
+// The arc of the corner, from the first point of the line to its last.
 Arc curve_of(const Corner& corner, const Line& line) {
   const Arc& arc = *corner.arc;
   Arc curve{line.front(), arc.middle, line.back()};
@@ -36,7 +36,7 @@ KerbRows::KerbRows(const Layout& layout, int edge, int node, int level, std::vec
       kerbs_(kerbs),
       before_(kerbs.size()) {}
 
-// Where one begins: the first from the place on that all parts are counted from.
+// The place where one begins: the first from the place on that all parts are counted from.
 std::size_t KerbRows::begin_of(const BorderLoop& loop, const std::vector<KerbPlace>& places) const {
   const auto nearer = [&](const BorderPiece& a, const BorderPiece& b) {
     return distance(a.from, first_place_) < distance(b.from, first_place_);

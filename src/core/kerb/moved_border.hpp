@@ -1,4 +1,4 @@
-// Which sides of borders came or went with a change.
+// The sides of borders that came or went with a change.
 #pragma once
 
 #include <array>

@@ -25,7 +25,7 @@ class NodeCorners {
     }
   }
 
-  // Of the pieces from `first` on, as many as `count`, that follow each other without sharing.
+  // Places `count` pieces from `first` on, which follow each other without sharing.
   void place_run(const BorderLoop& loop, std::size_t first, std::size_t count,
                  std::vector<KerbPlace>& places) const {
     const auto at = [&](std::size_t i) { return (first + i) % loop.size(); };
@@ -59,7 +59,8 @@ class NodeCorners {
     return distance_to_line(p, layout_.arm(junction_.ends[arm]).border);
   }
 
-  // Where kerbs lead from the right border of an arm to the left border of the arm before it.
+  // The gap where kerbs lead from the right border of an arm to the left border of the arm before
+  // it.
   int gap_between(const Point& from, const Point& to) const {
     for (int a = 0; a < static_cast<int>(stubs_.size()); ++a)
       if (distance(to, border(a).front()) <= same_place &&
@@ -70,7 +71,7 @@ class NodeCorners {
 
   const Line& border(int arm) const { return layout_.arm(junction_.ends[arm]).border; }
 
-  // Of the nearest arm, the one on the side where the piece lies.
+  // The gap beside the nearest arm, on the side where the piece lies.
   int gap_beside(const BorderPiece& piece) const {
     const Point middle = (piece.from + piece.to) * 0.5;
     int nearest = 0;

@@ -1,4 +1,4 @@
-// How high the roadway lies: the one place that says so.
+// The height of the roadway: the one place that says it.
 #pragma once
 
 #include <map>
@@ -30,7 +30,7 @@ class AxisHeight {
     std::vector<Segment> segments;
     BoxIndex index;
   };
-  // Where a place is seen from an axis.
+  // The place from which an axis sees another place.
   struct Sight {
     double distance = 0, height = 0;
   };

@@ -21,7 +21,7 @@ class BorderNet {
   const Point& point(int vertex) const { return points_[vertex]; }
   // The number of the vertex in that place, a new one where there is none.
   int vertex(const Point& place);
-  // Of a place that is one.
+  // The number of a place that is a vertex.
   int known_vertex(const Point& place) const { return numbers_.at({place.x, place.y}); }
 
   // The sides about a surface, by its place in the list.

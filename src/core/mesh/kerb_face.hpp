@@ -21,7 +21,7 @@ class KerbFaces {
  private:
   const BorderNet& net_;
   const std::vector<const MeshedSurface*>& surfaces_;
-  // What the lowest surface beside each side is raised.
+  // The height by which the lowest surface beside each side is raised.
   std::vector<double> foot_;
 };
 

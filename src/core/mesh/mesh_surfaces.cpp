@@ -178,8 +178,8 @@ class LevelMesh {
     }
   }
 
-  // Where the height between two places leaves their chord by the most; the first place where that
-  // is within the tolerance.
+  // The place between two others where the height leaves their chord by the most; the first where
+  // that is within the tolerance.
   Point farthest_off(const Point& a, const Point& b) {
     const double start = height(a), rise = height(b) - start;
     const int steps =

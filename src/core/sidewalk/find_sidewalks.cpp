@@ -42,7 +42,7 @@ std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, dou
       sidewalks.push_back(std::move(sidewalk));
     }
   }
-  // Whose strip is all its own: moved, since those of a city take much memory.
+  // A strip that is all its own is moved, since those of a city take much memory.
   for (Sidewalk& sidewalk : sidewalks)
     if (sidewalk.surface.empty()) sidewalk.surface = std::move(strips[sidewalk.kerb].surface);
   return sidewalks;

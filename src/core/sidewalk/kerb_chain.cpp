@@ -12,7 +12,7 @@ namespace streetgen {
 
 namespace {
 
-// Of the way from a to b and on to c: positive to the left.
+// The turn of the way from a to b and on to c: positive to the left.
 double turn(const Point& a, const Point& b, const Point& c) {
   return std::atan2(cross(b - a, c - b), dot(b - a, c - b));
 }
@@ -42,7 +42,7 @@ KerbChains::KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition
       widen(static_cast<int>(i), transition);
 }
 
-// Where several begin, the way goes on by the sharpest turn to the left: about the same ground.
+// The way goes on by the sharpest turn to the left where several begin: about the same ground.
 void KerbChains::link() {
   std::vector<Box> starts;
   for (const SidewalkKerb& kerb : kerbs_) starts.push_back(box_of(kerb.line[0], kerb.line[0]));

@@ -102,7 +102,7 @@ const VoronoiBorder& SharedGround::border_between(int kerb, int other) {
   return borders_.emplace(std::pair(kerb, other), VoronoiBorder(sites, shared)).first->second;
 }
 
-// Of a place whose nearest side it is. Beyond a vertex that the way turns at, the outside of the
+// A place is left of its nearest side. Beyond a vertex that the way turns at, the outside of the
 // turn decides.
 bool SharedGround::left_of(const Point& place, const Side& side) const {
   const Line& line = kerbs_[side.kerb].line;
@@ -133,7 +133,7 @@ bool SharedGround::left_of(const Point& place, const Side& side) const {
   return std::abs(turn) <= straight_sine * norm(before) * norm(after) ? left : turn < 0;
 }
 
-// Of two sides that meet in the nearest place the same one tells, whatever kerbs are given.
+// The same of two sides that meet in the nearest place tells, whatever kerbs are given.
 bool SharedGround::on_roadway(const Point& place, int kerb) const {
   const Side* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Which ground each sidewalk gets of what several kerbs want.
+// The ground that each sidewalk gets of what several kerbs want.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ class SharedGround {
 
   // The kerbs that want part of the ground of one, or bound it, ascending.
   std::vector<int> rivals(int kerb) const;
-  // What of its strip no roadway holds and no other kerb that wants it is nearer to.
+  // The part of its strip that no roadway holds and no other kerb that wants it is nearer to.
   MultiPolygon ground_of(int kerb, const std::vector<int>& rivals);
 
  private:

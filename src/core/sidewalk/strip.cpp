@@ -18,7 +18,7 @@ namespace streetgen {
 
 namespace {
 
-// How far a strip may lie from its kerb, in widths: its own, or that of a strip beside it. A back
+// A strip may lie so far from its kerb, in widths: its own, or that of a strip beside it. A back
 // line that turns where the width changes is farther off than the strip is wide.
 constexpr double spread = 1.25;
 

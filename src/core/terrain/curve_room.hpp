@@ -1,4 +1,4 @@
-// How much of a side the least curve takes that a turn needs.
+// The part of a side that the least curve of a turn takes.
 #pragma once
 
 #include <vector>

@@ -42,7 +42,7 @@ double LinkGraph::length(std::size_t a, std::size_t b) const {
 
 TownWay LinkGraph::way_beside(std::size_t a, std::size_t b, double least) {
   const double straight = length(a, b);
-  // Of an ellipse that is thin: pi / 4 * straight * sqrt(2 * straight * detour).
+  // The area of a thin ellipse: pi / 4 * straight * sqrt(2 * straight * detour).
   const double side = 4 * first_towns * grid_.room() / (M_PI * straight);
   double detour = std::max(least - straight, std::min(side * side / (2 * straight), straight));
   for (;;) {

@@ -51,7 +51,7 @@ class LinkGraph {
   std::vector<bool> linked_;  // by both towns
   std::vector<std::vector<std::size_t>>
       neighbours_;  // links that went are left out when it is read
-  // Of the search: the towns in the ellipse, and what is known of each.
+  // The state of the search: the towns in the ellipse, and what is known of each.
   std::vector<std::size_t> within_;
   std::vector<bool> inside_;
   std::vector<double> so_far_;

@@ -141,7 +141,7 @@ class NetworkBuilder {
     std::vector<Candidate> left;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (gone[i]) continue;
-      // What it is worth among those that stay.
+      // A link is worth what it spares among those that stay.
       if (!way_stands(candidates[i])) find_way(candidates[i]);
       left.push_back(std::move(candidates[i]));
     }

@@ -39,7 +39,7 @@ double side_cost(const DesignSite& site, const SectionCost& section, const Profi
   return sum;
 }
 
-// What it costs that the parabola between two grades does not fit in half of both sides.
+// The cost of a parabola between two grades that does not fit in half of both sides.
 double bend_cost(const DesignRules& rules, double before, double after, double room) {
   const double change = after - before;
   const double excess = std::abs(change) * (change < 0 ? rules.crest : rules.sag) - room;

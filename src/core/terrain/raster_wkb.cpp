@@ -64,7 +64,7 @@ double take_pixel(RasterReader& reader, int type) {
   }
 }
 
-// What files write where they know no height.
+// Files write such values where they know no height.
 bool stands_for_none(double height) {
   return height == -9999 || height == -32767 || height == -32768;
 }

@@ -97,7 +97,7 @@ std::vector<VertexCurve> road_curves(const DesignRules& rules, const Line& line,
   const auto shrinks = [&](std::size_t i) {
     return given[i].radius <= 0 && curves[i].radius > rules.radius * (1 + 1e-9);
   };
-  // Where two curves overlap on a side, wide ones shrink; two least ones both shrink until they
+  // Wide curves shrink where two overlap on a side; two least ones both shrink until they
   // fit. Each pass shrinks one by a thousandth at least; below a centimetre none has a curve.
   for (bool fit = false; !fit;) {
     poll_cancel();

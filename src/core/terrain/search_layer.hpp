@@ -34,7 +34,7 @@ struct SidesAbout {
   std::optional<Side> before, behind;
 };
 
-// What is not looked at, to find out what bars a way.
+// A bar that is not looked at, to find out what bars a way.
 struct Waiver {
   bool zones = false, grade = false;
 };

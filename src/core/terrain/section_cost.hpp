@@ -1,4 +1,4 @@
-// What a metre of road costs by its height over ground, the cross slope and the zone.
+// The cost of a metre of road by its height over ground, the cross slope and the zone.
 #pragma once
 
 #include "streetgen/road_design.hpp"
@@ -21,7 +21,7 @@ class SectionCost {
   explicit SectionCost(const DesignRules& rules);
   // The least cost a metre among earthworks, bridge and tunnel; infinite in a forbidden zone.
   double cost(double height, double cross_slope, const ZoneClass* zone) const;
-  // How the section is built for that, and its terms.
+  // The way in which the section is built for that, and its terms.
   SectionKind kind(double height, double cross_slope, const ZoneClass* zone) const;
   RoadCostTerms terms(double height, double cross_slope, const ZoneClass* zone) const;
   // No metre is cheaper.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double most_zone_cells = 1e8;
 
-// Where a row at height y enters and leaves a surface.
+// The places where a row at height y enters and leaves a surface.
 std::vector<double> row_crossings(const MultiPolygon& surface, double y) {
   std::vector<double> xs;
   for (const Polygon& polygon : surface)

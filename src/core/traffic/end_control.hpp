@@ -1,4 +1,4 @@
-// Which control point speaks to the traffic that comes to a node by an edge.
+// The control point that speaks to the traffic that comes to a node by an edge.
 #pragma once
 
 #include <optional>

@@ -153,7 +153,7 @@ class Grouping {
     return false;
   }
 
-  // Of the street that the link crosses.
+  // Are these both carriageways of the street that the link crosses?
   bool are_carriageways(int a, int b, const Chain& link) const {
     if (!edge(a).one_way() || !edge(b).one_way() || edge(a).on_ring || edge(b).on_ring)
       return false;
@@ -184,7 +184,7 @@ class Grouping {
   // Whether the traffic of a one-way edge leaves the node.
   bool leaves(int e, int node) const { return (edge(e).from_node == node) == edge(e).along; }
 
-  // Of the traffic of a one-way edge at a node.
+  // The direction of the traffic of a one-way edge at a node.
   Point heading(int e, int node) const { return course_from(e, node) * (leaves(e, node) ? 1 : -1); }
 
   // From the shortest on, as far as the extent allows.

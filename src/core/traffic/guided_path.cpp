@@ -28,7 +28,7 @@ std::optional<Point> meeting(const Guide& a, const Guide& b) {
   return a.place + a.direction * (cross(b.place - a.place, b.direction) / sine);
 }
 
-// Where two pieces that follow each other at a node meet; where they are nearly parallel, a way
+// The corner where two pieces that follow each other at a node meet; if nearly parallel, a way
 // from the one to the other about the node.
 void append_corner(Line& guide, const Guide& a, const Guide& b, const Point& node) {
   const std::optional<Point> place = meeting(a, b);
@@ -94,7 +94,7 @@ void append_rounded(Line& line, const Point& corner, const Point& from, const Po
   const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / step)));
   const Point centre = start + left_normal(from) * (turn > 0 ? radius : -radius);
   const Point ray = start - centre;
-  // Where the arc before ends in the same place rounding would turn the line for nothing.
+  // Rounding would turn the line for nothing where the arc before ends in the same place.
   for (int i = distance(line.back(), start) < shortest ? 1 : 0; i <= chords; ++i) {
     const double angle = turn * i / chords;
     line.push_back(centre + ray * std::cos(angle) + left_normal(ray) * std::sin(angle));

@@ -99,7 +99,7 @@ class Builder {
     return leg;
   }
 
-  // Where the lane ends on the axis of its edge.
+  // The place on the axis of its edge where the lane ends.
   double end_abscissa(const Lane& lane, bool at_front) const {
     const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
     if (!limits_crossed(streets_, lane.edge)) return at_front ? start->abscissa : end->abscissa;
@@ -107,8 +107,8 @@ class Builder {
                     : std::max(start->wanted_abscissa, end->wanted_abscissa);
   }
 
-  // Of the lane in the point order of the axis.  Taken from the axis, so that it does not depend
-  // on where the lane's far end lies, unless a bend left the lane another last segment.
+  // The direction of the lane in the point order of the axis.  The axis gives it, so that it does
+  // not depend on where the lane's far end lies, unless a bend left the lane another last segment.
   Point direction_at(const Lane& lane, bool at_front) const {
     const Line& axis = streets_.network.edges[lane.edge].line;
     const Roadway& roadway = streets_.roadways[lane.edge];

@@ -178,11 +178,11 @@ class Across {
     const Trajectory closest = guided(car_radius * 2);
     choice.offer(closest);
     Line line = choice.best().line;
-    // Where all cross a kerb a wide curve may lead far astray.
+    // A wide curve may lead far astray where all cross a kerb.
     return choice.clear() || length(line) <= length(closest.line) ? line : closest.line;
   }
 
-  // What traffic takes over a kerb goes the shortest way past it instead, where there is one.
+  // A path over a kerb goes the shortest way past it instead, if there is one.
   void keep_clear(const std::vector<Leg>& ends, const Movement& movement,
                   std::vector<JunctionMovement>& pairs) const {
     const int from = movement.from, to = movement.to;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int none = -1;
 
-// Of a number of an edge inside and its direction.
+// The piece of route that a state stands for: an edge inside and its direction.
 RoutePiece piece_of(int state) { return {state / 2, state % 2 == 0}; }
 
 Point heading(const Point& from, const Point& to) { return unit(planar(to) - planar(from)); }
@@ -71,7 +71,7 @@ JunctionRoutes::Arm JunctionRoutes::arm_of_leg(int leg, bool comes_in) const {
   return arm;
 }
 
-// Of edges inside and of legs.
+// The number of ends of edges inside and of legs.
 int JunctionRoutes::ends_at(int node, std::int64_t axis_id) const {
   int ends = 0;
   for (const InnerEdge& edge : place_.inner)

@@ -26,7 +26,8 @@ void end_at_crossing(Line& in, Line& out) {
       }
 }
 
-// Where the path parts from the lane, `reach` before the lane's end; it looks to the node.
+// The place where the path parts from the lane, `reach` before the lane's end; it looks to the
+// node.
 LaneEnd parting(const LaneToNode& lane, double reach) {
   const double abscissa = length(lane.line) - reach;
   if (abscissa <= 0) return lane.end;

@@ -27,7 +27,7 @@ bool cross_each_other(const Point& a, const Point& b, const Point& c, const Poin
   return cross(ab, c - a) * cross(ab, d - a) < 0 && cross(cd, a - c) * cross(cd, b - c) < 0;
 }
 
-// Of segments that do not cross: one's end is nearest to the other.
+// Are segments that do not cross so near? An end of one is nearest to the other.
 bool nearer_than(double reach, const Point& a, const Point& b, const Point& c, const Point& d) {
   return reach > 0 &&
          (distance_to_segment(a, c, d) < reach || distance_to_segment(b, c, d) < reach ||

@@ -1,4 +1,4 @@
-// What a path about a node may not cross: the kerbs of its intersection.
+// The kerbs of an intersection, which a path about its node may not cross.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Who may cross the line between two lanes, and how it is painted where that is said.
+// The line between two lanes: who may cross it, and how it is painted where that is said.
 #pragma once
 
 #include <vector>

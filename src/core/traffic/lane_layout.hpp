@@ -1,4 +1,4 @@
-// Where the lanes of one edge lie: their order, their shares of the roadway, their lines.
+// The layout of the lanes of one edge: their order, their shares of the roadway, their lines.
 #pragma once
 
 #include <vector>

@@ -39,7 +39,7 @@ std::vector<int> of_class(const std::vector<LaneWish>& all, const std::vector<in
   return found;
 }
 
-// How many of the lanes that are too many lie on either side of the others.
+// The lanes that are too many, by the side of the others on which they lie.
 struct Split {
   int left = 0, right = 0;
 };

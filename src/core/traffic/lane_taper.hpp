@@ -8,7 +8,7 @@
 
 namespace streetgen {
 
-// Of an end of an edge, by index from the left kerb in the direction of the edge.
+// The lanes that change at an end of an edge, by index from the left kerb in its direction.
 struct ChangingLanes {
   std::vector<int> ending;  // they end or begin at the node: they take what the taper takes away
   std::vector<int> beside;  // lanes of the other edge begin beside them: they take what it adds
@@ -23,7 +23,7 @@ struct LanesAtNode {
   bool at_start = true;
 };
 
-// Of the lanes of `here`, beyond which the street goes on as `there`. Lanes are counted by
+// Finds those lanes of `here`, beyond which the street goes on as `there`. Lanes are counted by
 // direction and by kind, general and bus lanes together. Of lanes too many those change that are
 // marked for a turn or a merge alone, on their side; beyond these the outer ones.
 ChangingLanes changing_lanes(const LanesAtNode& here, const LanesAtNode& there, DrivingSide side);

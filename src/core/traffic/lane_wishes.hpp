@@ -21,7 +21,7 @@ class LaneWishes {
     std::vector<LaneWish> lanes;      // from the left kerb to the right one
     std::vector<Decision> decisions;  // of each lane
   };
-  // What the source says of the axis, then roundabouts, then overrides.
+  // The wishes of the source for the axis, then of roundabouts, then of overrides.
   OfEdge of(const Edge& edge) const;
 
  private:

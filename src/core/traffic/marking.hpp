@@ -1,4 +1,4 @@
-// What is painted on the lanes, in the manner of French towns: stripes, stop and yield lines,
+// Markings on the lanes, in the manner of French towns: stripes, stop and yield lines,
 // arrows.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace streetgen {
 
-// Who waits at a node.
+// The rank by which traffic waits at a node.
 struct NodeRank {
   int degree = 0;
   int importance = 99;    // of its most important edge

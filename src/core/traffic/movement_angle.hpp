@@ -1,4 +1,4 @@
-// Where a movement turns, from its leftmost lanes.
+// The angle of a movement, from its leftmost lanes.
 #pragma once
 
 #include "traffic/plausibility.hpp"

@@ -1,4 +1,4 @@
-// Of several paths between two lanes, the one that a vehicle takes.
+// The path that a vehicle takes, of several between two lanes.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,9 @@ bool drivable(const Line& path);
 // Degrees in (-180, 180], rounded so that an angle does not depend on how it was computed.
 double rounded_degrees(double angle);
 
-// Of paths that are offered one by one, from the best on: the first that is clear of the kerbs and
-// drivable, else the first that is clear, else the first.  The rule of the paper asks for clear
-// alone.
+// The choice of paths that are offered one by one, from the best on: the first that is clear of the
+// kerbs and drivable, else the first that is clear, else the first.  The rule of the paper asks for
+// clear alone.
 class PathChoice {
  public:
   // from, to: the places of the two lanes' border lines in the list that the kerbs were made of.

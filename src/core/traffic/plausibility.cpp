@@ -48,7 +48,7 @@ Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
   return group;
 }
 
-// Where lanes of a kind go on: lanes of their kind, else the general ones.
+// The lanes in which those of a kind go on: lanes of their kind, else the general ones.
 Group targets(const Leg& leg, LaneKind kind) {
   Group same = group_of(leg.out, kind);
   return same.empty() && kind != LaneKind::general ? group_of(leg.out, LaneKind::general) : same;
@@ -120,7 +120,7 @@ class Plausibility {
     return open;
   }
 
-  // Where a restriction holds it is the reason.
+  // A restriction that holds is the reason.
   void judge_all(const Way& way, const Group& lanes, Reason reason) const {
     for (const int in : lanes)
       for (int out = 0; out < static_cast<int>(way.to->out.size()); ++out)
@@ -377,7 +377,7 @@ class Plausibility {
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
   using Cost = std::tuple<bool, bool, bool, long long>;
 
-  // How far the pair leaves what else goes the same way, in lanes.
+  // The distance of the pair from what else goes the same way, in lanes.
   double astray(const Way& way, int in, int out) const {
     double least = 10;
     const auto &ins = from(way).in, &outs = way.to->out;

@@ -1,4 +1,4 @@
-// Which lane goes on to which at one node.  docs/concepts/geometry.md, Plausible.
+// The lanes that each lane goes on to at one node.  docs/concepts/geometry.md, Plausible.
 #pragma once
 
 #include <bitset>
@@ -9,7 +9,7 @@
 
 namespace streetgen {
 
-// Where a lane touches the intersection, and its driving direction there.
+// The place where a lane touches the intersection, and its driving direction there.
 struct LaneEnd {
   LaneKind kind = LaneKind::general;
   unsigned turns = 0;

@@ -12,7 +12,7 @@ constexpr unsigned onwards = turn::through;
 constexpr unsigned leftwards = turn::sharp_left | turn::left | turn::slight_left;
 constexpr unsigned rightwards = turn::slight_right | turn::right | turn::sharp_right;
 
-// Of one direction.
+// The lanes of one direction.
 RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
   RampLanes found;
   for (const LaneWish& lane : lanes) {

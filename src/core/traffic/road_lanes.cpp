@@ -20,7 +20,7 @@ constexpr double inside = 0.3;
 constexpr double least_width = 1e-3;      // metres
 constexpr double straight_border = 0.01;  // metres by which borders may leave what is written
 
-// What a lane grows by from one look to the next, at most: a share and metres.
+// A lane grows by so much from one look to the next, at most: a share and metres.
 constexpr double wider = 1.3, wider_by = 0.5;
 
 // A stretch of the line across the road, metres to the left.
@@ -29,7 +29,7 @@ struct Span {
   double middle() const { return (left + right) / 2; }
 };
 
-// What crosses the line through the place, metres to the left of it.
+// The crossings of the line through the place, metres to the left of it.
 void append_crossings(const Line& line, const ChainPlace& place, std::vector<double>& at) {
   const Point way{std::cos(place.heading), std::sin(place.heading), 0}, left = left_normal(way);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -109,7 +109,7 @@ std::vector<std::optional<Span>> seen_spans(const LaneGround& lane,
   return seen;
 }
 
-// Where a lane is not seen, its span at the station before, else behind.
+// A lane that is not seen has its span at the station before, else behind.
 void fill(const LaneGround& lane, const ChainPlace& start,
           std::vector<std::optional<Span>>& spans) {
   const Point left{-std::sin(start.heading), std::cos(start.heading), 0};
@@ -121,7 +121,7 @@ void fill(const LaneGround& lane, const ChainPlace& start,
   for (auto& span : spans) span = last = span.value_or(last);
 }
 
-// Where a lane is not that lies on its surface alone: without width beside the next lane.
+// A lane that is not there has no width beside the next lane, and lies on its surface alone.
 void close(const std::vector<std::optional<Span>>& next, bool on_left,
            std::vector<std::optional<Span>>& spans) {
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -153,7 +153,7 @@ std::vector<std::vector<std::optional<Span>>> spans_of(const std::vector<LaneGro
   return spans;
 }
 
-// Which stations are needed for borders that are straight between them.
+// The stations that are needed for borders that are straight between them.
 std::vector<std::size_t> needed(const std::vector<double>& stations,
                                 const std::vector<std::vector<double>>& borders) {
   std::vector<std::size_t> out{0};

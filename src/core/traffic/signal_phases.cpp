@@ -59,7 +59,8 @@ std::vector<SignalRequest> numbered(std::vector<SignalRequest> movements) {
 
 double half_second_up(double seconds) { return std::ceil(2 * seconds - 1e-9) / 2; }
 
-// Who cannot stop before the line still drives; who enters at the end of amber leaves in all red.
+// Traffic that cannot stop before the line still drives; what enters at the end of amber leaves in
+// all red.
 double amber_of(const SignalRequest& m) {
   return std::max(shortest_amber, half_second_up(reaction + m.speed / 3.6 / (2 * braking)));
 }
@@ -97,7 +98,7 @@ class Phases {
       append_change(movements_, states.back().greens, states);
     }
     share_out(phases, states);
-    // Where all streets have green at once, people cross in all red.
+    // People cross in all red where all streets have green at once.
     if (phases.size() == 1) states.back().duration += longest_walk();
     return states;
   }
@@ -108,7 +109,7 @@ class Phases {
     return std::find(of_a.begin(), of_a.end(), b) != of_a.end();
   }
 
-  // What an approach is for: its through traffic, or all of it where nothing goes through.
+  // The main traffic of an approach: what goes through, or all of it where nothing does.
   std::vector<int> main_movements(std::int64_t approach) const {
     std::vector<int> through;
     for (const int i : approaches_.at(approach))
@@ -183,14 +184,14 @@ class Phases {
     return std::ceil(least);
   }
 
-  // What people need to cross the widest street.
+  // The time that people need to cross the widest street.
   double longest_walk() const {
     double longest = 0;
     for (const SignalRequest& m : movements_) longest = std::max({longest, m.walk_in, m.walk_out});
     return std::ceil(longest);
   }
 
-  // How loaded its lanes are, 0 to 1: by the flows of its approaches, where one is known.
+  // The load of its lanes, 0 to 1: by the flows of its approaches, where one is known.
   std::optional<double> load(const std::vector<std::int64_t>& phase) const {
     std::optional<double> most;
     for (const std::int64_t approach : phase) {
@@ -258,7 +259,7 @@ std::vector<SignalState> signal_pairs(const std::vector<SignalRequest>& requests
     else
       pairs[std::minmax(m.approach, m.exit)].push_back({i, RightOfWay::protect});
   }
-  // Who turns back goes with the first pair of his road, and gives way.
+  // Traffic that turns back goes with the first pair of its road, and gives way.
   for (const auto& [approach, own] : turning_back) {
     const auto first = std::find_if(pairs.begin(), pairs.end(), [id = approach](const auto& pair) {
       return pair.first.first == id || pair.first.second == id;

@@ -9,7 +9,7 @@ namespace streetgen {
 
 namespace {
 
-// Of a street and the slip lane that leaves it.
+// The flattest angle between a street and the slip lane that leaves it, as a cosine.
 const double flattest = std::cos(M_PI / 3 + same_angle);
 const double least_turn = std::cos(M_PI / 6 + same_angle);  // of a slip lane between its ends
 constexpr std::size_t most_pieces = 8;                      // edges of a slip lane

@@ -8,7 +8,7 @@
 
 namespace streetgen {
 
-// What the rules ask of an edge.
+// An edge as the rules look at it.
 struct RuleEdge {
   int from_node = 0, to_node = 0;
   double length = 0;                 // metres

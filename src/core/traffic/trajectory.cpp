@@ -22,7 +22,8 @@ int chords(double wanted) {
 struct Passage {
   Point start, start_direction, end, end_direction;
 
-  // How far ahead of the start and behind the end their tangents meet; both 0 where parallel.
+  // The distances ahead of the start and behind the end at which their tangents meet; 0 where
+  // parallel.
   struct Reach {
     double ahead = 0, behind = 0;
   };
@@ -33,8 +34,8 @@ struct Passage {
     return {cross(chord, end_direction) / sine, cross(start_direction, chord) / sine};
   }
 
-  // Of the tangents, where it lies ahead of the start and behind the end, and the way does not turn
-  // back.
+  // The crossing of the tangents, where it lies ahead of the start and behind the end, and the way
+  // does not turn back.
   std::optional<Point> crossing_ahead() const {
     const auto [ahead, behind] = reach();
     const double cosine = dot(start_direction, end_direction);
@@ -43,7 +44,7 @@ struct Passage {
   }
 };
 
-// Of a walk along a line, where it comes to another place than that where it starts, or its end.
+// The first place of a walk along a line that is not that where it starts, or its end.
 template <class Walk>
 Point next_place(Walk start, Walk end) {
   Walk next = start + 1;

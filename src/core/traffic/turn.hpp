@@ -1,4 +1,4 @@
-// How far a path turns from one lane to another, and what that is called.
+// The turn of a path from one lane to another, and what that is called.
 #pragma once
 
 #include "streetgen/geometry.hpp"

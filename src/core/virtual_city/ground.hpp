@@ -1,4 +1,4 @@
-// What stands where in a virtual city, and what a road in growth meets there.
+// The ground of a virtual city: what stands where, and what a road in growth meets there.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct CityPiece {
   double width = 0;
 };
 
-// What a road in growth finds straight ahead.
+// The way that a road in growth finds straight ahead.
 struct CityWay {
   // Metres until it comes too near to a road beside it or across; infinite where it does not.
   double free = 0;
@@ -42,8 +42,8 @@ class CityGround {
   // Whether a street other than `main` is nearer than the clearance to a road of that width at p.
   bool occupied(const Point& p, double width, int main) const;
 
-  // Of a road of that width from `from` towards `to`.  Its main road counts only where it is
-  // crossed again.
+  // The way of a road of that width from `from` towards `to`.  Its main road counts only where it
+  // is crossed again.
   CityWay way(const Point& from, const Point& to, double width, int main) const;
 
   // Whether a road from `from` may end in `at`, a place on a road: it crosses none before, runs

@@ -15,10 +15,10 @@ namespace {
 
 // A road with bends is made of chords of this length.
 constexpr double chord = 25;
-// It turns off the direction in which it started by no more, so that it never meets itself.
+// A road turns off the direction in which it started by no more, so that it never meets itself.
 constexpr double most_turned = 50;
 
-// How often a road leaves to the same side as the one before.
+// The share of roads that leave to the same side as the one before.
 constexpr double same_side = 0.15;
 // More would not fit into the memory of most machines.
 constexpr std::size_t most_streets = 6000000, most_pieces = 20000000;

@@ -18,7 +18,7 @@ namespace {
 constexpr double step = 15;
 // But none so near to an arm, m.
 constexpr double beside_arm = 2;
-// Of the ring, km/h.
+// The speed on the ring, km/h.
 constexpr double ring_speed = 30;
 // A ring is wider than its lanes, m.
 constexpr double wider = 2;
@@ -141,7 +141,7 @@ class Roundabouts {
     Point point;
     std::size_t outside;  // the first vertex beyond it
   };
-  // Where an axis leaves the ring about its vertex v.
+  // The exit where an axis leaves the ring about its vertex v.
   Exit leaves_ring(const Vertex& v, int way) const {
     const Point centre = line(v)[v.index];
     std::size_t k = v.index;

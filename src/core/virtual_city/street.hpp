@@ -9,7 +9,7 @@
 
 namespace streetgen {
 
-// Where streets meet, as one of them has it.
+// A place where streets meet, as one of them has it.
 struct CityNode {
   double abscissa = 0;
   Point point;

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double longest_side = 1e6;
 
-// Of a side of the extent, metres.
+// The least length of a side of the extent, metres.
 double shortest_side(const CityOptions& options) {
   const double widest =
       options.lane_width * *std::max_element(options.lanes.begin(), options.lanes.end());
@@ -47,7 +47,7 @@ void check_side(const char* name, double size, double least) {
 }
 
 void check(const CityExtent& extent, const CityOptions& options) {
-  // What scales it needs its shape alone.
+  // Scaling needs its shape alone.
   const double least = options.axes > 0 ? 1e-3 : shortest_side(options);
   check_side("width", extent.width, least);
   check_side("height", extent.height, least);
