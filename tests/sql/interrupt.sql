@@ -16,7 +16,8 @@ CREATE TABLE tried (name text, timeout float8, ms float8, state text, said text,
 -- Each within a quarter of the least that it took. One that ended before was measured at a bad moment, and is tried again.
 CREATE VIEW attempt AS
   SELECT format('SET statement_timeout = %s', timeout) AS before,
-         format('INSERT INTO tried SELECT %L, %s, r.* FROM pg_temp.run(%L) r', name, timeout, statement) AS call,
+         -- The time may be over before the call begins: then nothing was tried.
+         format('DO %L', format('BEGIN INSERT INTO tried SELECT %L, %s, r.* FROM pg_temp.run(%L) r; EXCEPTION WHEN query_canceled THEN NULL; END', name, timeout, statement)) AS call,
          'RESET statement_timeout' AS after,
          'UPDATE tried SET kept = NOT EXISTS (SELECT FROM before WHERE rows <> test.rows(model)) WHERE kept IS NULL' AS compare
     FROM whole w LEFT JOIN (SELECT name, min(ms) AS ms, count(state) AS interrupted FROM tried GROUP BY name) t USING (name),
