@@ -7,7 +7,7 @@ WITH place AS (SELECT x, y, ST_SetSRID(ST_Point(650000 + 80 * x + (x * 7 + y * 5
 INSERT INTO town.axis (geom, width, importance) SELECT ST_MakeLine(a.geom, b.geom), 4 + (a.x * 5 + a.y * 3) % 12, 2 + (a.x + a.y) % 4
 FROM place a JOIN place b ON (b.x, b.y) IN ((a.x + 1, a.y), (a.x, a.y + 1)) ORDER BY a.x, a.y, b.x, b.y;
 INSERT INTO town.placement_rule (type, along, side, every, axis_offset, distance_from_limit) VALUES ('lamp', 'border', 'alternating', 20, 0.8, 2), ('crossing', 'arm', 'alternating', 25, 0, 2.5);
-ANALYZE;
+ANALYZE town.axis;
 
 CREATE FUNCTION soak.near(geom geometry, far float8) RETURNS geometry LANGUAGE sql VOLATILE
   RETURN ST_Translate(geom, far * (2 * random() - 1), far * (2 * random() - 1));

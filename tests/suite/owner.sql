@@ -1,5 +1,5 @@
 -- What an administrator does in a database with the extension for the set-up owner: a plain role may make models there and let others make some. It
--- makes roles, as some tests do, and has no other right of a superuser. create_model gives its models all subjects, whichever are asked for,
+-- makes roles and says how soon a deadlock is looked for, as some tests do, and has no other right of a superuser. create_model gives its models all subjects, whichever are asked for,
 -- but while streetgen_test.subjects is "asked".
 DO $$
 DECLARE
@@ -12,6 +12,7 @@ BEGIN
   END IF;
   EXECUTE format('GRANT CREATE, TEMPORARY ON DATABASE %I TO streetgen_owner WITH GRANT OPTION', current_database());
   GRANT CREATE ON SCHEMA public TO streetgen_owner WITH GRANT OPTION;
+  GRANT SET ON PARAMETER deadlock_timeout TO streetgen_owner;
   ASSERT all_subjects LIKE '%streetgen_test.subjects%', 'create_model no longer says where its subjects come from';
   EXECUTE all_subjects;
 END $$;
