@@ -80,7 +80,8 @@ DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new crossing' ELSE 'crossing ' || OLD.street_object_id END;
 BEGIN
     IF TG_OP <> 'INSERT' THEN
-        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id], ARRAY[OLD.geom]);
+        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
+            ARRAY[OLD.geom]);
     END IF;
     IF TG_OP = 'DELETE' THEN
         EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)

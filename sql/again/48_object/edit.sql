@@ -13,7 +13,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._snapped_axis(name, geometry) IS
     'The nearest axis within setting object_snap of a place; NULL where there is none.';
 
-CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, axes bigint[], places geometry[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, object bigint, axes bigint[], places geometry[])
+    RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -23,14 +24,17 @@ BEGIN
         EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
     END IF;
     PERFORM streetgen._hold_axes(model, axes, CASE WHEN ruled THEN array_remove(places, NULL) END, wait => true);
+    -- Here, where who waits for whom can be told.
+    EXECUTE format('SELECT FROM %I.street_object WHERE street_object_id = $1 FOR NO KEY UPDATE', model) USING object;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    RAISE EXCEPTION 'another session edits the street of the object' USING ERRCODE = '55P03',
+    RAISE EXCEPTION 'another session edits the object or its street' USING ERRCODE = '55P03',
         DETAIL = streetgen._holders(model), HINT = 'Repeat the edit when it has ended, or raise lock_timeout.';
 END $$;
-COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint[], geometry[]) IS
+COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint, bigint[], geometry[]) IS
     'Before an edit view writes an object: locks what who edits axes locks before objects, in the same order. That is '
     'the model, the axes by which the object stands with their borders, and where rules place objects the axes beside '
-    'its places. A lock_timeout that ends: 55P03, naming who holds them.';
+    'its places; then the object (NULL: a new one). A lock_timeout that ends, or who waits for this one: 55P03, naming '
+    'who holds them.';
 
 CREATE OR REPLACE FUNCTION streetgen._grant_object_locks(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -65,7 +69,8 @@ DECLARE
 BEGIN
     PERFORM streetgen._hold_specialised_types(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id], ARRAY[OLD.geom]);
+        PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
+            ARRAY[OLD.geom]);
         EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
             USING OLD.street_object_id;
         RETURN OLD;
@@ -95,8 +100,8 @@ BEGIN
         NEW.axis_id := coalesce(NEW.axis_id, streetgen._snapped_axis(TG_TABLE_SCHEMA, OLD.geom));
         NEW.abscissa := NULL;
     END IF;
-    PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, ARRAY[OLD.axis_id, CASE WHEN NEW.placement
-        IS DISTINCT FROM 'absolute' THEN NEW.axis_id END], ARRAY[OLD.geom, NEW.geom,
+    PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id,
+        CASE WHEN NEW.placement IS DISTINCT FROM 'absolute' THEN NEW.axis_id END], ARRAY[OLD.geom, NEW.geom,
         streetgen._axis_foot(TG_TABLE_SCHEMA, NEW.axis_id, NEW.abscissa)]);
     IF dropped IS NOT NULL AND NEW.placement IS DISTINCT FROM 'absolute' THEN
         axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
