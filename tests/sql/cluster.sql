@@ -39,6 +39,12 @@ SELECT 'a run is planned', streetgen.plan_clusters('parts', 6) = 6;
 SELECT 'the first cluster asked for is computed', cluster = 3 AND axes = 24 AND ended = 1 AND clusters = 6 AND axes_per_second > 0 AND time_left > '0' FROM streetgen.generate_cluster('parts', 3);
 SELECT 'its axes have streets, others not', bool_and((axis_id IN (SELECT axis_id FROM parts.edge)) = (axis_id = ANY (c.axes))) FROM parts.axis, parts.cluster c WHERE cluster_id = 3;
 SELECT 'progress tells it', clusters = 6 AND ended = 1 AND sessions = 0 AND axes = 144 AND axes_ended = 24 FROM streetgen.progress('parts');
+BEGIN;
+SET LOCAL streetgen.places = 600;
+UPDATE parts.axis SET width = 11 WHERE axis_id = 70;
+SELECT 'an edit that holds districts computes no cluster', sessions = 0 AND EXISTS (SELECT FROM pg_locks WHERE pid = pg_backend_pid() AND locktype = 'advisory' AND mode = 'ExclusiveLock' AND objid::bigint BETWEEN 2147483649 AND 4294967294)
+FROM streetgen.progress('parts');
+ROLLBACK;
 SELECT 'a run goes on where it was', streetgen.plan_clusters('parts', 2) = 5;
 SELECT streetgen.generate_cluster('parts') \g /dev/null
 -- What comes by while a run is under way.

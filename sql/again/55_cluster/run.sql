@@ -212,14 +212,18 @@ FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
                  min(k.began) AS began,
              sum(cardinality(k.axes))
                  FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
-                 0)::float8 AS rate_of_one FROM %I.cluster k) c,
-     -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute.
-     (SELECT count(*)::integer AS sessions FROM (SELECT FROM pg_locks GROUP BY pid HAVING bool_and(granted)
-          AND bool_or(locktype = 'advisory' AND objsubid = 2 AND database = (SELECT oid FROM pg_database
-              WHERE datname = current_database())
+                 0)::float8 AS rate_of_one FROM %1$I.cluster k) c,
+     -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute. A large
+     -- edit holds districts, too, but no row of a cluster.
+     (SELECT count(*)::integer AS sessions FROM (SELECT
+          FROM (SELECT *, database = (SELECT oid FROM pg_database WHERE datname = current_database()) AS here
+              FROM pg_locks) p
+          GROUP BY pid HAVING bool_and(granted) AND bool_or(here AND locktype = 'advisory' AND objsubid = 2
               AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid
-                  AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')) l) s,
-     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
+              AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')
+          AND bool_or(here AND relation = %2$L::regclass AND mode = 'RowShareLock')) l) s,
+     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model, format('%I.cluster', model))
+        USING model;
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS
     'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do '
