@@ -26,7 +26,7 @@ BEGIN
       RAISE SQLSTATE 'SG001';
     EXCEPTION WHEN SQLSTATE 'SG001' THEN NULL;
     END;
-    INSERT INTO asked SELECT a, CASE WHEN moves THEN 'vertex' ELSE 'width' END, reach.chains, p.alone, p.shared FROM streetgen._places_of(reach.cells, reach.districts, reach.chains) p;
+    INSERT INTO asked SELECT a, CASE WHEN moves THEN 'vertex' ELSE 'width' END, reach.chains, p.alone, p.shared FROM streetgen._places_of(m, reach.cells, reach.districts, reach.chains) p;
   END LOOP;
 END $$;
 

@@ -159,8 +159,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_setting()
         'import_conflict is settled: hand or source', NULL, NULL, ARRAY['hand', 'source']),
     ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000,
         NULL),
-    ('cell_size', '200', 'm', 'how much farther off than twice the reach edits never wait for each other', 50, 5000,
-        NULL),
+    ('cell_size', '200', 'm', 'farther off than twice the reach and this edits wait for each other only for a road, '
+        'block or junction that both may change, for what is off the ground, and for a transaction that holds many '
+        'places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),

@@ -213,8 +213,10 @@ WHERE b.there OR e.edge_id IS NULL$sql$, model);
                     UNION ALL SELECT edge_id FROM %2$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e,
                     LATERAL (SELECT block_id FROM %2$I.block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
                 WHERE s.axis_id = ANY (axes) AND coalesce(b.block_id, 0) <> ALL (blocks));
-            IF NOT streetgen._lock_places(%3$L, ARRAY(SELECT streetgen._chain_key('block', b) FROM unnest(further) b),
-                '{}', wait => false) OR further <> '{}' AND NOT streetgen._door_is_open(%3$L) THEN
+            IF NOT (SELECT streetgen._lock_places(%3$L, p.alone, p.shared, wait => false)
+                    FROM streetgen._places_of(%3$L, '{}', '{}',
+                        ARRAY(SELECT streetgen._chain_key('block', b) FROM unnest(further) b)) p)
+                OR further <> '{}' AND NOT streetgen._door_is_open(%3$L) THEN
                 PERFORM streetgen._refuse_place(%3$L);
             END IF;
             blocks := blocks || further;

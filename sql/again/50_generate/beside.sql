@@ -19,6 +19,15 @@ BEGIN
 SELECT ARRAY(SELECT axis_id FROM %1$I.axis WHERE streetgen._axis_key(axis_id) = ANY ($1)
     UNION SELECT axis_id FROM %1$I.edge WHERE streetgen._axis_key(axis_id) = ANY ($1))
 $sql$, model) INTO axes USING chains;
+    -- Who holds a district, or all places, holds the axes there.
+    IF EXISTS (SELECT FROM unnest(places) key WHERE key < 0) THEN
+        EXECUTE format($sql$
+SELECT ARRAY(SELECT unnest($1) UNION SELECT axis_id
+    FROM (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge) l,
+        (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s
+    WHERE -1 = ANY ($2) OR EXISTS (SELECT FROM streetgen._districts_of(geom, size) key WHERE key = ANY ($2)))
+$sql$, model) INTO axes USING axes, places;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._held_by_others(name) IS
     'The axes of which other sessions write rows, as far as this session sees these axes, and the keys of cells and '
@@ -52,9 +61,7 @@ SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM stale s
 WHERE axis_id <> ALL ($1) AND (EXISTS (SELECT FROM far, line l WHERE ST_DWithin(l.geom, s.geom, far))
     OR -1 = ANY ($2)
     OR EXISTS (SELECT FROM size, far, streetgen._cells(s.geom, far / 2, size) key WHERE key = ANY ($2))
-    OR EXISTS (SELECT FROM size, streetgen._districts(streetgen._district_of(ST_XMin(geom) - 10, size),
-            streetgen._district_of(ST_YMin(geom) - 10, size), streetgen._district_of(ST_XMax(geom) + 10, size),
-            streetgen._district_of(ST_YMax(geom) + 10, size)) key WHERE key = ANY ($2)))
+    OR EXISTS (SELECT FROM size, streetgen._districts_of(s.geom, size) key WHERE key = ANY ($2)))
 $sql$, model, streetgen._reach_value(), streetgen._reach_names(model)) INTO beside USING axes, places;
     -- What changed leads on from one to the next.
     LOOP

@@ -59,11 +59,14 @@ BEGIN
             FROM (SELECT key, true AS is_alone FROM unnest(alone) key
                 UNION ALL SELECT key, false FROM unnest(shared) key) k);
     END IF;
+    PERFORM set_config('streetgen.places',
+        (streetgen._places_held() + cardinality(alone) + cardinality(shared))::text, true);
     RETURN coalesce(free, true);
 END $$;
 COMMENT ON FUNCTION streetgen._lock_places(name, integer[], integer[], boolean) IS
     'Locks keys of a model for this transaction, in one order, some for itself and some shared with who locks them '
-    'so too. Without wait: false, with some of them locked, where another session holds any. NULL: 22004.';
+    'so too, and counts them. Without wait: false, with some of them locked, where another session holds any. '
+    'NULL: 22004.';
 
 CREATE OR REPLACE FUNCTION streetgen._lock_all_places(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -141,7 +144,7 @@ BEGIN
         -- Locks are taken in one order: where more turn out to be needed, those taken here are given back first.
         BEGIN
             entered := false;
-            places := streetgen._places_of(cells, districts, chains);
+            places := streetgen._places_of(model, cells, districts, chains);
             IF since IS NULL THEN
                 free := streetgen._lock_places(model, places.alone, places.shared, wait => false);
             ELSE
@@ -176,6 +179,7 @@ BEGIN
                 END IF;
                 CONTINUE;
             WHEN lock_not_available OR deadlock_detected THEN
+                since := coalesce(since, clock_timestamp());
                 PERFORM streetgen._go_on_waiting(model, places.alone, places.shared, since);
                 CONTINUE;
         END;

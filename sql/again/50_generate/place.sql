@@ -40,6 +40,16 @@ CREATE OR REPLACE FUNCTION streetgen._districts(west bigint, south bigint, east 
 COMMENT ON FUNCTION streetgen._districts(bigint, bigint, bigint, bigint) IS
     'The keys (-1073741825 to -2) of the districts from one column and row to another.';
 
+CREATE OR REPLACE FUNCTION streetgen._districts_of(line geometry, size float8) RETURNS SETOF integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    BEGIN ATOMIC
+        SELECT streetgen._districts(streetgen._district_of(ST_XMin(line) - 10, size),
+            streetgen._district_of(ST_YMin(line) - 10, size), streetgen._district_of(ST_XMax(line) + 10, size),
+            streetgen._district_of(ST_YMax(line) + 10, size));
+    END;
+COMMENT ON FUNCTION streetgen._districts_of(geometry, float8) IS
+    'The keys of the districts that who writes the rows of an axis or an edge locks or shares.';
+
 CREATE OR REPLACE FUNCTION streetgen._axis_key(axis_id bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
     BEGIN ATOMIC SELECT 536875008 + (axis_id & 268435455)::integer; END;
@@ -54,18 +64,56 @@ COMMENT ON FUNCTION streetgen._door() IS
     'The key of the door of a model. A run beside others shuts it, so that nobody takes places that it does not know '
         'of.';
 
-CREATE OR REPLACE FUNCTION streetgen._places_of(cells integer[], districts integer[], chains integer[],
+CREATE OR REPLACE FUNCTION streetgen._not_held(model_key integer, keys integer[], alone boolean) RETURNS integer[]
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE AS 'MODULE_PATHNAME', 'streetgen_not_held';
+COMMENT ON FUNCTION streetgen._not_held(integer, integer[], boolean) IS
+    'Those of the keys of a model that this session does not hold, for itself (alone) or at least shared.';
+
+CREATE OR REPLACE FUNCTION streetgen._places_held() RETURNS integer
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    RETURN CASE WHEN current_setting('streetgen.places', true) ~ '^\d{1,9}$'
+        THEN current_setting('streetgen.places')::integer ELSE 0 END;
+COMMENT ON FUNCTION streetgen._places_held() IS
+    'How many keys this transaction has locked, by setting streetgen.places, which counts for it and goes back with '
+    'savepoints as the locks do.';
+
+CREATE OR REPLACE FUNCTION streetgen._places_of(model name, cells integer[], districts integer[], chains integer[],
     OUT alone integer[], OUT shared integer[])
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
+DECLARE
     -- A server has room for some 6,400 locks by default, all sessions together.
-    SELECT CASE WHEN many_districts THEN ARRAY[-1] WHEN many_cells THEN districts ELSE cells END
-            || CASE WHEN many_chains THEN ARRAY[streetgen._all_chains()] ELSE chains END,
-        CASE WHEN many_districts THEN '{}' WHEN many_cells THEN ARRAY[-1] ELSE ARRAY[-1] || districts END
-            || CASE WHEN many_chains THEN '{}' ELSE ARRAY[streetgen._all_chains()] END
-    FROM (SELECT cardinality(cells) > 1024 AS many_cells, cardinality(districts) > 1024 AS many_districts,
-        cardinality(chains) > 1024 AS many_chains) m $$;
-COMMENT ON FUNCTION streetgen._places_of(integer[], integer[], integer[]) IS
-    'The keys that lock cells, districts, axes and chains, for oneself and shared. Cells are locked within their '
-    'districts, which are shared. Above 1,024 cells it is the districts, above 1,024 of these one key of all places, '
-    'above 1,024 axes and chains one key of all of these.';
+    most_near constant integer := 512;
+    most constant integer := 768;
+    model_key constant integer := hashtext('streetgen.' || model);
+    held constant integer := streetgen._places_held();
+    axis_keys constant integer[] := ARRAY(SELECT key FROM unnest(chains) key WHERE key >= streetgen._axis_key(0));
+    near constant integer[] := streetgen._not_held(model_key, cells || axis_keys, true);
+    wide constant integer[] := streetgen._not_held(model_key, districts, true);
+    chained constant integer[] := streetgen._not_held(model_key,
+        ARRAY(SELECT key FROM unnest(chains) key WHERE key < streetgen._axis_key(0)), true);
+BEGIN
+    shared := streetgen._not_held(model_key, districts, false);
+    IF near = '{}' OR wide = '{}' AND districts <> '{}' OR streetgen._not_held(model_key, ARRAY[-1], true) = '{}' THEN
+        alone := '{}';
+    ELSIF held + cardinality(near) + cardinality(shared) <= most_near THEN
+        alone := near;
+    ELSIF held + cardinality(wide) <= most THEN
+        alone := wide;
+        shared := '{}';
+    ELSE
+        alone := ARRAY[-1];
+        shared := '{}';
+    END IF;
+    IF chained <> '{}' AND streetgen._not_held(model_key, ARRAY[streetgen._all_chains()], true) <> '{}' THEN
+        alone := alone || CASE WHEN held + cardinality(alone) + cardinality(shared) + cardinality(chained) <= most
+            THEN chained ELSE ARRAY[streetgen._all_chains()] END;
+    END IF;
+    shared := shared || ARRAY(SELECT unnest(streetgen._not_held(model_key, ARRAY[-1, streetgen._all_chains()], false))
+        EXCEPT SELECT unnest(alone));
+END $$;
+COMMENT ON FUNCTION streetgen._places_of(name, integer[], integer[], integer[]) IS
+    'The keys by which this transaction locks cells, districts, axes and chains of a model, for itself and shared, '
+    'without those that it holds. Cells and axes are locked within their districts, which are shared. Where it would '
+    'hold more than 512 keys in all it is the districts in place of cells and axes, where more than 768 one key of all '
+    'places, and one of all chains.';

@@ -88,7 +88,7 @@ COMMENT ON FUNCTION streetgen._time_to_wait(timestamptz) IS
 
 CREATE OR REPLACE FUNCTION streetgen._wait_for_places(model name, alone integer[], shared integer[], since timestamptz)
     RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     lock_timeout_before constant text := current_setting('lock_timeout');
@@ -96,12 +96,15 @@ DECLARE
     turn constant interval := least(interval '200 ms', (0.5 + 0.4 * random())
         * current_setting('deadlock_timeout')::interval, streetgen._time_to_wait(since));
 BEGIN
+    IF since IS NULL THEN
+        RAISE EXCEPTION 'since when this waits is NULL' USING ERRCODE = '22004', HINT = 'Give a time.';
+    END IF;
     PERFORM set_config('lock_timeout', greatest(1, round(1000 * extract(epoch FROM turn)))::text, true);
     PERFORM streetgen._lock_places(model, alone, shared, wait => true);
     PERFORM set_config('lock_timeout', lock_timeout_before, true);
 END $$;
 COMMENT ON FUNCTION streetgen._wait_for_places(name, integer[], integer[], timestamptz) IS
-    'Waits for places for a moment, since a session that waits cannot see who waits for it; then 55P03.';
+    'Waits for places for a moment, since a session that waits cannot see who waits for it; then 55P03. NULL: 22004.';
 
 CREATE OR REPLACE FUNCTION streetgen._go_on_waiting(model name, alone integer[], shared integer[], since timestamptz)
     RETURNS void
