@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "roadway/bend.hpp"
-#include "roadway/surface_ring.hpp"
 
 namespace streetgen {
 

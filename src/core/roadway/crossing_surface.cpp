@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "alignment/curve_chords.hpp"
+#include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/ring_simplicity.hpp"
-#include "roadway/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/surface.hpp"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/box.hpp"
+#include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"

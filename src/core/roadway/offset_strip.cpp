@@ -5,7 +5,7 @@
 #include "geometry/ring_simplicity.hpp"
 #include "roadway/back_line.hpp"
 #include "roadway/kerb_front.hpp"
-#include "roadway/surface_ring.hpp"
+#include "roadway/surface_pieces.hpp"
 #include "streetgen/surface.hpp"
 
 namespace streetgen {

@@ -7,6 +7,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "roadway/node_corner.hpp"
+#include "roadway/surface_pieces.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/error.hpp"
 

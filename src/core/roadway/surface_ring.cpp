@@ -1,15 +1,15 @@
 #include "roadway/surface_ring.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
+#include "geometry/closed_ring.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
-#include "geometry/prepared_surface.hpp"
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
+#include "roadway/arm_cover.hpp"
+#include "roadway/surface_pieces.hpp"
 
 namespace streetgen {
 
@@ -18,7 +18,6 @@ namespace {
 constexpr int corner_quarter = 16;
 constexpr double coarsest = 60;  // metres: a greater radius has more chords
 constexpr int most_finer = 16;
-constexpr int join_quarter = 8;
 
 // A ring in the making; `whole` ends once a piece did not fit.
 struct Outline {
@@ -118,13 +117,6 @@ void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   outline.follow(b, std::max(0.0, corner.abscissa_b), b.limit, -1, false, false);
 }
 
-Polygon fan(const Point& centre, const Point& from, const Point& to) {
-  Ring ring{centre, from};
-  append_arc(ring, centre, from, to, true, join_quarter);
-  ring.push_back(to);
-  return {closed(std::move(ring))};
-}
-
 // Between the two axes and the arc: the ground that the corner adds.
 Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
   Ring ring = planar(substring(a.line, 0, std::max(0.0, gap.corner.abscissa_a)));
@@ -164,48 +156,6 @@ Polygon between_axes(const Arm& a, const Arm& b) {
   return {closed(std::move(ring))};
 }
 
-// Left and right of a segment's end, each as far as its half width.
-Line across(const Point& foot, const Point& normal, double left, double right) {
-  return {foot + normal * left, foot - normal * right};
-}
-
-// Quads about the segments and fans about the bends; the first and the last quad end on `from` and
-// `to`, where these are given.
-MultiPolygon pieces(const Line& line, const std::vector<double>& left,
-                    const std::vector<double>& right, const Line& from, const Line& to) {
-  MultiPolygon out;
-  const auto add = [&](Polygon polygon) {
-    if (!polygon.front().empty()) out.push_back(std::move(polygon));
-  };
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point normal = left_normal(unit(line[i] - line[i - 1]));
-    const bool last = i + 1 == line.size();
-    const Line start =
-        i == 1 && !from.empty() ? from : across(line[i - 1], normal, left[i - 1], right[i - 1]);
-    const Line end = last && !to.empty() ? to : across(line[i], normal, left[i], right[i]);
-    // The axis points are part of the ring, so that fans and quads share whole edges.
-    add({closed({start[0], line[i - 1], start[1], end[1], line[i], end[0]})});
-    if (last) break;
-    const Point next = left_normal(unit(line[i + 1] - line[i]));
-    const double turn = cross(normal, next);
-    if (std::abs(turn) < 1e-12 && dot(normal, next) > 0) continue;
-    if (turn > 0)
-      add(fan(line[i], end[1], line[i] - next * right[i]));
-    else
-      add(fan(line[i], line[i] + next * left[i], end[0]));
-  }
-  return out;
-}
-
-Polygon disc(const Point& centre, double radius) {
-  Ring ring;
-  for (int i = 0; i <= 4 * join_quarter; ++i) {
-    const double angle = 2 * M_PI * (i % (4 * join_quarter)) / (4 * join_quarter);
-    ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle), 0});
-  }
-  return {ring};
-}
-
 WidthProfile::Place place_at(const Arm& arm, double abscissa) {
   return {abscissa, half_at(arm, abscissa, +1), half_at(arm, abscissa, -1)};
 }
@@ -223,147 +173,6 @@ MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double star
     right[i] = wide.right;
   }
   return pieces(part, left, right, from, to);
-}
-
-// The ring's vertex nearest to p moves there, or p becomes one on the nearest segment; false where
-// the ring comes nowhere near.
-bool pass_through(Ring& ring, const Point& p) {
-  std::size_t vertex = 0, segment = 0;
-  double to_vertex = distance(ring[0], p), to_segment = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < ring.size(); ++i) {
-    if (const double off = distance(ring[i], p); off < to_vertex) {
-      to_vertex = off;
-      vertex = i;
-    }
-    if (const double off = distance_to_segment(p, ring[i - 1], ring[i]); off < to_segment) {
-      to_segment = off;
-      segment = i;
-    }
-  }
-  if (to_vertex <= same_place) {
-    ring[vertex] = p;
-    if (vertex == 0 || vertex + 1 == ring.size()) ring.front() = ring.back() = p;
-    return true;
-  }
-  if (to_segment > same_place) return false;
-  ring.insert(ring.begin() + segment, p);
-  return true;
-}
-
-// A union of pieces with the ends of its border lines, where they lie on its boundary: pieces that
-// meet there may differ by the noise of coordinates.
-MultiPolygon ending_on(Geos& geos, MultiPolygon surface, const std::vector<Line>& borders) {
-  MultiPolygon moved = surface;
-  std::vector<Ring*> rings;
-  for (Polygon& polygon : moved)
-    for (Ring& ring : polygon) rings.push_back(&ring);
-  for (const Line& border : borders)
-    for (const Point& end : border)
-      for (Ring* ring : rings)
-        if (pass_through(*ring, end)) break;
-  return same(moved, surface) || !geos.valid(moved) ? surface : moved;
-}
-
-double angle_about(const Point& node, const Point& p) {
-  const Point d = p - node;
-  return std::atan2(d.y, d.x);
-}
-
-// The arm that comes last before a point, counter-clockwise about the node.
-std::size_t sector(const std::vector<Arm>& arms, const Point& p) {
-  const Point& node = arms.front().line.front();
-  const double angle = angle_about(node, p);
-  std::size_t last = 0;
-  double least = 7;
-  for (std::size_t i = 0; i < arms.size(); ++i) {
-    const double of_arm = angle_about(node, position_at(arms[i].line, 1).point);
-    const double turn = std::fmod(angle - of_arm + 4 * M_PI, 2 * M_PI);
-    if (turn >= least) continue;
-    least = turn;
-    last = i;
-  }
-  return last;
-}
-
-// How much a street turns that goes on from one arm to the other.
-double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
-  double angle = 0;
-  for (std::size_t i = from; i != to; i = (i + 1) % gaps.size()) angle += gaps[i].angle;
-  return std::abs(angle - M_PI);
-}
-
-// Whether a street goes on nearly straight to the other arm, and no other one straighter; where it
-// keeps its width, no other one that does.
-bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t from,
-             std::size_t to) {
-  constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
-  const double own = bend(gaps, from, to);
-  if (own >= nearly_straight) return false;
-  const bool keeps_width = as_wide(arms[from], arms[to]);
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (i != from && i != to && bend(gaps, i, to) < own - same_angle &&
-        (!keeps_width || as_wide(arms[i], arms[to])))
-      return false;
-  return true;
-}
-
-// Axis and kerbs of every arm: the arc of two arms may cut a third one that leaves between them,
-// and the kerbs of a short one may end beyond its neighbour's. Where the flat end of an arm reaches
-// past its neighbours' axes, their kerbs hold, but beside an arm that goes on from it.
-bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
-            const std::vector<Gap>& gaps) {
-  constexpr double step = 1.0, inwards = 1e-3;  // metres
-  const PreparedSurface ground(surface);
-  const auto held = [&](std::size_t arm, const Point& p) {
-    if (ground.holds(p)) return true;
-    const std::size_t at = sector(arms, p), next = (at + 1) % arms.size();
-    return at != arm && next != arm && !goes_on(arms, gaps, arm, at) &&
-           !goes_on(arms, gaps, arm, next);
-  };
-  // In the place of a kerb that tapers the axis alone, and of one far beside the axis before its
-  // corner: the end of such an arm may lie beyond the other street.
-  const auto lines_at = [&](std::size_t k, double abscissa) {
-    const Line border = border_across(arms[k], abscissa);
-    const Point across = unit(border[1] - border[0]) * inwards;
-    const double aside = arms[k].roadway_offset;
-    const Point axis = (border[0] + border[1]) * 0.5 + unit(border[1] - border[0]) * aside;
-    const auto stays_out = [&](const Gap& gap, double corner) {
-      return gap.tapers || (aside != 0 && gap.meets && abscissa < corner);
-    };
-    const Gap &left = gaps[k], &right = gaps[(k + gaps.size() - 1) % gaps.size()];
-    return std::array{stays_out(left, left.corner.abscissa_a) ? axis : border[0] + across, axis,
-                      stays_out(right, right.corner.abscissa_b) ? axis : border[1] - across};
-  };
-  // Inside a bend a kerb point before the limit may lie behind the border line, in the section.
-  const auto behind_border = [](const Arm& arm, const Point& p) {
-    return dot(p - arm.border[0], left_normal(arm.border[1] - arm.border[0])) > 0;
-  };
-  std::vector<double> cuts;
-  // Straight lines that cross nothing are inside where their ends are.
-  const auto covers_whole = [&](const auto& first, const auto& last) {
-    cuts.clear();
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      ground.cut(first[i], last[i], cuts);
-      if (!cuts.empty() || !ground.holds(first[i]) || !ground.holds(last[i])) return false;
-    }
-    return true;
-  };
-  for (std::size_t k = 0; k < arms.size(); ++k) {
-    const Arm& arm = arms[k];
-    if (arm.limit <= 0) continue;
-    const double margin = std::min(inwards, arm.limit / 2);
-    const auto clamped = [&](double abscissa) {
-      return std::clamp(abscissa, margin, arm.limit - margin);
-    };
-    if (distance(arm.line[0], arm.line[1]) >= arm.limit + step &&
-        covers_whole(lines_at(k, clamped(0)), lines_at(k, clamped(arm.limit))))
-      continue;
-    const int steps = static_cast<int>(std::ceil(arm.limit / step));
-    for (int i = 0; i <= steps; ++i)
-      for (const Point& p : lines_at(k, clamped(arm.limit * i / steps)))
-        if (!behind_border(arm, p) && !held(k, p)) return false;
-  }
-  return true;
 }
 
 // The kerb of a section, stretch by stretch of its profile.
@@ -411,15 +220,6 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
   WidthProfile profile;
   profile.places = {node, limit};
   return profile;
-}
-
-Ring closed(Ring ring) {
-  const auto together = [](const Point& p, const Point& q) { return distance(p, q) <= sides_touch; };
-  ring.erase(std::unique(ring.begin(), ring.end(), together), ring.end());
-  while (ring.size() > 1 && together(ring.back(), ring.front())) ring.pop_back();
-  if (ring.size() < 3) return {};
-  ring.push_back(ring.front());
-  return ring;
 }
 
 Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner) {
@@ -490,22 +290,6 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   }
   if (parts.empty()) return {};
   return {whole(parts), true};
-}
-
-MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
-                          const std::vector<double>& right, bool round_ends) {
-  MultiPolygon all = pieces(line, left, right, {}, {});
-  if (round_ends) {
-    all.push_back(disc(line.front(), std::max(left.front(), right.front())));
-    all.push_back(disc(line.back(), std::max(left.back(), right.back())));
-  }
-  return geos.polygons(geos.unite({all}).get());
-}
-
-MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
-                           const std::vector<double>& right, const Line& from, const Line& to) {
-  const MultiPolygon parts = pieces(line, left, right, from, to);
-  return ending_on(geos, geos.polygons(geos.unite({parts}).get()), {from, to});
 }
 
 }  // namespace streetgen

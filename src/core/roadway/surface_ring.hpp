@@ -14,9 +14,6 @@ namespace streetgen {
 // Between the kerbs that leave `crossing` (left of a, right of b) and the arc of `corner`.
 Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner);
 
-// Without repeated points; empty when fewer than three remain.
-Ring closed(Ring ring);
-
 struct Built {
   MultiPolygon surface;
   bool by_union = false;
@@ -32,13 +29,5 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
 
 // The half widths of arm i from its node to its limit; none where neither kerb tapers.
 WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i);
-
-// The union of quads, bends and discs: holds for any line.
-MultiPolygon build_buffer(Geos& geos, const Line& line, const std::vector<double>& left,
-                          const std::vector<double>& right, bool round_ends);
-
-// The same with flat ends: the given borders (left, right along the line).
-MultiPolygon build_between(Geos& geos, const Line& line, const std::vector<double>& left,
-                           const std::vector<double>& right, const Line& from, const Line& to);
 
 }  // namespace streetgen

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <iterator>
 
+#include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "roadway/node_corner.hpp"
+#include "roadway/surface_pieces.hpp"
 
 namespace streetgen {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/surface_union.hpp"
@@ -11,7 +12,6 @@
 #include "roadway/back_line.hpp"
 #include "roadway/bend.hpp"
 #include "roadway/kerb_front.hpp"
-#include "roadway/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {

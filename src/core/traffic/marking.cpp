@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/closed_ring.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/surface_ring.hpp"
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
