@@ -5,15 +5,12 @@
 #include <cstddef>
 
 #include "geometry/polyline.hpp"
+#include "network/leaving_order.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
 
 namespace {
-
-constexpr double near_node = 1;  // metres along an edge that tell where the edge leaves its node
-constexpr double farthest = 64;
-constexpr double together = 1e-6;  // radians
 
 double heading(const Network& network, const EdgeEnd& end, double at) {
   const Edge& edge = network.edges[end.edge];
@@ -23,27 +20,12 @@ double heading(const Network& network, const EdgeEnd& end, double at) {
   return std::atan2(to.y, to.x);
 }
 
-// Ends that leave together part later: the one that turns left comes after.
-bool turns_left(const Network& network, const EdgeEnd& a, const EdgeEnd& b) {
-  for (double at = 2 * near_node; at < farthest; at *= 2) {
-    const double turn = std::remainder(heading(network, a, at) - heading(network, b, at), 2 * M_PI);
-    if (std::abs(turn) > together) return turn > 0;
-  }
-  return false;
-}
-
 std::vector<EdgeEnd> counter_clockwise(const Network& network, const std::vector<EdgeEnd>& ends) {
-  std::vector<std::pair<double, EdgeEnd>> order;
-  for (const EdgeEnd& end : ends) order.push_back({heading(network, end, near_node), end});
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : slot(a.second) < slot(b.second);
-  });
-  for (std::size_t i = 0; i + 1 < order.size(); ++i)
-    if (order[i + 1].first - order[i].first <= together &&
-        turns_left(network, order[i].second, order[i + 1].second))
-      std::swap(order[i], order[i + 1]);
   std::vector<EdgeEnd> sorted;
-  for (const auto& entry : order) sorted.push_back(entry.second);
+  for (const std::size_t i : leaving_order(
+           ends.size(), [&](std::size_t i, double at) { return heading(network, ends[i], at); },
+           [&](std::size_t i, std::size_t j) { return slot(ends[i]) < slot(ends[j]); }))
+    sorted.push_back(ends[i]);
   return sorted;
 }
 

@@ -1,6 +1,8 @@
 #include "roadway/continued_course.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -23,38 +25,44 @@ bool keeps_width(const Arm& last, const Arm& next) {
          same_half(next.start_to(-1), last.end_to(-1));
 }
 
-// The same street: of the axes of the same level and width the one that turns least, of two that
+// The place of an edge in the order about its far node, at which the edge comes in.
+std::size_t place_in(const Junction& junction, const EdgeEnd& last) {
+  std::size_t in = 0;
+  while (slot(junction.ends[in]) != slot({last.edge, !last.at_start})) ++in;
+  return in;
+}
+
+// The same street: of the axes of the same level and width the one that turns least, of those that
 // turn as much the one on the side of the kerb.
 const EdgeEnd* alike(const Layout& layout, const EdgeEnd& last, const Junction& junction,
                      int side) {
   const auto& edges = layout.streets.network.edges;
   const Arm& own = layout.arm(last);
   const Point direction = unit(own.line.back() - own.line[own.line.size() - 2]);
-  double least = widest_bend, on_side = 0;
-  const EdgeEnd* next = nullptr;
-  for (const EdgeEnd& other : junction.ends) {
+  const std::size_t count = junction.ends.size(), in = place_in(junction, last);
+  // From the kerb on.
+  std::vector<std::pair<double, const EdgeEnd*>> ways;
+  double least = widest_bend;
+  for (std::size_t k = 1; k < count; ++k) {
+    const EdgeEnd& other = junction.ends[(side > 0 ? in + count - k : in + k) % count];
     const Arm& on = layout.arm(other);
     const Point onwards = on.line[1] - on.line[0];
-    const double turn = side * std::atan2(cross(direction, onwards), dot(direction, onwards));
-    const double size = std::abs(turn);
+    const double turn = std::abs(std::atan2(cross(direction, onwards), dot(direction, onwards)));
     if (other.edge == last.edge || edges[other.edge].level != edges[last.edge].level ||
-        !keeps_width(own, on) || widens(on) || size >= widest_bend)
+        !keeps_width(own, on) || widens(on) || turn >= widest_bend)
       continue;
-    const bool as_much = std::abs(size - least) <= same_angle;
-    if (next != nullptr && (as_much ? turn <= on_side : size > least)) continue;
-    least = size;
-    on_side = turn;
-    next = &other;
+    ways.push_back({turn, &other});
+    least = std::min(least, turn);
   }
-  return next;
+  const auto first = std::find_if(ways.begin(), ways.end(),
+                                  [&](const auto& way) { return way.first <= least + same_angle; });
+  return first == ways.end() ? nullptr : first->second;
 }
 
 // The axis along which the kerb goes on: the next one on its side, if it does not turn away.
 const EdgeEnd* beside(const Layout& layout, const EdgeEnd& last, const Junction& junction,
                       int side) {
-  const std::size_t count = junction.ends.size();
-  std::size_t in = 0;
-  while (slot(junction.ends[in]) != slot({last.edge, !last.at_start})) ++in;
+  const std::size_t count = junction.ends.size(), in = place_in(junction, last);
   const EdgeEnd& next = junction.ends[(in + (side > 0 ? count - 1 : 1)) % count];
   const Arm& on = layout.arm(next);
   const double bend = std::abs(angle_between(layout.arm(junction.ends[in]), on) - M_PI);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "network/leaving_order.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -100,36 +101,16 @@ bool cuts(const CornerArc& arc, const Arm& arm) {
 }  // namespace
 
 std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
-  std::vector<std::size_t> order(arms.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](std::size_t i, double at) {
-    return heading(arms[i], std::min(at, length(arms[i].line)));
+  // To the millimetre: lines that are drawn twice may differ by noise.
+  const auto rank = [&](std::size_t i) {
+    return std::tuple(-arms[i].half_start, -std::round(length(arms[i].line) * 1000), i);
   };
-  std::vector<double> near(arms.size());
-  for (std::size_t i = 0; i < arms.size(); ++i) {
-    near[i] = key(i, 1);
-    if (near[i] > M_PI - same_angle) near[i] -= 2 * M_PI;
-  }
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return near[i] != near[j] ? near[i] < near[j] : i < j;
-  });
-  // Arms that leave together part later: the one that turns left comes after. Of arms that never
-  // part the wider one comes first.
-  const auto parts_before = [&](std::size_t i, std::size_t j) {
-    for (double at = 2; at < 64; at *= 2)
-      if (const double turn = std::remainder(key(j, at) - key(i, at), 2 * M_PI);
-          std::abs(turn) > same_angle)
-        return turn > 0;
-    return arms[i].half_start != arms[j].half_start ? arms[i].half_start > arms[j].half_start
-                                                    : i < j;
-  };
-  for (auto run = order.begin(); run != order.end();) {
-    auto end = run + 1;
-    while (end != order.end() && near[*end] - near[*(end - 1)] <= same_angle) ++end;
-    if (end - run > 1) std::sort(run, end, parts_before);
-    run = end;
-  }
-  return order;
+  return leaving_order(
+      arms.size(),
+      [&](std::size_t i, double at) {
+        return heading(arms[i], std::min(at, length(arms[i].line)));
+      },
+      [&](std::size_t i, std::size_t j) { return rank(i) < rank(j); });
 }
 
 namespace {

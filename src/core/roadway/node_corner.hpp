@@ -9,7 +9,8 @@
 
 namespace streetgen {
 
-// Indices of the arms, counter-clockwise about the node; ties by what follows, then by index.
+// Indices of the arms in their leaving_order; of arms that never part the wider one ranks first,
+// then the longer one, then the smaller index.
 std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms);
 
 // Counter-clockwise from a to b about the node, radians, 0 to 2 pi; seen 1 m away from it.
