@@ -169,6 +169,10 @@ struct Foot {
 struct Meeting {
   Point centre;
   Foot a, b;
+
+  // The shorter way to both feet tells the first of meetings in one place, whichever street is a: a
+  // circle may touch both sides of a bend.
+  double way() const { return a.abscissa() + b.abscissa(); }
 };
 
 // The offset border. That of the first piece has the quarter of its round end behind the node:
@@ -270,8 +274,7 @@ std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& str
       if (d > best_distance + border_slack) continue;
       if (!within(a, found.centre, &found.a.at)) continue;
       if (!within(b, found.centre, &found.b.at)) continue;
-      if (d > best_distance - border_slack && best && found.a.abscissa() >= best->a.abscissa())
-        continue;
+      if (d > best_distance - border_slack && best && found.way() >= best->way()) continue;
       if (too_near(borders_a, found.centre) || too_near(borders_b, found.centre)) continue;
       best = found;
       best_distance = std::min(d, best_distance);

@@ -93,5 +93,29 @@ TEST(MaxCornerRadius, NoneWhereNotEvenTheBordersMeet) {
   EXPECT_FALSE(max_corner_radius(ray(0, 2), ray(degrees(10), 2), 6, 6));
 }
 
+// Two streets that part and come back: the largest circle between may touch both sides of a bend.
+TEST(MaxCornerRadius, LeavesTheSameArcInTheMirror) {
+  const auto mirrored = [](Line line) {
+    for (Point& p : line) p.x = -p.x;
+    return line;
+  };
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> aside(5, 9);
+  for (int round = 0; round < 500; ++round) {
+    Line a{{0, 0, 0}}, b{{0, 0, 0}};
+    for (int k = 1; k <= 5; ++k) {
+      a.push_back({k < 5 ? aside(random) : 5, 12.0 * k, 0});
+      b.push_back({k < 5 ? -aside(random) : -5, 12.0 * k + 3, 0});
+    }
+    const auto largest = max_corner_radius(a, b, 6, 6, 8);
+    ASSERT_TRUE(largest.has_value());
+    const auto one = corner_arc(a, b, 6, 6, *largest),
+               other = corner_arc(mirrored(b), mirrored(a), 6, 6, *largest);
+    ASSERT_TRUE(one && other) << round;
+    EXPECT_NEAR(one->abscissa_a, other->abscissa_b, 1e-4) << round;
+    EXPECT_NEAR(one->abscissa_b, other->abscissa_a, 1e-4) << round;
+  }
+}
+
 }  // namespace
 }  // namespace streetgen
