@@ -4,9 +4,11 @@
 // transitively, whatever the order of the axes; a cluster wider than three
 // tolerances, by the circle about it, is reported and not joined.  A node lies
 // where most arms of what joins meet: a vertex inside an axis has two, an end has
-// one.  Of several such places it is the middle.  An axis end within tolerance of
-// the inside of another axis' segment makes a node there.  Nodes within tolerance of each
-// other along an axis are one, in the same way and within the same bound.
+// one, a split crossing without a vertex has four.  Of several such places it is
+// the middle, each counted once.  An axis end within tolerance of the inside of
+// another axis' segment makes a node at that end.  Nodes within tolerance of each
+// other along an axis are one, in the same way and within the same bound.  A
+// crossing within tolerance of a node along one of its axes is that node.
 // Levels that differ meet only where the point is an end of at least one axis;
 // where it is interior to all, they pass over each other and make no node.  No
 // vertex that another axis shares is removed.

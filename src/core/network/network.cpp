@@ -50,14 +50,17 @@ class Cuts {
   auto begin() const { return cuts_.begin(); }
   auto end() const { return cuts_.end(); }
 
-  // The first cut within `reach` of an abscissa for which `wanted` is true.
+  // The nearest cut within `reach` of an abscissa for which `wanted` is true.
   template <class Wanted>
   const Cut* near(double abscissa, double reach, Wanted wanted) const {
     const int any = std::numeric_limits<int>::min();
+    const Cut* nearest = nullptr;
     for (auto cut = cuts_.lower_bound({abscissa - reach, any});
          cut != cuts_.end() && cut->abscissa <= abscissa + reach; ++cut)
-      if (wanted(*cut)) return &*cut;
-    return nullptr;
+      if (wanted(*cut) && (nearest == nullptr || std::abs(cut->abscissa - abscissa) <
+                                                     std::abs(nearest->abscissa - abscissa)))
+        nearest = &*cut;
+    return nearest;
   }
 
  private:
@@ -289,12 +292,17 @@ class Builder {
       out_.reports.push_back(
           {NetworkIssue::crossing, axes_[f.a]->axis_id, axes_[f.b]->axis_id, f.point, 0});
       if (crossing_ == Crossing::over || meet_near(f.a, f.at_a, f.b, f.at_b)) continue;
-      // A node that one of the two already has there is the node of the crossing.
+      // A node that one of the two already has there is the node of the crossing; other crossings
+      // are joined with it later.
       int group = -1;
-      for (const auto& [axis, at] : {std::pair(f.a, f.at_a), std::pair(f.b, f.at_b)})
-        if (group < 0)
-          if (const Cut* cut = cuts_[axis].near(at, tolerance_, [](const Cut&) { return true; }))
-            group = cut->group;
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [axis, at] : {std::pair(f.a, f.at_a), std::pair(f.b, f.at_b)}) {
+        const Cut* cut = cuts_[axis].near(
+            at, tolerance_, [&](const Cut& other) { return crossings_.count(other.group) == 0; });
+        if (cut == nullptr || std::abs(cut->abscissa - at) >= least) continue;
+        least = std::abs(cut->abscissa - at);
+        group = cut->group;
+      }
       if (group < 0) {
         group = groups_.add();
         crossings_[group] = {f.a, f.point};
@@ -327,13 +335,18 @@ class Builder {
 
   // Where the most arms meet of those that join; of places where as many do, the middle.
   Point place_of_node(const std::vector<int>& members) const {
+    const auto arms_of = [&](int i) {
+      if (i >= static_cast<int>(vertices_.size())) return 4;
+      return vertices_[i].end ? 1 : 2;
+    };
     const auto arms_at = [&](const Point& place) {
       int arms = 0;
       for (const int i : members)
-        if (i < static_cast<int>(vertices_.size()) &&
-            distance(vertices_[i].point, place) <= same_place)
-          arms += vertices_[i].end ? 1 : 2;
+        if (distance(place_of(i).point, place) <= same_place) arms += arms_of(i);
       return arms;
+    };
+    const auto is_place = [](const Point& place) {
+      return [&](const Point& other) { return distance(other, place) <= same_place; };
     };
     std::vector<Point> best;
     int most = 0;
@@ -342,7 +355,8 @@ class Builder {
       const int arms = arms_at(place);
       if (arms > most) best.clear();
       most = std::max(most, arms);
-      if (arms == most) best.push_back(place);
+      if (arms == most && std::none_of(best.begin(), best.end(), is_place(place)))
+        best.push_back(place);
     }
     Point sum;
     for (const Point& place : best) sum = sum + (place - best.front());

@@ -47,6 +47,57 @@ TEST(Network, JoinsUndershootsAndOvershootsInTheMiddleOfASegment) {
   }
 }
 
+// Two ends in one place have as many arms as a vertex inside an axis, and count as one place.
+TEST(Network, ANodeIsInTheMiddleOfThePlacesWhereMostArmsMeet) {
+  const Network n = network({axis(1, {{-60, 0}, {0, 0}}), axis(2, {{0, 0}, {60, 10}}),
+                             axis(3, {{-50, -40}, {0.3, 0}, {50, -40}})},
+                            0.5, Crossing::over);
+  ASSERT_EQ(degree(n, {0.15, 0}), 4);
+  EXPECT_NEAR(distance(n.nodes[1].point, {0.15, 0}), 0, 1e-12);
+}
+
+// Whichever axis is numbered first, and from whichever end it is drawn.
+TEST(Network, CrossingsThatJoinLieInTheMiddle) {
+  const Line lines[] = {{{-50, 0}, {50, 0}}, {{0, -50}, {0, 50}}, {{-50.2, -50}, {50, 50.1}}};
+  std::vector<Point> places;
+  int order[] = {0, 1, 2};
+  do {
+    for (const bool back : {false, true}) {
+      std::vector<NetworkAxis> axes;
+      for (int id = 1; id <= 3; ++id) {
+        const Line& line = lines[order[id - 1]];
+        axes.push_back(axis(id, back ? reversed(line) : line));
+      }
+      const Network n = network(axes, 0.5, Crossing::split);
+      ASSERT_EQ(n.nodes.size(), 7u);
+      for (const Node& node : n.nodes)
+        if (norm(node.point) < 1) places.push_back(node.point);
+    }
+  } while (std::next_permutation(order, order + 3));
+  ASSERT_EQ(places.size(), 12u);
+  for (const Point& place : places) EXPECT_NEAR(distance(place, places[0]), 0, 1e-9);
+}
+
+// A crossing goes to the nearer one of two nodes beside it on the same axis.
+TEST(Network, ACrossingIsTheNearerNode) {
+  for (const bool back : {false, true}) {
+    const Line street{{-50, 0}, {-0.45, 0}, {0.2, 0}, {50, 0}};
+    const Network n = network(
+        {axis(1, back ? reversed(street) : street), axis(2, {{-30, 40}, {-0.45, 0}, {-40, -30}}),
+         axis(3, {{30, 40}, {0.2, 0}, {40, -30}}), axis(4, {{0, -50}, {0, 50}})},
+        0.5, Crossing::split);
+    ASSERT_EQ(n.nodes.size(), 10u) << back;
+    const auto at = std::find_if(n.nodes.begin(), n.nodes.end(), [](const Node& node) {
+      return distance(node.point, {0.2, 0}) < 1e-9;
+    });
+    ASSERT_NE(at, n.nodes.end()) << back;
+    const int node = static_cast<int>(at - n.nodes.begin());
+    int arms = 0;
+    for (const Edge& edge : n.edges) arms += (edge.from_node == node) + (edge.to_node == node);
+    EXPECT_EQ(arms, 6) << back;
+  }
+}
+
 TEST(Network, LevelsMeetOnlyAtAnEnd) {
   const Network over =
       network({axis(1, {{0, 0}, {50, 0}, {100, 0}}, 0), axis(2, {{50, -50}, {50, 0}, {50, 50}}, 1)},
