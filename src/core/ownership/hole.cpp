@@ -12,6 +12,7 @@
 #include "geometry/box_hierarchy.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/fill_holes.hpp"
+#include "geometry/hairline.hpp"
 #include "geometry/narrow_gap.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
@@ -168,8 +169,9 @@ std::vector<Hole> holes_between(const std::vector<Claim>& claims,
     }
     std::vector<Ring> holes;
     for (Polygon& hole : faces.joined(open)) {
-      const double size = signed_area(hole.front());
-      if (size >= least_hole && size < max_area) holes.push_back(std::move(hole.front()));
+      Ring ring = without_hairlines(hole.front());
+      const double size = signed_area(ring);
+      if (size >= least_hole && size < max_area) holes.push_back(std::move(ring));
     }
     return holes;
   };

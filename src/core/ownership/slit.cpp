@@ -7,6 +7,7 @@
 #include "geometry/arrangement.hpp"
 #include "geometry/border_stretches.hpp"
 #include "geometry/box_index.hpp"
+#include "geometry/hairline.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
@@ -200,9 +201,10 @@ class Slits {
                      std::none_of(members.begin(), members.end(),
                                   [&](int k) { return inside(within, *claims_[k].surface); }));
     }
-    for (Polygon& slit : faces.joined(open))
-      if (signed_area(slit.front()) >= least_slit)
-        slits.push_back({std::move(slit.front()), {i, j}});
+    for (Polygon& slit : faces.joined(open)) {
+      Ring ring = without_hairlines(slit.front());
+      if (signed_area(ring) >= least_slit) slits.push_back({std::move(ring), {i, j}});
+    }
   }
 
   const std::vector<Claim>& claims_;
@@ -244,8 +246,10 @@ class Filled {
     for (const Point& place : faces.places())
       open.push_back(inside(place, whole) && !inside(place, others));
     std::vector<Hole> left;
-    for (Polygon& part : faces.joined(open))
-      if (signed_area(part.front()) >= least_slit) left.push_back({part.front(), slit.around});
+    for (Polygon& part : faces.joined(open)) {
+      Ring ring = without_hairlines(part.front());
+      if (signed_area(ring) >= least_slit) left.push_back({std::move(ring), slit.around});
+    }
     return left;
   }
 
