@@ -283,7 +283,7 @@ CREATE FUNCTION test.left_out(relation name, col name) RETURNS boolean LANGUAGE 
     OR reversed AND (relation, col) IN (('lane', 'width'), ('lane', 'axis_offset'), ('lane_separator', 'axis_offset'))
   FROM test.movement $$;
 
--- Table by table: rows of both models; rows of one alone; rows that differ by over a micrometre (of a surface for each metre of border) or in what they say; the widest of these; square metres
+-- Table by table: rows of both models; rows of one alone; rows that differ by over a micrometre (of a surface for each metre of border, of an angle a metre away) or in what they say; the widest of these; square metres
 -- that differ; where the largest is, on the paper of the model; and the columns that differ.
 CREATE FUNCTION test.moved_difference(only_relation name DEFAULT NULL) RETURNS TABLE (relation name, rows bigint, rows_moved bigint, alone bigint, differ bigint, widest float8, area float8, place text, cols text) LANGUAGE plpgsql AS $$
 DECLARE
@@ -310,7 +310,7 @@ BEGIN
     EXECUTE format('CREATE TEMP TABLE here AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (SELECT %s FROM %I.%I t) t', key, key, order_by,
       (SELECT string_agg(format('%s AS %I', test.plain_column(relation, col), col), ', ') FROM unnest(all_cols) col), m.model, relation);
     EXECUTE format('CREATE TEMP TABLE there AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (%s) t', key, key, order_by, test.moved_rows(m.moved, relation, true));
-    part := (SELECT coalesce(string_agg(format('CASE WHEN abs(a.%1$I - b.%1$I) > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
+    part := (SELECT coalesce(string_agg(format('CASE WHEN abs(a.%1$I - b.%1$I) > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN 'angle' THEN 'degrees(1e-6)' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
       || (SELECT coalesce(string_agg(format(', CASE WHEN a.%1$I IS DISTINCT FROM b.%1$I THEN %1$L END', n), ''), '') FROM unnest(scalars) n);
     EXECUTE format($q$WITH met AS MATERIALIZED (SELECT a.key AS a_key, b.key AS b_key, concat_ws(' ', %s%s) AS cols, greatest(0%s) AS apart, %s AS area, %s AS place
         FROM here a FULL JOIN there b USING (key)), told AS (SELECT *, a_key IS NULL OR b_key IS NULL AS is_alone FROM met)
