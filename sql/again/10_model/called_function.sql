@@ -67,8 +67,9 @@ BEGIN
     ELSE
         RETURN streetgen._qualified(named);
     END IF;
-    RAISE EXCEPTION '% of model "%" cannot be %', place, model, coalesce(quote_literal(name), 'NULL')
-        USING ERRCODE = state, DETAIL = detail, HINT = hint;
+    PERFORM streetgen._refuse(state,
+        format('%s of model "%s" cannot be %s', place, model, coalesce(quote_literal(name), 'NULL')), detail => detail,
+        hint => hint);
 END $$;
 COMMENT ON FUNCTION streetgen._called_function(name, text, text, regprocedure, text) IS
     'The name, with its schema, of a function of the user''s that place of the model names, for the owner of the '

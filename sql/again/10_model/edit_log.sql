@@ -60,9 +60,7 @@ BEGIN
     RETURN NULL;
 END $body$ $sql$, model, srid);
     PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log where setting log is on');
-    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
-        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point')
-            OR relname LIKE '%\_override') LOOP
+    FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
             ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
             ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP

@@ -11,17 +11,16 @@ CREATE OR REPLACE FUNCTION streetgen._require_model(model name) RETURNS void
 BEGIN
     PERFORM streetgen._require_one_build();
     IF model IS NULL THEN
-        RAISE EXCEPTION 'the model is NULL' USING ERRCODE = '22004',
-            HINT = 'SELECT name FROM streetgen.model lists them.';
+        PERFORM streetgen._refuse('22004', 'the model is NULL', hint => 'SELECT name FROM streetgen.model lists them.');
     END IF;
     IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name
         WHERE m.name = _require_model.model) THEN
-        RAISE EXCEPTION 'model "%" does not exist', model USING ERRCODE = '3F000',
-            HINT = format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace
+        PERFORM streetgen._refuse('3F000', format('model "%s" does not exist', model),
+            hint => format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace
                 WHERE nspname = model) AND relname = 'axis_class')
                 THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.'
-                    ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT '
-                    'streetgen.create_model(%L, srid => …) makes it.' END, model);
+                ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT '
+                'streetgen.create_model(%L, srid => …) makes it.' END, model));
     END IF;
     PERFORM streetgen._only_own_functions(model);
 END $$;
@@ -354,14 +353,23 @@ COMMENT ON FUNCTION streetgen._take_back(name, name) IS
     'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner '
         'of the model: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
+CREATE OR REPLACE FUNCTION streetgen._street_input(model name) RETURNS name[]
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT array_agg(relname ORDER BY relname) FROM pg_class
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            AND (relname IN ('axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override'
-            OR relname = ANY (streetgen._object_table())
+            -- A table of the user's may have a name of that kind.
+            AND relname IN (SELECT relation FROM streetgen._model_column()
+                WHERE relation IN ('axis', 'turn_restriction', 'control_point') OR relation LIKE '%\_override') $$;
+COMMENT ON FUNCTION streetgen._street_input(name) IS
+    'The tables of a model that streets follow: axes, turn restrictions, control points and overrides.';
+
+CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._street_input(model) || array_agg(relname ORDER BY relname) FROM pg_class
+        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
+            AND relname = ANY (streetgen._object_table())
             -- That table names functions, which run with the rights of the owner.
-            AND relname <> 'specialised_type') $$;
+            AND relname <> 'specialised_type' $$;
 COMMENT ON FUNCTION streetgen._edited_tables(name) IS
     'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';
 

@@ -191,10 +191,15 @@ BEGIN
         EXECUTE format('ALTER TABLE %I.controller_override ADD CONSTRAINT controller_override_program_check '
             'CHECK (program IN (''phases'', ''paper''))', model);
     END IF;
-    FOR part IN SELECT DISTINCT format('REVOKE INSERT, UPDATE, DELETE ON %I.specialised_type FROM %s', model,
+    -- Rights on single columns are rights to write them, too.
+    FOR part IN SELECT DISTINCT format('REVOKE %s ON %I.specialised_type FROM %s CASCADE',
+            privilege_type || CASE WHEN attribute IS NULL THEN '' ELSE format(' (%I)', attribute) END, model,
             CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END)
-        FROM pg_class c, aclexplode(relacl) WHERE c.oid = to_regclass(format('%I.specialised_type', model))
-            AND grantee <> relowner AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE')
+        FROM pg_class c CROSS JOIN LATERAL (
+            SELECT a.*, NULL AS attribute FROM aclexplode(c.relacl) a
+            UNION ALL SELECT a.*, attname FROM pg_attribute, aclexplode(attacl) a WHERE attrelid = c.oid) held
+        WHERE c.oid = to_regclass(format('%I.specialised_type', model)) AND grantee <> relowner
+            AND privilege_type <> 'SELECT'
     LOOP
         EXECUTE part;
     END LOOP;

@@ -13,7 +13,11 @@ BEGIN
     IF (SELECT prosecdef FROM pg_proc WHERE oid = named) THEN
         -- Its first declaration, before anything there finds a function by search_path.
         text := pg_get_functiondef(named);
-        begins := least(nullif(strpos(text, E'\nDECLARE\n'), 0), strpos(text, E'\nBEGIN\n'));
+        begins := least(nullif(strpos(text, E'\nDECLARE\n'), 0), nullif(strpos(text, E'\nBEGIN\n'), 0));
+        IF begins IS NULL THEN
+            RAISE EXCEPTION 'function % has no line DECLARE or BEGIN to look for functions of others at', named
+                USING ERRCODE = '22023', HINT = 'One that runs with the rights of the owner is written in PL/pgSQL.';
+        END IF;
         EXECUTE left(text, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
             'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(text, begins), '^\nDECLARE', '');
         EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);

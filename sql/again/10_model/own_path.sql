@@ -23,20 +23,21 @@ BEGIN
         UNION ALL SELECT 'operator ' || p.oid::regoperator || ' of role ' || oprowner::regrole FROM pg_operator p
         WHERE oprnamespace = beside.oid AND oprowner <> ALL (trusted)) p;
     IF planted IS NOT NULL THEN
-        RAISE EXCEPTION 'functions of others stand in for those of the system in schema "%": %', beside.nspname, planted
-            USING ERRCODE = '42501', DETAIL = format('They could run with the rights of role %s.', owner::regrole),
-                HINT = 'Drop them, or have their owners move them to another schema.';
+        PERFORM streetgen._refuse('42501',
+            format('functions of others stand in for those of the system in schema "%s": %s', beside.nspname, planted),
+            detail => format('They could run with the rights of role %s.', owner::regrole),
+            hint => 'Drop them, or have their owners move them to another schema.');
     ELSIF pg_has_role(caller, owner, 'MEMBER') THEN
         RETURN;
     END IF;
     SELECT string_agg(DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END, ', ') INTO creators
         FROM aclexplode(beside.acl) WHERE privilege_type = 'CREATE' AND grantee <> ALL (trusted);
     IF creators IS NOT NULL THEN
-        RAISE EXCEPTION 'schema "%" is open to functions of %', beside.nspname, creators USING ERRCODE = '42501',
-            DETAIL = format('PostGIS is there. What role %s edits runs with the rights of %s, the owner of the model, '
+        PERFORM streetgen._refuse('42501', format('schema "%s" is open to functions of %s', beside.nspname, creators),
+            detail => format('PostGIS is there. What role %s edits runs with the rights of %s, the owner of the model, '
                 'and so could those functions.', caller::regrole, owner::regrole),
-            HINT = format('REVOKE CREATE ON SCHEMA %I FROM %s, by an administrator; other schemas may stay open.',
-                beside.nspname, creators);
+            hint => format('REVOKE CREATE ON SCHEMA %I FROM %s, by an administrator; other schemas may stay open.',
+                beside.nspname, creators));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_functions_beside(oid, oid) IS

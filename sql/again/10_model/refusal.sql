@@ -1,5 +1,13 @@
--- What a row of input may hold, told to who writes another: the constraints of its table hold, but give neither value
--- nor way out.
+-- Refusals: an edit that cannot be is told what is wrong and what to do, and of a row of input what it may hold.
+-- Constraints of its table hold too, but give neither value nor way out.
+
+CREATE OR REPLACE FUNCTION streetgen._refuse(state text, message text, detail text DEFAULT NULL,
+    hint text DEFAULT NULL, schema text DEFAULT NULL, relation text DEFAULT NULL, attribute text DEFAULT NULL,
+    rule text DEFAULT NULL) RETURNS void
+    LANGUAGE c VOLATILE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_refuse';
+COMMENT ON FUNCTION streetgen._refuse(text, text, text, text, text, text, text, text) IS
+    'Raises an error with the SQLSTATE given, as RAISE does with the same words, but without CONTEXT: a refusal says '
+    'what is wrong and what to do, and a GIS shows all of it. NULL leaves a field out. No SQLSTATE: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._input_rule()
     RETURNS TABLE(relation name, attribute name, expected text, way_out text)
@@ -132,15 +140,15 @@ BEGIN
         IF holds IS FALSE THEN
             SELECT expected, way_out INTO rule FROM streetgen._input_rule()
                 WHERE (relation, attribute) = (TG_TABLE_NAME, broken.attribute);
-            RAISE EXCEPTION 'the % of % cannot be %', broken.attribute, concat_ws(' ', CASE TG_OP WHEN 'INSERT'
-                THEN 'the new' END, replace(TG_TABLE_NAME, '_', ' '), key), coalesce(value, 'NULL')
-                USING ERRCODE = broken.sqlstate,
-                DETAIL = format('Expected %s.', coalesce(rule.expected, CASE broken.atttypid WHEN 'geometry'::regtype
+            PERFORM streetgen._refuse(broken.sqlstate,
+                format('the %s of %s cannot be %s', broken.attribute, concat_ws(' ', CASE TG_OP WHEN 'INSERT'
+                    THEN 'the new' END, replace(TG_TABLE_NAME, '_', ' '), key), coalesce(value, 'NULL')),
+                detail => format('Expected %s.', coalesce(rule.expected, CASE broken.atttypid WHEN 'geometry'::regtype
                     THEN 'a place, every coordinate a number within 1e12' ELSE 'a value' END)),
-                HINT = coalesce(rule.way_out, CASE WHEN broken.attidentity <> ''
+                hint => coalesce(rule.way_out, CASE WHEN broken.attidentity <> ''
                     THEN 'Leave it out: it is numbered by itself.' ELSE 'Fill it, or undo the edit.' END),
-                SCHEMA = TG_TABLE_SCHEMA, TABLE = TG_TABLE_NAME, COLUMN = broken.attribute,
-                    CONSTRAINT = coalesce(broken.name, '');
+                schema => TG_TABLE_SCHEMA, relation => TG_TABLE_NAME, attribute => broken.attribute,
+                rule => broken.name);
         END IF;
     END LOOP;
     RETURN NEW;
@@ -163,8 +171,8 @@ BEGIN
         FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
         -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
         JOIN streetgen._model_column() USING (attribute)
-        WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override')
+        WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace
+            AND relname = ANY (streetgen._street_input(model) || 'axis_class'::name)
         GROUP BY c.oid, attribute
     LOOP
         -- A trigger a column, with a condition: a statement reads those of the columns that it writes, and calls the

@@ -80,17 +80,18 @@ BEGIN
             east := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 100, 0), 4326)::geography);
             north := ST_Distance(centre::geography, ST_Transform(ST_Translate(place.point, 0, 100), 4326)::geography);
         EXCEPTION WHEN internal_error THEN
-            RAISE EXCEPTION '%, %, lies where SRID % is not defined', place.label, ST_AsText(place.point, 0),
-                ST_SRID(place.point) USING ERRCODE = '22023',
-                DETAIL = SQLERRM, HINT = coalesce(way_out,
-                    'Mend its coordinates, or make the model in the reference that they are in.');
+            PERFORM streetgen._refuse('22023',
+                format('%s, %s, lies where SRID %s is not defined', place.label, ST_AsText(place.point, 0),
+                    ST_SRID(place.point)), detail => SQLERRM,
+                hint => coalesce(way_out,
+                    'Mend its coordinates, or make the model in the reference that they are in.'));
         END;
         IF NOT (east BETWEEN 99 AND 101 AND north BETWEEN 99 AND 101) THEN
-            RAISE EXCEPTION 'the scale of SRID % is more than 1 %% off at %, %', ST_SRID(place.point), place.label,
-                ST_AsText(place.point, 0) USING ERRCODE = '22023',
-                DETAIL = format('100 m of map are %s m east and %s m north on the ground.', round(east::numeric, 1),
-                    round(north::numeric, 1)),
-                HINT = coalesce(way_out, streetgen._way_to_zone(centre));
+            PERFORM streetgen._refuse('22023',
+                format('the scale of SRID %s is more than 1 %% off at %s, %s', ST_SRID(place.point), place.label,
+                    ST_AsText(place.point, 0)),
+                detail => format('100 m of map are %s m east and %s m north on the ground.', round(east::numeric, 1),
+                    round(north::numeric, 1)), hint => coalesce(way_out, streetgen._way_to_zone(centre)));
         END IF;
     END LOOP;
 END $$;
@@ -194,11 +195,11 @@ BEGIN
         WHERE s.name = 'axis_length_maximal' AND ST_Length(l.geom) > s.value::float8 ORDER BY 2 DESC, 1 LIMIT 1$sql$,
             lines, model) INTO long;
     IF long.label IS NOT NULL THEN
-        RAISE EXCEPTION '% is % km long, over setting axis_length_maximal', long.label,
-            round(long.length::numeric / 1000, 1) USING ERRCODE = '22023',
-            DETAIL = format('The setting allows %s m.', long.maximal),
-            HINT = format('Mend its coordinates or cut it, or SELECT streetgen.set(%L, ''axis_length_maximal'', %L).',
-                model, ceil(long.length)::bigint);
+        PERFORM streetgen._refuse('22023',
+            format('%s is %s km long, over setting axis_length_maximal', long.label, round(long.length::numeric / 1000,
+                1)), detail => format('The setting allows %s m.', long.maximal),
+            hint => format('Mend its coordinates or cut it, or SELECT streetgen.set(%L, ''axis_length_maximal'', %L).',
+                model, ceil(long.length)::bigint));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_length(name, text) IS
@@ -226,8 +227,8 @@ CREATE OR REPLACE FUNCTION streetgen._transformed(what text, geom geometry, srid
 BEGIN
     RETURN ST_Transform(geom, srid);
 EXCEPTION WHEN internal_error THEN
-    RAISE EXCEPTION '% cannot be transformed from SRID % to %', what, ST_SRID(geom), srid USING ERRCODE = '22023',
-        DETAIL = SQLERRM, HINT = 'Mend its coordinates or its SRID.';
+    PERFORM streetgen._refuse('22023', format('%s cannot be transformed from SRID %s to %s', what, ST_SRID(geom), srid),
+        detail => SQLERRM, hint => 'Mend its coordinates or its SRID.');
 END $$;
 COMMENT ON FUNCTION streetgen._transformed(text, geometry, integer) IS
     'A geometry in another reference; 22023 saying what it is where the projection is not defined.';

@@ -33,6 +33,13 @@ BEGIN
             INTO NEW.axis_id USING NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
                 NEW.name, NEW.level;
     ELSIF TG_OP = 'INSERT' THEN
+        EXECUTE format('SELECT count(*) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO written
+            USING NEW.axis_id;
+        IF written > 0 THEN
+            PERFORM streetgen._refuse('23505', format('the new axis cannot be axis %s', NEW.axis_id),
+                detail => 'Another axis has this number.', hint => 'Leave axis_id empty: it is numbered by itself.',
+                schema => TG_TABLE_SCHEMA, relation => 'axis', attribute => 'axis_id');
+        END IF;
         EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count, direction, speed, importance, name, '
             'level) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
             USING NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name,
@@ -47,8 +54,8 @@ BEGIN
             USING NEW, OLD LOOP
         END LOOP;
         IF written = 0 THEN
-            RAISE EXCEPTION 'axis % is gone', OLD.axis_id USING ERRCODE = '22023',
-                DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
+            PERFORM streetgen._refuse('22023', format('axis %s is gone', OLD.axis_id),
+                detail => 'Another session deleted it.', hint => 'Refresh the layer.');
         END IF;
     END IF;
     RETURN NEW;
@@ -124,8 +131,8 @@ FROM %1$I.axis JOIN (
         USING (axis_id) $sql$,
         TG_TABLE_SCHEMA) INTO axes, lines USING OLD.node_id, NEW.geom, tolerance;
     IF axes IS NULL THEN
-        RAISE EXCEPTION 'node % is gone', OLD.node_id USING ERRCODE = '22023',
-            DETAIL = 'No axis meets there any more.', HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('node %s is gone', OLD.node_id),
+            detail => 'No axis meets there any more.', hint => 'Refresh the layer.');
     END IF;
     PERFORM streetgen._check_edit_line(format('axis %s, with node %s moved there,', axis, OLD.node_id), line,
         tolerance) FROM unnest(axes, lines) a(axis, line);

@@ -40,12 +40,12 @@ BEGIN
         INTO other USING OLD.edge_id, OLD.which;
     IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom)
         OR (CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END) THEN
-        RAISE EXCEPTION '% cannot be at %', subject, coalesce(format('%s m', round(NEW.abscissa::numeric, 2)), 'NULL')
-            USING ERRCODE = '22023',
-            DETAIL = format('The edge is %s m long and its other limit is at %s m.',
+        PERFORM streetgen._refuse('22023',
+            format('%s cannot be at %s', subject, coalesce(format('%s m', round(NEW.abscissa::numeric, 2)), 'NULL')),
+            detail => format('The edge is %s m long and its other limit is at %s m.',
                 round(ST_Length2D(edge.geom)::numeric, 2), round(other::numeric, 2)),
-            HINT = CASE OLD.which WHEN 'start' THEN 'Put it before the other limit.'
-                ELSE 'Put it beyond the other limit.' END;
+            hint => CASE OLD.which WHEN 'start' THEN 'Put it before the other limit.'
+                ELSE 'Put it beyond the other limit.' END);
     END IF;
     -- The end of an edge belongs to the next one.
     NEW.abscissa := least(edge.start_abscissa + NEW.abscissa, edge.end_abscissa - 1e-6);
@@ -106,8 +106,8 @@ WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axi
     AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA) INTO place
     USING OLD.corner_id;
     IF place.node IS NULL THEN
-        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its axes do not meet there any more.',
-            HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('%s is gone', subject),
+            detail => 'Its axes do not meet there any more.', hint => 'Refresh the layer.');
     END IF;
     EXECUTE format('SELECT coalesce(array_agg(corner_override_id), ''{}''), max(corner_override_id) FILTER (WHERE '
         'NOT $5 OR ST_Distance(geom, $3) > 0.001) FROM %I.corner_override
@@ -178,8 +178,8 @@ BEGIN
         EXECUTE format('SELECT axis_id, geom FROM %I.kerb_point_override WHERE kerb_point_override_id = $1 FOR UPDATE',
             TG_TABLE_SCHEMA) INTO known USING OLD.kerb_point_id;
         IF known.geom IS NULL THEN
-            RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.',
-                HINT = 'Refresh the layer.';
+            PERFORM streetgen._refuse('22023', format('%s is gone', subject), detail => 'Another session deleted it.',
+                hint => 'Refresh the layer.');
         END IF;
         NEW.axis_id := CASE WHEN NEW.axis_id = OLD.axis_id THEN known.axis_id ELSE NEW.axis_id END;
         NEW.geom := CASE WHEN moved THEN NEW.geom ELSE known.geom END;
@@ -187,9 +187,9 @@ BEGIN
     EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
         USING NEW.axis_id;
     IF axis IS NULL THEN
-        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
-            DETAIL = format('There is no axis %s.', NEW.axis_id),
-            HINT = 'Leave axis_id empty to take the nearest axis.';
+        PERFORM streetgen._refuse('22023', format('the axis of %s is gone', subject),
+            detail => format('There is no axis %s.', NEW.axis_id),
+            hint => 'Leave axis_id empty to take the nearest axis.');
     END IF;
     at := ST_LineLocatePoint(axis, NEW.geom);
     foot := ST_LineInterpolatePoint(axis, at);
@@ -207,10 +207,10 @@ BEGIN
     NEW.width := 2 * ST_Distance(axis, NEW.geom);
     IF at IN (0, 1) AND NOT ST_DWithin(streetgen._remap_point_beside(axis, foot), NEW.geom,
         sqrt(25 + NEW.width * NEW.width / 4) + 0.01) OR NOT NEW.width BETWEEN 0.001 AND 200 THEN
-        RAISE EXCEPTION '% lies beside no street', subject USING ERRCODE = '22023',
-            DETAIL = format('It is %s m from axis %s%s.', round((NEW.width / 2)::numeric, 2), NEW.axis_id,
+        PERFORM streetgen._refuse('22023', format('%s lies beside no street', subject),
+            detail => format('It is %s m from axis %s%s.', round((NEW.width / 2)::numeric, 2), NEW.axis_id,
                 CASE WHEN at IN (0, 1) THEN ', beyond its end' ELSE '' END),
-            HINT = 'Drop it on the kerb, up to 100 m from an axis and not beyond its end.';
+            hint => 'Drop it on the kerb, up to 100 m from an axis and not beyond its end.');
     END IF;
     IF TG_OP = 'INSERT' THEN
         EXECUTE format('INSERT INTO %I.kerb_point_override (axis_id, geom, abscissa, width) VALUES ($1, $2, $3, $4) '

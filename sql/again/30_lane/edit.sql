@@ -47,8 +47,8 @@ BEGIN
         PERFORM streetgen._check_edit_line(subject, NEW.geom, 0);
         astray := (SELECT max(ST_Distance(v.geom, edge.geom)) FROM ST_DumpPoints(NEW.geom) v);
         IF astray > 200 THEN
-            RAISE EXCEPTION '% cannot lie % m from its edge', subject, round(astray) USING ERRCODE = '22023',
-                DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and draw it beside its edge.';
+            PERFORM streetgen._refuse('22023', format('%s cannot lie %s m from its edge', subject, round(astray)),
+                detail => 'The widest street is 200 m wide.', hint => 'Undo, and draw it beside its edge.');
         END IF;
         IF streetgen._remap_runs_against(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
             NEW.geom := ST_Reverse(NEW.geom);
@@ -105,10 +105,10 @@ BEGIN
         END IF;
         decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.change END;
         IF decided = 'opposite' OR decided IS NOT NULL AND OLD.change = 'opposite' THEN
-            RAISE EXCEPTION 'the change from lane % to lane % cannot be "%"', OLD.lane_a, OLD.lane_b, decided
-                USING ERRCODE = '22023', DETAIL = format('It is "%s"; "opposite" says that traffic comes against one.',
-                OLD.change), HINT = 'Turn a lane round in lane_editing; lanes of one direction take allowed or '
-                'forbidden.';
+            PERFORM streetgen._refuse('22023',
+                format('the change from lane %s to lane %s cannot be "%s"', OLD.lane_a, OLD.lane_b, decided),
+                detail => format('It is "%s"; "opposite" says that traffic comes against one.', OLD.change),
+                hint => 'Turn a lane round in lane_editing; lanes of one direction take allowed or forbidden.');
         END IF;
         NEW.by_hand := decided IS NOT NULL;
     END IF;
@@ -119,8 +119,9 @@ BEGIN
         'JOIN %1$I.axis x USING (axis_id) WHERE a.lane_id = $1 AND b.lane_id = $2', TG_TABLE_SCHEMA) INTO place
         USING OLD.lane_a, OLD.lane_b;
     IF place.axis_id IS NULL THEN
-        RAISE EXCEPTION 'lanes % and % no longer lie beside each other', OLD.lane_a, OLD.lane_b
-            USING ERRCODE = '22023', DETAIL = 'Somebody else changed their axis.', HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023',
+            format('lanes %s and %s no longer lie beside each other', OLD.lane_a, OLD.lane_b),
+            detail => 'Somebody else changed their axis.', hint => 'Refresh the layer.');
     END IF;
     EXECUTE format($sql$SELECT coalesce(array_agg(lane_adjacency_override_id
         ORDER BY lane_adjacency_override_id DESC), '{}') FROM %I.lane_adjacency_override
@@ -180,8 +181,8 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
     AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA)
         INTO place USING OLD.interconnection_id;
     IF place.node IS NULL THEN
-        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Its lanes do not meet there any more.',
-            HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('%s is gone', subject),
+            detail => 'Its lanes do not meet there any more.', hint => 'Refresh the layer.');
     END IF;
     EXECUTE format($sql$SELECT coalesce(array_agg(interconnection_override_id
         ORDER BY interconnection_override_id DESC), '{}') FROM %I.interconnection_override
@@ -198,13 +199,14 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         IF ST_NPoints(NEW.geom) <> 3 OR ST_Distance(ST_StartPoint(NEW.geom), ST_StartPoint(OLD.geom)) > 1e-6
             OR ST_Distance(ST_EndPoint(NEW.geom), ST_EndPoint(OLD.geom)) > 1e-6 THEN
-            RAISE EXCEPTION 'of % only the middle point can be dragged', subject USING ERRCODE = '22023',
-                DETAIL = 'Its ends lie on its lanes, and it has three points.',
-                HINT = 'Undo, and drag the middle point.';
+            PERFORM streetgen._refuse('22023', format('of %s only the middle point can be dragged', subject),
+                detail => 'Its ends lie on its lanes, and it has three points.',
+                hint => 'Undo, and drag the middle point.');
         ELSIF ST_Distance(ST_PointN(NEW.geom, 2), place.node) > 200 THEN
-            RAISE EXCEPTION 'the middle point of % cannot lie % m from its node', subject,
-                round(ST_Distance(ST_PointN(NEW.geom, 2), place.node)) USING ERRCODE = '22023',
-                DETAIL = 'The widest street is 200 m wide.', HINT = 'Undo, and drag it less far.';
+            PERFORM streetgen._refuse('22023',
+                format('the middle point of %s cannot lie %s m from its node', subject,
+                    round(ST_Distance(ST_PointN(NEW.geom, 2), place.node))),
+                detail => 'The widest street is 200 m wide.', hint => 'Undo, and drag it less far.');
         END IF;
     END IF;
     decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;

@@ -16,10 +16,11 @@ BEGIN
         USING lane_from, lane_to, ST_Force2D(centre), tolerance;
     IF (GeometryType(path) = 'LINESTRING' AND ST_SRID(path) = ST_SRID(lane_in) AND NOT ST_IsEmpty(path)
         AND ST_Length(path) < 'Infinity') IS NOT TRUE THEN
-        RAISE EXCEPTION 'trajectory function % gave %, expected a LINESTRING of SRID %', rule,
-            coalesce(left(ST_AsEWKT(path), 100), 'NULL'), ST_SRID(lane_in) USING ERRCODE = '22023',
-            DETAIL = format('From lane %s to lane %s.', ST_AsText(lane_from, 2), ST_AsText(lane_to, 2)),
-                HINT = 'Mend the function, or set the trajectory to bezier or arcs.';
+        PERFORM streetgen._refuse('22023',
+            format('trajectory function %s gave %s, expected a LINESTRING of SRID %s', rule,
+                coalesce(left(ST_AsEWKT(path), 100), 'NULL'), ST_SRID(lane_in)),
+            detail => format('From lane %s to lane %s.', ST_AsText(lane_from, 2), ST_AsText(lane_to, 2)),
+            hint => 'Mend the function, or set the trajectory to bezier or arcs.');
     END IF;
     RETURN ST_Force2D(path);
 END $$;

@@ -54,14 +54,15 @@ BEGIN
     BEGIN
         EXECUTE format('SELECT %s($1)', called) INTO kind USING arms;
     EXCEPTION WHEN OTHERS THEN
-        RAISE EXCEPTION 'classifier % fails at junction %: %', called, junction, SQLERRM
-            USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set classifier to streetgen.junction_kind.';
+        PERFORM streetgen._refuse(SQLSTATE, format('classifier %s fails at junction %s: %s', called, junction, SQLERRM),
+            hint => 'Mend the function, or set classifier to streetgen.junction_kind.');
     END;
     IF kind IS NULL OR kind NOT IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
         'continuation', 'end') THEN
-        RAISE EXCEPTION 'classifier % gives "%" for junction %', called, coalesce(kind, 'NULL'), junction
-            USING ERRCODE = '22023', HINT = 'The kinds are ramp, signals, stop, priority, right_before_left, '
-                'roundabout, continuation and end.';
+        PERFORM streetgen._refuse('22023',
+            format('classifier %s gives "%s" for junction %s', called, coalesce(kind, 'NULL'), junction),
+            hint => 'The kinds are ramp, signals, stop, priority, right_before_left, '
+                'roundabout, continuation and end.');
     END IF;
     RETURN kind;
 END $$;

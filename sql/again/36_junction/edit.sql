@@ -96,8 +96,8 @@ $sql$, model, streetgen._on_ring(model)) INTO found USING nodes;
         WHEN kind IN ('ramp', 'priority', 'right_before_left') AND found.arms = 1 THEN 'Where one arm ends is an end.'
         END;
     IF hint IS NOT NULL THEN
-        RAISE EXCEPTION '% cannot be of kind %', subject, kind USING ERRCODE = '22023', HINT = hint,
-            DETAIL = format('It has %s arms.', found.arms);
+        PERFORM streetgen._refuse('22023', format('%s cannot be of kind %s', subject, kind),
+            detail => format('It has %s arms.', found.arms), hint => hint);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_junction_kind(name, text, bigint[], text) IS
@@ -164,8 +164,8 @@ BEGIN
         INTO known USING streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id);
     nodes := streetgen._nodes_to_decide(TG_TABLE_SCHEMA, OLD.junction_id);
     IF nodes.axes IS NULL THEN
-        RAISE EXCEPTION 'junction % is gone', OLD.junction_id USING ERRCODE = '22023',
-            DETAIL = 'Somebody else changed its axes.', HINT = 'Refresh the layer, and edit what is there now.';
+        PERFORM streetgen._refuse('22023', format('junction %s is gone', OLD.junction_id),
+            detail => 'Somebody else changed its axes.', hint => 'Refresh the layer, and edit what is there now.');
     END IF;
     PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known, nodes.axes, nodes.places, NULL, decided);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;

@@ -39,8 +39,8 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
     half := streetgen._ramp_stretch(TG_TABLE_SCHEMA, OLD.ramp_id);
     IF half.axis_id IS NULL THEN
-        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', HINT = 'Refresh the layer.',
-            DETAIL = 'No link meets a highway there any more.';
+        PERFORM streetgen._refuse('22023', format('%s is gone', subject),
+            detail => 'No link meets a highway there any more.', hint => 'Refresh the layer.');
     END IF;
     EXECUTE format('SELECT coalesce(array_agg(ramp_override_id ORDER BY ramp_override_id), ''{}'') '
         'FROM %I.ramp_override WHERE axis_id = $1 AND abscissa BETWEEN $2 AND $3', TG_TABLE_SCHEMA) INTO known

@@ -10,8 +10,8 @@ DECLARE
     known bigint[];
 BEGIN
     IF TG_OP = 'INSERT' THEN
-        RAISE EXCEPTION 'an overpass cannot be drawn' USING ERRCODE = '0A000',
-            HINT = 'It stands where two axes cross without a node: draw these.';
+        PERFORM streetgen._refuse('0A000', 'an overpass cannot be drawn',
+            hint => 'It stands where two axes cross without a node: draw these.');
     END IF;
     subject := 'overpass ' || OLD.overpass_id;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
@@ -31,9 +31,9 @@ WHERE (axis_above, axis_below) IN (($1, $2), ($2, $1)) AND ST_DWithin(o.geom, $3
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.axis_above IS NULL OR NEW.axis_above NOT IN (OLD.axis_above, OLD.axis_below) THEN
-        RAISE EXCEPTION 'axis % does not pass at %', coalesce(NEW.axis_above::text, 'NULL'), subject
-            USING ERRCODE = '22023',
-                HINT = format('Axes %s and %s cross there.', OLD.axis_above, OLD.axis_below);
+        PERFORM streetgen._refuse('22023',
+            format('axis %s does not pass at %s', coalesce(NEW.axis_above::text, 'NULL'), subject),
+            hint => format('Axes %s and %s cross there.', OLD.axis_above, OLD.axis_below));
     END IF;
     PERFORM streetgen._check_edit_number('the clearance of ' || subject, NEW.clearance, 0, 100, 'm',
         'Delete the row to take back what was decided by hand.');

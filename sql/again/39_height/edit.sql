@@ -30,13 +30,14 @@ BEGIN
     EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
         USING NEW.axis_id;
     IF axis IS NULL THEN
-        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
-            DETAIL = format('There is no axis %s.', coalesce(NEW.axis_id::text, 'in the model')),
-            HINT = 'Leave axis_id empty to take the nearest axis.';
+        PERFORM streetgen._refuse('22023', format('the axis of %s is gone', subject),
+            detail => format('There is no axis %s.', coalesce(NEW.axis_id::text, 'in the model')),
+            hint => 'Leave axis_id empty to take the nearest axis.');
     END IF;
     IF NOT ST_DWithin(axis, NEW.geom, 100) THEN
-        RAISE EXCEPTION '% lies % m from axis %', subject, round(ST_Distance(axis, NEW.geom)::numeric, 1), NEW.axis_id
-            USING ERRCODE = '22023', HINT = 'Put it on the axis, within 100 m.';
+        PERFORM streetgen._refuse('22023',
+            format('%s lies %s m from axis %s', subject, round(ST_Distance(axis, NEW.geom)::numeric, 1), NEW.axis_id),
+            hint => 'Put it on the axis, within 100 m.');
     END IF;
     PERFORM streetgen._check_edit_number('the height of ' || subject, NEW.height, -1000, 10000, 'm',
         'Delete the row to take back what was decided by hand.');
@@ -52,8 +53,8 @@ BEGIN
         'WHERE height_override_id = $1 RETURNING height_override_id', TG_TABLE_SCHEMA)
         INTO known USING OLD.height_id, NEW.axis_id, at, NEW.height, NEW.geom;
     IF known IS NULL THEN
-        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'Another session deleted it.',
-            HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('%s is gone', subject), detail => 'Another session deleted it.',
+            hint => 'Refresh the layer.');
     END IF;
     RETURN NEW;
 END $$;

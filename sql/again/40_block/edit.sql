@@ -21,11 +21,12 @@ BEGIN
     ELSIF NEW.kind IS NOT DISTINCT FROM OLD.kind AND OLD.by_hand THEN
         RETURN NEW;
     ELSIF ST_IsEmpty(OLD.geom) THEN
-        RAISE EXCEPTION 'block % has no ground', OLD.block_id USING ERRCODE = '22023',
-            DETAIL = 'It is roadway all over.', HINT = 'Only ground has a kind: make a street beside it narrower.';
+        PERFORM streetgen._refuse('22023', format('block %s has no ground', OLD.block_id),
+            detail => 'It is roadway all over.', hint => 'Only ground has a kind: make a street beside it narrower.');
     ELSIF NEW.kind IS NULL OR NEW.kind NOT IN ('block', 'island', 'strip') THEN
-        RAISE EXCEPTION 'the kind of block % cannot be %', OLD.block_id, coalesce(quote_literal(NEW.kind), 'NULL')
-            USING ERRCODE = '22023', HINT = 'It is block, island or strip; by_hand false has it computed.';
+        PERFORM streetgen._refuse('22023',
+            format('the kind of block %s cannot be %s', OLD.block_id, coalesce(quote_literal(NEW.kind), 'NULL')),
+            hint => 'It is block, island or strip; by_hand false has it computed.');
     END IF;
     IF known = '{}' THEN
         EXECUTE format('INSERT INTO %I.block_override (geom, kind) VALUES (ST_PointOnSurface($1), $2)',

@@ -8,8 +8,8 @@ DECLARE
     known bigint[];
 BEGIN
     IF TG_OP = 'INSERT' THEN
-        RAISE EXCEPTION 'a roundabout cannot be drawn' USING ERRCODE = '0A000',
-            HINT = 'It stands where axes close a ring: draw these.';
+        PERFORM streetgen._refuse('0A000', 'a roundabout cannot be drawn',
+            hint => 'It stands where axes close a ring: draw these.');
     ELSIF TG_OP = 'UPDATE' THEN
         decided := NEW.confirmed;
         NEW.geom := OLD.geom;

@@ -121,14 +121,15 @@ BEGIN
     BEGIN
         EXECUTE format('SELECT %s($1, $2, $3, $4)', called) INTO score USING shape, name, network, weights;
     EXCEPTION WHEN data_exception OR raise_exception OR syntax_error_or_access_rule_violation THEN
-        RAISE EXCEPTION 'score function % failed: %', given, SQLERRM USING ERRCODE = SQLSTATE,
-            DETAIL = format('At the ring about %s.', ST_AsText(centre, 1)),
-            HINT = 'Mend the function, or set roundabout_score to streetgen.roundabout_score.';
+        PERFORM streetgen._refuse(SQLSTATE, format('score function %s failed: %s', given, SQLERRM),
+            detail => format('At the ring about %s.', ST_AsText(centre, 1)),
+            hint => 'Mend the function, or set roundabout_score to streetgen.roundabout_score.');
     END;
     IF (score BETWEEN 0 AND 1) IS NOT TRUE THEN
-        RAISE EXCEPTION 'score function % gave %, expected 0 to 1', given, coalesce(score::text, 'NULL')
-            USING ERRCODE = '22023', DETAIL = format('At the ring about %s.', ST_AsText(centre, 1)),
-            HINT = 'Mend the function, or set roundabout_score to streetgen.roundabout_score.';
+        PERFORM streetgen._refuse('22023',
+            format('score function %s gave %s, expected 0 to 1', given, coalesce(score::text, 'NULL')),
+            detail => format('At the ring about %s.', ST_AsText(centre, 1)),
+            hint => 'Mend the function, or set roundabout_score to streetgen.roundabout_score.');
     END IF;
     RETURN score;
 END $$;

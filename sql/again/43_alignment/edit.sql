@@ -64,8 +64,8 @@ BEGIN
     bend := streetgen._bend_of(axis, ST_LineInterpolatePoint(ST_Force2D(axis),
         least(OLD.abscissa / ST_Length2D(axis), 1)), 0, ST_Length2D(axis));
     IF bend.abscissa IS NULL THEN
-        RAISE EXCEPTION '% is gone', subject USING ERRCODE = '22023', DETAIL = 'The axis does not bend there any more.',
-            HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('%s is gone', subject),
+            detail => 'The axis does not bend there any more.', hint => 'Refresh the layer.');
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);

@@ -36,8 +36,8 @@ DECLARE
     known bigint[];
 BEGIN
     IF TG_OP = 'INSERT' THEN
-        RAISE EXCEPTION 'a controller cannot be drawn' USING ERRCODE = '0A000',
-            HINT = 'Put a row of kind signals into control_point, or give the junction that kind.';
+        PERFORM streetgen._refuse('0A000', 'a controller cannot be drawn',
+            hint => 'Put a row of kind signals into control_point, or give the junction that kind.');
     END IF;
     subject := 'controller ' || OLD.controller_id;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.controller_id]);
@@ -52,9 +52,10 @@ BEGIN
     END IF;
     IF NEW.program IS DISTINCT FROM OLD.program THEN
         IF (NEW.program IN ('phases', 'paper')) IS NOT TRUE THEN
-            RAISE EXCEPTION 'the program of % is "%"', subject, coalesce(NEW.program, 'NULL') USING ERRCODE = '22023',
-                HINT = 'phases or paper; a function of your own is for setting signal_program. Delete the row to take '
-                    'back what was decided by hand.';
+            PERFORM streetgen._refuse('22023',
+                format('the program of %s is "%s"', subject, coalesce(NEW.program, 'NULL')),
+                hint => 'phases or paper; a function of your own is for setting signal_program. Delete the row to take '
+                    'back what was decided by hand.');
         END IF;
         decided := decided || jsonb_build_object('program', NEW.program, 'durations', NULL);
     END IF;
@@ -72,9 +73,9 @@ BEGIN
         IF cardinality(NEW.durations) IS DISTINCT FROM cardinality(OLD.durations)
             OR NOT coalesce(0.1 <= ALL (NEW.durations) AND 3600 >= ALL (NEW.durations), false)
         THEN
-            RAISE EXCEPTION 'the durations of % are %', subject, coalesce(NEW.durations::text, 'NULL')
-                USING ERRCODE = '22023', HINT = format('It has %s states of 0.1 to 3600 s each.',
-                    cardinality(OLD.durations));
+            PERFORM streetgen._refuse('22023',
+                format('the durations of %s are %s', subject, coalesce(NEW.durations::text, 'NULL')),
+                hint => format('It has %s states of 0.1 to 3600 s each.', cardinality(OLD.durations)));
         END IF;
         decided := decided || jsonb_build_object('durations', NEW.durations);
     END IF;

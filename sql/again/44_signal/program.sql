@@ -54,9 +54,10 @@ BEGIN
             WHERE a.right_of_way = 'protected' AND b.right_of_way = 'protected' AND b.number = ANY (a.conflicts)) w
         ORDER BY place, what LIMIT 1;
     IF wrong IS NOT NULL THEN
-        RAISE EXCEPTION 'signal program % gives % at junction %', program, wrong, junction USING ERRCODE = '22023',
-            HINT = 'States count from 1, last 0.1 to 3600 s, and give each movement green; protected movements do not '
-                'meet. Setting signal_program to phases needs no function.';
+        PERFORM streetgen._refuse('22023',
+            format('signal program %s gives %s at junction %s', program, wrong, junction),
+            hint => 'States count from 1, last 0.1 to 3600 s, and give each movement green; protected movements do not '
+                'meet. Setting signal_program to phases needs no function.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_signal_answers(text, bigint, streetgen.signal_request[],
@@ -84,8 +85,9 @@ BEGIN
         EXECUTE format('SELECT coalesce(array_agg(a), ''{}'') FROM %s($1) a', called) INTO answers
             USING movements;
     EXCEPTION WHEN OTHERS THEN
-        RAISE EXCEPTION 'signal program % fails at junction %: %', called, junction, SQLERRM
-            USING ERRCODE = SQLSTATE, HINT = 'Mend the function, or set signal_program to phases.';
+        PERFORM streetgen._refuse(SQLSTATE,
+            format('signal program %s fails at junction %s: %s', called, junction, SQLERRM),
+            hint => 'Mend the function, or set signal_program to phases.');
     END;
     PERFORM streetgen._check_signal_answers(program, junction, movements, answers);
     RETURN QUERY SELECT * FROM unnest(answers);

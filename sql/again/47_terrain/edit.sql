@@ -41,21 +41,23 @@ DECLARE
 BEGIN
     SELECT string_agg(attname, ', ' ORDER BY k.nth) AS columns, string_agg(coalesce(is_now ->> attname, 'NULL'), ', '
             ORDER BY k.nth) AS given, max(pg_get_expr(conbin, conrelid)) AS condition,
-            max(confrelid::regclass::text) AS other
+            bool_or(contype IN ('p', 'u')) AS taken, max(confrelid::regclass::text) AS other
         INTO rule FROM pg_constraint c, unnest(conkey) WITH ORDINALITY k(attnum, nth)
         JOIN pg_attribute a ON a.attnum = k.attnum
         WHERE conrelid = format('%I.%I', model, relation)::regclass AND a.attrelid = conrelid AND conname = broken;
     IF rule.columns IS NULL AND coalesce(missing, '') = '' THEN
-        RAISE EXCEPTION '%', message USING ERRCODE = state;
+        PERFORM streetgen._refuse(state, message);
     END IF;
-    RAISE EXCEPTION 'the % of % cannot be %', coalesce(rule.columns, missing), subject, coalesce(rule.given, 'NULL')
-        USING ERRCODE = state, DETAIL = CASE WHEN rule.columns IS NULL THEN 'A value is needed.'
+    PERFORM streetgen._refuse(state,
+        format('the %s of %s cannot be %s', coalesce(rule.columns, missing), subject, coalesce(rule.given, 'NULL')),
+        detail => CASE WHEN rule.columns IS NULL THEN 'A value is needed.'
+            WHEN rule.taken THEN format('Another row of %s has it.', relation)
             WHEN rule.condition IS NULL THEN format('There is no such row of %s.', rule.other)
             ELSE format('Expected: %s.', regexp_replace(regexp_replace(regexp_replace(rule.condition,
                 '::(double precision|text|numeric)', '', 'g'), '= ANY \(ARRAY(\[.*\])\)', 'one of \1'),
                 '[()]', '', 'g'))
-            END, HINT = 'Write another value, or leave the row as it is.',
-        SCHEMA = model, TABLE = relation, COLUMN = coalesce(rule.columns, missing), CONSTRAINT = coalesce(broken, '');
+            END, hint => 'Write another value, or leave the row as it is.', schema => model, relation => relation,
+        attribute => coalesce(rule.columns, missing), rule => broken);
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_value(name, name, name, name, jsonb, text, text) IS
     'Raises what a constraint of a table of a design refuses, with row, value, what is expected and the way out.';
@@ -75,10 +77,10 @@ BEGIN
         model) INTO length USING (is_now ->> 'design_link_id')::bigint;
     -- A link without a road tells nothing yet.
     IF length IS NOT NULL AND NOT (first >= 0 AND last <= length + 0.001) THEN
-        RAISE EXCEPTION 'the % of link % lies at % m, and the link is % m long', replace(relation, '_', ' '),
-            is_now ->> 'design_link_id', concat_ws(' to ', first, nullif(last, first)), round(length::numeric, 3)
-            USING ERRCODE = '22023',
-            HINT = format('Abscissas count from the first node of the link: expected 0 to %s.', floor(length));
+        PERFORM streetgen._refuse('22023',
+            format('the %s of link %s lies at %s m, and the link is %s m long', replace(relation, '_', ' '),
+                is_now ->> 'design_link_id', concat_ws(' to ', first, nullif(last, first)), round(length::numeric, 3)),
+            hint => format('Abscissas count from the first node of the link: expected 0 to %s.', floor(length)));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_ends(name, name, jsonb) IS
@@ -151,7 +153,7 @@ BEGIN
     PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
     PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
     RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
-EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation THEN
+EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation OR unique_violation THEN
     GET STACKED DIAGNOSTICS broken = CONSTRAINT_NAME, missing = COLUMN_NAME, at_table = TABLE_NAME;
     PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
 END $body$ $sql$, model, model);
@@ -254,8 +256,9 @@ BEGIN
         EXECUTE format('SELECT method FROM %I.design_link WHERE design_link_id = $1 AND method LIKE ''no_path%%''',
             model) INTO barred USING (edited ->> 'design_link_id')::bigint;
         IF barred IS NOT NULL THEN
-            RAISE EXCEPTION 'link % of the design would have no way: %', edited ->> 'design_link_id', barred
-                USING ERRCODE = '22023', HINT = 'Move the vertex elsewhere, or give it straight sides.';
+            PERFORM streetgen._refuse('22023',
+                format('link %s of the design would have no way: %s', edited ->> 'design_link_id', barred),
+                hint => 'Move the vertex elsewhere, or give it straight sides.');
         END IF;
     ELSIF streetgen._design_text(model, 'design_live') = 'on' THEN
         PERFORM FROM streetgen._run_stages(model, NULL, NULL);

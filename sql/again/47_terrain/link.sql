@@ -86,24 +86,26 @@ BEGIN
         AND NOT coalesce(ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1',
         model) INTO wrong;
     IF wrong.a IS NOT NULL THEN
-        RAISE EXCEPTION 'node % of the design has a coordinate that is no place', concat_ws(' ', wrong.a, wrong.name)
-            USING ERRCODE = '22023', DETAIL = 'A coordinate is NaN, infinite, beyond 1e12, or missing.',
-            HINT = 'Move the node, or delete it.';
+        PERFORM streetgen._refuse('22023',
+            format('node %s of the design has a coordinate that is no place', concat_ws(' ', wrong.a, wrong.name)),
+            detail => 'A coordinate is NaN, infinite, beyond 1e12, or missing.',
+            hint => 'Move the node, or delete it.');
     END IF;
     EXECUTE format($sql$
 SELECT a.design_node_id AS a, b.design_node_id AS b FROM %1$I.design_node a JOIN %1$I.design_node b
     ON ST_DWithin(a.geom, b.geom, 1) AND a.design_node_id < b.design_node_id WHERE NOT a.rejected AND NOT b.rejected
     LIMIT 1 $sql$, model) INTO wrong;
     IF wrong.a IS NOT NULL THEN
-        RAISE EXCEPTION 'nodes % and % of the design lie at one place', wrong.a, wrong.b USING ERRCODE = '22023',
-            HINT = 'Delete one of both, or move it by more than a metre.';
+        PERFORM streetgen._refuse('22023', format('nodes %s and %s of the design lie at one place', wrong.a, wrong.b),
+            hint => 'Delete one of both, or move it by more than a metre.');
     END IF;
     EXECUTE format($sql$
 SELECT design_node_id AS a, name, streetgen.terrain_height($1, geom) AS height FROM %1$I.design_node
 WHERE NOT rejected AND streetgen.terrain_height($1, geom) IS NULL LIMIT 1 $sql$, model) INTO wrong USING model;
     IF wrong.a IS NOT NULL THEN
-        RAISE EXCEPTION 'node % of the design has no terrain under it', concat_ws(' ', wrong.a, wrong.name)
-            USING ERRCODE = '22023', HINT = 'data/streetgen terrain FILE MODEL loads heights; or move the node.';
+        PERFORM streetgen._refuse('22023',
+            format('node %s of the design has no terrain under it', concat_ws(' ', wrong.a, wrong.name)),
+            hint => 'data/streetgen terrain FILE MODEL loads heights; or move the node.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_design_nodes(name) IS

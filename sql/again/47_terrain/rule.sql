@@ -42,15 +42,15 @@ BEGIN
     EXECUTE format('SELECT * FROM %I.design_class WHERE network = $1 AND NOT rejected', model) INTO class
         USING network;
     IF class.network IS NULL THEN
-        RAISE EXCEPTION 'network "%" has no row in design_class', network USING ERRCODE = '22023',
-            HINT = 'The networks are highway, secondary and rural, a row each.';
+        PERFORM streetgen._refuse('22023', format('network "%s" has no row in design_class', network),
+            hint => 'The networks are highway, secondary and rural, a row each.');
     END IF;
     EXECUTE format('SELECT * FROM %I.design_standard WHERE speed = $1 AND NOT rejected', model) INTO standard
         USING class.speed;
     IF standard.speed IS NULL THEN
-        RAISE EXCEPTION 'speed % km/h of network % has no row in design_standard', class.speed, network
-            USING ERRCODE = '22023', HINT = format('INSERT INTO %I.design_standard (speed, …), or take the speed of '
-                'one of its rows.', model);
+        PERFORM streetgen._refuse('22023',
+            format('speed %s km/h of network %s has no row in design_standard', class.speed, network),
+            hint => format('INSERT INTO %I.design_standard (speed, …), or take the speed of one of its rows.', model));
     END IF;
     SELECT jsonb_object_agg(p, streetgen._design_number(model, p)) INTO rules FROM unnest(streetgen._road_prices()) p;
     RETURN rules || jsonb_build_object('width', class.width, 'radius', standard.radius, 'clothoid', standard.clothoid,

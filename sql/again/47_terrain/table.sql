@@ -100,8 +100,8 @@ CREATE OR REPLACE FUNCTION streetgen._require_design(model name) RETURNS void
 BEGIN
     PERFORM streetgen._require_model(model);
     IF NOT streetgen._has_design(model) THEN
-        RAISE EXCEPTION 'model "%" has no design', model USING ERRCODE = '55000',
-            HINT = format('SELECT streetgen.create_design(%L) makes its tables.', model);
+        PERFORM streetgen._refuse('55000', format('model "%s" has no design', model),
+            hint => format('SELECT streetgen.create_design(%L) makes its tables.', model));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_design(name) IS

@@ -27,8 +27,8 @@ BEGIN
     -- Here, where who waits for whom can be told.
     EXECUTE format('SELECT FROM %I.street_object WHERE street_object_id = $1 FOR NO KEY UPDATE', model) USING object;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    RAISE EXCEPTION 'another session edits the object or its street' USING ERRCODE = '55P03',
-        DETAIL = streetgen._holders(model), HINT = 'Repeat the edit when it has ended, or raise lock_timeout.';
+    PERFORM streetgen._refuse('55P03', 'another session edits the object or its street',
+        detail => streetgen._holders(model), hint => 'Repeat the edit when it has ended, or raise lock_timeout.');
 END $$;
 COMMENT ON FUNCTION streetgen._enter_object_edit(name, bigint, bigint[], geometry[]) IS
     'Before an edit view writes an object: locks what who edits axes locks before objects, in the same order. That is '
@@ -131,8 +131,8 @@ BEGIN
         INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
         NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
     IF held IS NULL THEN
-        RAISE EXCEPTION 'object % is gone', OLD.street_object_id USING ERRCODE = '22023',
-            DETAIL = 'Another session deleted it.', HINT = 'Refresh the layer.';
+        PERFORM streetgen._refuse('22023', format('object %s is gone', OLD.street_object_id),
+            detail => 'Another session deleted it.', hint => 'Refresh the layer.');
     END IF;
     RETURN NEW;
 END $$;

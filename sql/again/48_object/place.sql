@@ -178,10 +178,11 @@ BEGIN
         model) INTO line, width, width_end, roadway_offset USING axis;
     borders := (SELECT b.borders FROM streetgen._axis_borders(model, ARRAY[axis]) b);
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    RAISE EXCEPTION 'another session edits axis %, by which % stands, or its borders', axis,
-        coalesce(holder, 'the object') USING ERRCODE = '55P03', DETAIL = streetgen._holders(model),
-        HINT = CASE WHEN holder IS NULL THEN 'Repeat the edit when it has ended, or raise lock_timeout.'
-            ELSE streetgen._object_edit_waits() END;
+    PERFORM streetgen._refuse('55P03',
+        format('another session edits axis %s, by which %s stands, or its borders', axis, coalesce(holder,
+            'the object')), detail => streetgen._holders(model),
+        hint => CASE WHEN holder IS NULL THEN 'Repeat the edit when it has ended, or raise lock_timeout.'
+            ELSE streetgen._object_edit_waits() END);
 END $$;
 COMMENT ON FUNCTION streetgen._object_axis(name, bigint, text) IS
     'The line, widths and roadway_offset (m) of an axis as the streets use them, and the borders of its roadway, '
@@ -239,15 +240,19 @@ BEGIN
         NEW.rule_place := NULL;
     END IF;
     IF NOT known THEN
-        RAISE EXCEPTION USING ERRCODE = '22023', MESSAGE = CASE WHEN NEW.type IS NULL THEN subject || ' has no type'
-            ELSE format('there is no object type "%s"', NEW.type) END,
-            HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA);
+        PERFORM streetgen._refuse('22023',
+            CASE WHEN NEW.type IS NULL THEN subject || ' has no type'
+                ELSE format('there is no object type "%s"', NEW.type) END,
+            hint => format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA));
     ELSIF NEW.side NOT IN ('left', 'right') THEN
-        RAISE EXCEPTION 'the side of % cannot be "%"', subject, NEW.side USING ERRCODE = '22023',
-            HINT = 'It is left or right.';
+        PERFORM streetgen._refuse('22023', format('the side of %s cannot be "%s"', subject, NEW.side),
+            hint => 'It is left or right.');
     ELSIF NEW.placement NOT IN ('absolute', 'axis', 'border') THEN
-        RAISE EXCEPTION 'the placement of % cannot be "%"', subject, NEW.placement USING ERRCODE = '22023',
-            HINT = 'It is absolute, axis or border.';
+        PERFORM streetgen._refuse('22023', format('the placement of %s cannot be "%s"', subject, NEW.placement),
+            hint => 'It is absolute, axis or border.');
+    ELSIF NEW.orientation_kind NOT IN ('absolute', 'axis') THEN
+        PERFORM streetgen._refuse('22023', format('the orientation_kind of %s cannot be "%s"', subject,
+            NEW.orientation_kind), hint => 'It is absolute or axis.');
     END IF;
     PERFORM streetgen._check_edit_number('the abscissa of ' || subject, NEW.abscissa, 0, 1e7, 'm', 'Drag it instead.'),
         streetgen._check_edit_number('the end of ' || subject, NEW.abscissa_end, 0, 1e7, 'm', 'Empty for a point.'),
@@ -256,8 +261,8 @@ BEGIN
             'They are counted clockwise.');
     IF NEW.axis_id IS NULL OR NEW.placement = 'absolute' THEN
         IF NEW.geom IS NULL THEN
-            RAISE EXCEPTION '% has no place', subject USING ERRCODE = '22023',
-                DETAIL = 'It has neither a geometry nor an axis.', HINT = 'Give geom, or axis_id and abscissa.';
+            PERFORM streetgen._refuse('22023', format('%s has no place', subject),
+                detail => 'It has neither a geometry nor an axis.', hint => 'Give geom, or axis_id and abscissa.');
         END IF;
         NEW.placement := 'absolute';
         NEW.method := 'absolute';
@@ -271,9 +276,9 @@ BEGIN
     END IF;
     axis := streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, CASE TG_OP WHEN 'UPDATE' THEN subject END);
     IF axis.line IS NULL THEN
-        RAISE EXCEPTION 'the axis of % is gone', subject USING ERRCODE = '22023',
-            DETAIL = format('There is no axis %s.', NEW.axis_id),
-            HINT = 'Leave axis_id empty to put it where its geometry lies.';
+        PERFORM streetgen._refuse('22023', format('the axis of %s is gone', subject),
+            detail => format('There is no axis %s.', NEW.axis_id),
+            hint => 'Leave axis_id empty to put it where its geometry lies.');
     END IF;
     IF NEW.abscissa IS NULL AND NEW.geom IS NOT NULL THEN
         place := streetgen._located(axis.line, axis.width, axis.width_end, axis.roadway_offset, axis.borders,
@@ -283,15 +288,17 @@ BEGIN
         NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN place.border_offset ELSE place.axis_offset END;
     END IF;
     IF NEW.abscissa IS NULL OR greatest(NEW.abscissa, NEW.abscissa_end) > ST_Length2D(axis.line) + 1e-6 THEN
-        RAISE EXCEPTION 'the abscissa of % cannot be %', subject, coalesce(greatest(NEW.abscissa,
-            NEW.abscissa_end)::text, 'NULL') USING ERRCODE = '22023', DETAIL = format('Axis %s is %s m long.',
-            NEW.axis_id, round(ST_Length2D(axis.line)::numeric, 3)), HINT = 'Drag it instead.';
+        PERFORM streetgen._refuse('22023',
+            format('the abscissa of %s cannot be %s', subject, coalesce(greatest(NEW.abscissa,
+                NEW.abscissa_end)::text, 'NULL')),
+            detail => format('Axis %s is %s m long.', NEW.axis_id, round(ST_Length2D(axis.line)::numeric, 3)),
+            hint => 'Drag it instead.');
     ELSIF NEW.abscissa_end - NEW.abscissa BETWEEN 0 AND 0.001 THEN
-        RAISE EXCEPTION 'the end of % lies at its start', subject USING ERRCODE = '22023',
-            DETAIL = 'A stretch is longer than a millimetre.', HINT = 'Leave abscissa_end empty for a point.';
+        PERFORM streetgen._refuse('22023', format('the end of %s lies at its start', subject),
+            detail => 'A stretch is longer than a millimetre.', hint => 'Leave abscissa_end empty for a point.');
     ELSIF NEW.placement = 'border' AND NEW.side IS NULL THEN
-        RAISE EXCEPTION 'the side of % is missing', subject USING ERRCODE = '22023',
-            DETAIL = 'It is placed by a border of the roadway.', HINT = 'It is left or right.';
+        PERFORM streetgen._refuse('22023', format('the side of %s is missing', subject),
+            detail => 'It is placed by a border of the roadway.', hint => 'It is left or right.');
     END IF;
     NEW.side := CASE NEW.placement WHEN 'border' THEN NEW.side END;
     NEW.axis_offset := coalesce(NEW.axis_offset, 0);

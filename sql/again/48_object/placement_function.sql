@@ -22,9 +22,9 @@ BEGIN
             OR (placed.abscissa BETWEEN 0 AND length) IS NOT TRUE
             OR (placed.axis_offset BETWEEN -200 AND 200) IS NOT TRUE
             OR coalesce(placed.orientation, 0) NOT BETWEEN -360 AND 360 THEN
-            RAISE EXCEPTION 'function % places % where nothing can stand', called, placed
-                USING ERRCODE = '22023', HINT = 'Type and axis are those of the model, the abscissa lies on the axis, '
-                    'side is left, right or NULL, and the offset goes up to 200 m.';
+            PERFORM streetgen._refuse('22023', format('function %s places %s where nothing can stand', called, placed),
+                hint => 'Type and axis are those of the model, the abscissa lies on the axis, '
+                    'side is left, right or NULL, and the offset goes up to 200 m.');
         END IF;
         RETURN NEXT placed;
     END LOOP;

@@ -11,10 +11,10 @@ DECLARE
 BEGIN
     IF NEW.every < 0.5 THEN
         EXECUTE format('SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM %I.axis', TG_TABLE_SCHEMA) INTO length;
-        RAISE EXCEPTION '% cannot place an object every % m', subject, NEW.every USING ERRCODE = '22023',
-            DETAIL = CASE WHEN NEW.every > 0 THEN format('It would place up to %s objects.',
+        PERFORM streetgen._refuse('22023', format('%s cannot place an object every %s m', subject, NEW.every),
+            detail => CASE WHEN NEW.every > 0 THEN format('It would place up to %s objects.',
                 ceil(2 * length / NEW.every)) ELSE 'It would never end.' END,
-            HINT = 'At least 0.5 m lie between two objects of a rule.';
+            hint => 'At least 0.5 m lie between two objects of a rule.');
     END IF;
     PERFORM streetgen._check_edit_number('the distance between objects of ' || subject, NEW.every, 0.5, 10000, 'm',
             'At most ten kilometres.'),
@@ -26,10 +26,10 @@ BEGIN
             streetgen._bay_angle(NEW.orientation));
         least := CASE NEW.side WHEN 'alternating' THEN run / 2 ELSE run END;
         IF NEW.every < least THEN
-            RAISE EXCEPTION '% cannot place a bay every % m', subject, NEW.every USING ERRCODE = '22023',
-                DETAIL = format('A bay at %s degrees takes %s m of its border.',
+            PERFORM streetgen._refuse('22023', format('%s cannot place a bay every %s m', subject, NEW.every),
+                detail => format('A bay at %s degrees takes %s m of its border.',
                     streetgen._bay_angle(NEW.orientation), round(run::numeric, 2)),
-                HINT = format('Set every to %s m or more.', ceil(10 * least) / 10);
+                hint => format('Set every to %s m or more.', ceil(10 * least) / 10));
         END IF;
     END IF;
     RETURN NEW;
@@ -290,8 +290,8 @@ BEGIN
     RETURN beside;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     IF holding THEN
-        RAISE EXCEPTION 'another session works beside the objects of this edit' USING ERRCODE = '55P03',
-            DETAIL = streetgen._holders(%2$L), HINT = streetgen._object_edit_waits();
+        PERFORM streetgen._refuse('55P03', 'another session works beside the objects of this edit',
+            detail => streetgen._holders(%2$L), hint => streetgen._object_edit_waits());
     END IF;
     RAISE;
 END $body$;

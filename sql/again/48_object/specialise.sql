@@ -138,14 +138,16 @@ BEGIN
         END IF;
     ELSIF TG_OP = 'UPDATE' THEN
         IF NEW.street_object_id IS DISTINCT FROM OLD.street_object_id THEN
-            RAISE EXCEPTION 'row % of %.% cannot become row %', OLD.street_object_id, TG_TABLE_SCHEMA, TG_TABLE_NAME,
-                NEW.street_object_id USING ERRCODE = '22023', HINT = 'Its key is that of its object.';
+            PERFORM streetgen._refuse('22023',
+                format('row %s of %s.%s cannot become row %s', OLD.street_object_id, TG_TABLE_SCHEMA, TG_TABLE_NAME,
+                    NEW.street_object_id), hint => 'Its key is that of its object.');
         END IF;
     ELSIF NEW.street_object_id IS NULL THEN
         IF NOT has_geom OR NEW.geom IS NULL THEN
-            RAISE EXCEPTION 'the new row of %.% has neither an object nor a place', TG_TABLE_SCHEMA, TG_TABLE_NAME
-                USING ERRCODE = '22023', HINT = format('Insert an object of type %s into %I.street_object_editing: '
-                'its row comes by itself.', TG_ARGV[0], TG_TABLE_SCHEMA);
+            PERFORM streetgen._refuse('22023',
+                format('the new row of %s.%s has neither an object nor a place', TG_TABLE_SCHEMA, TG_TABLE_NAME),
+                hint => format('Insert an object of type %s into %I.street_object_editing: '
+                    'its row comes by itself.', TG_ARGV[0], TG_TABLE_SCHEMA));
         END IF;
         PERFORM set_config('streetgen.specialises', TG_TABLE_NAME, true);
         EXECUTE format('INSERT INTO %I.street_object_editing (type, geom) VALUES ($1, $2) RETURNING street_object_id',

@@ -194,14 +194,14 @@ CREATE OR REPLACE FUNCTION streetgen._check_object_type() RETURNS trigger
     AS $$
 BEGIN
     IF TG_OP = 'UPDATE' AND NEW.type <> OLD.type AND OLD.type IN ('crossing', 'parking_bay') THEN
-        RAISE EXCEPTION 'object type "%" cannot be renamed', OLD.type USING ERRCODE = '22023',
-            DETAIL = 'Its objects have rows of a table of their own.',
-            HINT = 'Add a type with this one as its parent: its objects have such rows too.';
+        PERFORM streetgen._refuse('22023', format('object type "%s" cannot be renamed', OLD.type),
+            detail => 'Its objects have rows of a table of their own.',
+            hint => 'Add a type with this one as its parent: its objects have such rows too.');
     END IF;
     IF NEW.parent = NEW.type OR streetgen._is_below(TG_TABLE_SCHEMA, NEW.parent, coalesce(OLD.type, NEW.type)) THEN
-        RAISE EXCEPTION 'object type "%" cannot stand below "%"', NEW.type, NEW.parent USING ERRCODE = '22023',
-            DETAIL = format('%I stands below %I itself.', NEW.parent, NEW.type),
-            HINT = 'Take another parent, or none.';
+        PERFORM streetgen._refuse('22023', format('object type "%s" cannot stand below "%s"', NEW.type, NEW.parent),
+            detail => format('%I stands below %I itself.', NEW.parent, NEW.type),
+            hint => 'Take another parent, or none.');
     END IF;
     RETURN NEW;
 END $$;

@@ -63,11 +63,11 @@ BEGIN
     END IF;
     RETURN NULL;
 EXCEPTION WHEN object_in_use THEN
-    RAISE EXCEPTION 'keys of model "%" are missing, and cannot be made while a statement of this session reads its '
-        'tables', model USING ERRCODE = '55006',
-        DETAIL = SQLERRM, HINT =
-            format('Edit an axis first, or end the first run by clusters: CALL streetgen.generate_clusters(%L).',
-            model);
+    PERFORM streetgen._refuse('55006',
+        format('keys of model "%s" are missing, and cannot be made while a statement of this session reads its tables',
+            model), detail => SQLERRM,
+        hint => format('Edit an axis first, or end the first run by clusters: CALL streetgen.generate_clusters(%L).',
+            model));
 END $$;
 COMMENT ON FUNCTION streetgen._restore_key(name) IS
     'Makes the next of the keys that are missing and that no other session makes, and says what it made; NULL: none '

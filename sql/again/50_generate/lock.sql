@@ -10,10 +10,10 @@ DECLARE
     entered boolean := true;
 BEGIN
     IF current_setting('transaction_isolation') <> 'read committed' THEN
-        RAISE EXCEPTION 'streets of model "%" need isolation level read committed, this transaction has %', model,
-            current_setting('transaction_isolation')
-            USING ERRCODE = '0A000',
-                HINT = 'Under a higher level they would be computed from a snapshot older than the locks.';
+        PERFORM streetgen._refuse('0A000',
+            format('streets of model "%s" need isolation level read committed, this transaction has %s', model,
+                current_setting('transaction_isolation')),
+            hint => 'Under a higher level they would be computed from a snapshot older than the locks.');
     END IF;
     -- What runs goes by one state of the settings, grid of the places included: who changes one waits until it has
     -- ended.
@@ -30,8 +30,8 @@ BEGIN
     END IF;
     RETURN entered;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    RAISE EXCEPTION 'another session holds model "%"', model USING ERRCODE = '55P03',
-        DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+    PERFORM streetgen._refuse('55P03', format('another session holds model "%s"', model),
+        detail => streetgen._holders(model), hint => 'Repeat this when it has ended, or raise lock_timeout.');
 END $$;
 COMMENT ON FUNCTION streetgen._lock_model(name, boolean, boolean, boolean) IS
     'Locks the model for this transaction, its settings first: alone, or beside others that lock its places. keys: '
@@ -47,7 +47,7 @@ DECLARE
     free boolean := true;
 BEGIN
     IF num_nulls(model, alone, shared, wait) > 0 THEN
-        RAISE EXCEPTION 'the places to be locked are NULL' USING ERRCODE = '22004', HINT = 'None are an empty list.';
+        PERFORM streetgen._refuse('22004', 'the places to be locked are NULL', hint => 'None are an empty list.');
     ELSIF wait THEN
         PERFORM CASE WHEN is_alone THEN pg_advisory_xact_lock(model_key, key)
                      ELSE pg_advisory_xact_lock_shared(model_key, key) END
@@ -131,8 +131,8 @@ DECLARE
     seen pg_snapshot := pg_current_snapshot();
 BEGIN
     IF num_nulls(model, axes, wait) > 0 THEN
-        RAISE EXCEPTION 'the axes whose places are to be locked are NULL' USING ERRCODE = '22004',
-            HINT = 'None are an empty list.';
+        PERFORM streetgen._refuse('22004', 'the axes whose places are to be locked are NULL',
+            hint => 'None are an empty list.');
     END IF;
     -- A NULL among the axes has no place.
     axes := array_remove(axes, NULL);

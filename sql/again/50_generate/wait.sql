@@ -49,8 +49,8 @@ CREATE OR REPLACE FUNCTION streetgen._refuse_place(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03',
-        DETAIL = streetgen._holders(model), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+    PERFORM streetgen._refuse('55P03', format('another session works at this place of model "%s"', model),
+        detail => streetgen._holders(model), hint => 'Repeat this when it has ended, or raise lock_timeout.');
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_place(name) IS 'Raises 55P03, naming who holds places of the model.';
 
@@ -58,8 +58,8 @@ CREATE OR REPLACE FUNCTION streetgen._refuse_tables(model name, way_out text) RE
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RAISE EXCEPTION 'another session holds rows or tables of model "%"', model USING ERRCODE = '55P03',
-        DETAIL = streetgen._holders(model), HINT = way_out;
+    PERFORM streetgen._refuse('55P03', format('another session holds rows or tables of model "%s"', model),
+        detail => streetgen._holders(model), hint => way_out);
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_tables(name, text) IS
     'Raises 55P03, naming who holds rows or tables of the model.';
@@ -114,12 +114,13 @@ DECLARE
     holders constant integer[] := streetgen._place_holders(model, alone, shared);
 BEGIN
     IF streetgen._wait_for_this(holders) THEN
-        RAISE EXCEPTION 'another session works at this place of model "%", and waits for this one', model
-            USING ERRCODE = '55P03', DETAIL = streetgen._told(holders),
-            HINT = 'Roll this transaction back and repeat it: neither could go on.';
+        PERFORM streetgen._refuse('55P03',
+            format('another session works at this place of model "%s", and waits for this one', model),
+            detail => streetgen._told(holders),
+            hint => 'Roll this transaction back and repeat it: neither could go on.');
     ELSIF streetgen._time_to_wait(since) <= interval '0' THEN
-        RAISE EXCEPTION 'another session works at this place of model "%"', model USING ERRCODE = '55P03',
-            DETAIL = streetgen._told(holders), HINT = 'Repeat this when it has ended, or raise lock_timeout.';
+        PERFORM streetgen._refuse('55P03', format('another session works at this place of model "%s"', model),
+            detail => streetgen._told(holders), hint => 'Repeat this when it has ended, or raise lock_timeout.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._go_on_waiting(name, integer[], integer[], timestamptz) IS

@@ -287,8 +287,8 @@ CREATE OR REPLACE FUNCTION streetgen._check_edit_number(subject text, value floa
     AS $$
 BEGIN
     IF NOT value BETWEEN minimum AND maximum THEN
-        RAISE EXCEPTION '% cannot be %', subject, value USING ERRCODE = '22023',
-            DETAIL = concat_ws(' ', 'Expected', minimum, 'to', maximum, unit) || '.', HINT = way_out;
+        PERFORM streetgen._refuse('22023', format('%s cannot be %s', subject, value),
+            detail => concat_ws(' ', 'Expected', minimum, 'to', maximum, unit) || '.', hint => way_out);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_edit_number(text, float8, float8, float8, text, text) IS
@@ -299,13 +299,13 @@ CREATE OR REPLACE FUNCTION streetgen._check_edit_geometry(subject text, geom geo
     AS $$
 BEGIN
     IF geom IS NULL OR ST_IsEmpty(geom) THEN
-        RAISE EXCEPTION '% has no place', subject USING ERRCODE = '22023', DETAIL = 'Its geometry is NULL or empty.',
-            HINT = 'Draw it again, or undo the edit.';
+        PERFORM streetgen._refuse('22023', format('%s has no place', subject),
+            detail => 'Its geometry is NULL or empty.', hint => 'Draw it again, or undo the edit.');
     ELSIF EXISTS (SELECT FROM ST_DumpPoints(geom) p
                   WHERE NOT (ST_X(p.geom) BETWEEN -1e12 AND 1e12 AND ST_Y(p.geom) BETWEEN -1e12 AND 1e12
                       AND coalesce(ST_Z(p.geom) BETWEEN -1e12 AND 1e12, true))) THEN
-        RAISE EXCEPTION '% has a coordinate that is no place', subject USING ERRCODE = '22023',
-            DETAIL = 'A coordinate is NaN, infinite or beyond 1e12.', HINT = 'Draw it again, or undo the edit.';
+        PERFORM streetgen._refuse('22023', format('%s has a coordinate that is no place', subject),
+            detail => 'A coordinate is NaN, infinite or beyond 1e12.', hint => 'Draw it again, or undo the edit.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_edit_geometry(text, geometry) IS
@@ -318,9 +318,9 @@ BEGIN
     PERFORM streetgen._check_edit_geometry(subject, line);
     IF ST_Length2D(line) <= tolerance OR NOT EXISTS (SELECT FROM ST_DumpPoints(line) p
         WHERE NOT ST_DWithin(p.geom, ST_StartPoint(line), tolerance)) THEN
-        RAISE EXCEPTION '% would collapse to a point', subject USING ERRCODE = '22023',
-            DETAIL = format('It would stay within the tolerance of %s m.', tolerance),
-            HINT = 'Put its points farther apart, or delete the axis.';
+        PERFORM streetgen._refuse('22023', format('%s would collapse to a point', subject),
+            detail => format('It would stay within the tolerance of %s m.', tolerance),
+            hint => 'Put its points farther apart, or delete the axis.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_edit_line(text, geometry, float8) IS
@@ -330,8 +330,8 @@ CREATE OR REPLACE FUNCTION streetgen._refuse_edit(relation name, operation text,
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RAISE EXCEPTION '% of % is not possible', operation, relation USING ERRCODE = '0A000',
-        DETAIL = 'Its rows are computed from axes and overrides.', HINT = way_out;
+    PERFORM streetgen._refuse('0A000', format('%s of %s is not possible', operation, relation),
+        detail => 'Its rows are computed from axes and overrides.', hint => way_out);
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_edit(name, text, text) IS
     'Raises 0A000 for an edit that means nothing, with the way to go instead.';
@@ -345,9 +345,9 @@ BEGIN
     EXECUTE format('SELECT e.*, ST_Force2D(a.geom) AS axis FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) WHERE '
         'edge_id = $1', model) INTO place USING edge;
     IF place.edge_id IS NULL THEN
-        RAISE EXCEPTION '% lies on an axis that is gone', subject USING ERRCODE = '22023',
-            DETAIL = format('Edge %s has no axis any more.', edge),
-            HINT = format('Refresh the layer; if it is still there, SELECT * FROM streetgen.generate(%L).', model);
+        PERFORM streetgen._refuse('22023', format('%s lies on an axis that is gone', subject),
+            detail => format('Edge %s has no axis any more.', edge),
+            hint => format('Refresh the layer; if it is still there, SELECT * FROM streetgen.generate(%L).', model));
     END IF;
     RETURN place;
 END $$;

@@ -248,9 +248,7 @@ END $body$ $sql$, model, model);
     PERFORM streetgen._own_function(model, '_begin_edit()', 'Before an edit: locks the model beside other editors'),
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
-    FOR relation IN SELECT c.relname FROM pg_class c WHERE relnamespace = quote_ident(model)::regnamespace
-        AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point')
-            OR relname LIKE '%\_override') LOOP
+    FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR '
             'EACH STATEMENT EXECUTE FUNCTION %1$I._begin_edit()', model, relation);
         EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation,
