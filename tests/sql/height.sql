@@ -131,3 +131,17 @@ SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),
     ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);
+
+-- Where not all clearances can be kept, the lines tell which ones are, and no key: it says who came first.
+\ir ../../data/quarter.sql
+SELECT streetgen.create_model('copies', 2154, subjects => '{height}') \g /dev/null
+SET streetgen.live = off;
+INSERT INTO copies.axis (geom, width, width_end, lane_count, importance, level, kind, direction, name) SELECT ST_Translate(geom, 600 * (i % 6), 600 * (i / 6)), width, width_end, lane_count, importance, level, kind, direction, name FROM quarter.axis, generate_series(0, 8) i ORDER BY i, axis_id;
+SELECT FROM streetgen.generate('copies') \g /dev/null
+CREATE FUNCTION pg_temp.heights(turned bigint) RETURNS TABLE (edge_id bigint, geom geometry) LANGUAGE sql AS $$
+  SELECT turned * p.edge_id, p.geom FROM streetgen._solved_profile(
+    (SELECT array_agg(ROW (turned * e.edge_id, e.from_node, e.to_node, streetgen._ground_of('copies', e.geom, f.geom, t.geom)::bytea, 0.06, e.speed)::streetgen.profile_edge)
+      FROM copies.edge e JOIN copies.node f ON f.node_id = e.from_node JOIN copies.node t ON t.node_id = e.to_node),
+    (SELECT array_agg(ROW (turned * edge_above, abscissa_above, turned * edge_below, abscissa_below, clearance, false)::streetgen.profile_lift) FROM copies.overpass), '{}', 2154) p $$;
+SELECT 'heights are those of other keys', count(*) > 100 AND bool_and(a.geom::bytea = b.geom::bytea) FROM pg_temp.heights(1) a JOIN pg_temp.heights(-1) b USING (edge_id);
+SELECT 'clearances that cannot be kept', count(*) > 0 FROM streetgen.check_model('copies') WHERE rule = 'clearance not kept, m';

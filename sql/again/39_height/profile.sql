@@ -30,10 +30,12 @@ CREATE OR REPLACE FUNCTION streetgen._solved_profile(edges streetgen.profile_edg
     RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
-WITH edge AS MATERIALIZED (SELECT row_number() OVER (ORDER BY e.edge_id)::integer AS number, e.* FROM unnest(edges) e),
+-- Where not all clearances can be kept the order tells which ones are: by lines, since keys tell who came first.
+WITH edge AS MATERIALIZED (
+    SELECT row_number() OVER (ORDER BY e.line, e.edge_id)::integer AS number, e.* FROM unnest(edges) e),
 lift AS MATERIALIZED (
     SELECT a.number AS above, l.abscissa_above, b.number AS below, l.abscissa_below, l.clearance, l.sinks,
-        row_number() OVER (ORDER BY l.edge_above, l.abscissa_above, l.edge_below) AS turn
+        row_number() OVER (ORDER BY a.number, l.abscissa_above, b.number) AS turn
     FROM unnest(lifts) l JOIN edge a ON a.edge_id = l.edge_above JOIN edge b ON b.edge_id = l.edge_below),
 by_hand AS MATERIALIZED (SELECT e.number, h.abscissa, h.height FROM unnest(heights) h JOIN edge e USING (edge_id))
 SELECT e.edge_id, p.line::geometry, p.grade_max, p.method
