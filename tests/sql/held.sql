@@ -129,6 +129,11 @@ FROM (SELECT streetgen._places_of('town', ARRAY(SELECT generate_series(107374182
 SELECT 'few are locked one by one', (p).alone = ARRAY[1073741824, streetgen._axis_key(1), 5] AND (SELECT array_agg(key ORDER BY key) FROM unnest((p).shared) key) = ARRAY[-7, -1, streetgen._all_chains()]
 FROM (SELECT streetgen._places_of('town', ARRAY[1073741824], ARRAY[-7], ARRAY[5, streetgen._axis_key(1)]) AS p) q;
 
+-- Many keys are compared as sets: each with each would take minutes, and hear no cancel.
+SET statement_timeout = '60s';
+SELECT 'many keys are among as many', streetgen._holds_all(k, k || k) AND NOT streetgen._holds_all(k, k || 0) AND streetgen._holds_all('{1,2}', '{2}'::integer[]) AND NOT streetgen._holds_all('{1,2}', '{3}'::integer[]) FROM (SELECT array_agg(i) AS k FROM generate_series(1, 500000) i) a;
+RESET statement_timeout;
+
 -- A lock of nothing is no lock.
 SELECT 'places that are NULL are refused', test.state($$SELECT streetgen._lock_places('town', NULL::bigint[], true)$$) = '22004' AND test.state($$SELECT streetgen._lock_places('town', NULL, '{}'::integer[], true)$$) = '22004'
   AND test.state($$SELECT streetgen._lock_places('town', '{1}'::bigint[], NULL)$$) = '22004' AND test.hint($$SELECT streetgen._lock_places('town', NULL::bigint[], true)$$) <> ''

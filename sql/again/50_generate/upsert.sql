@@ -167,7 +167,7 @@ BEGIN
         EXIT WHEN spreads_to = '{}';
         -- Not to wait while places are held; where others hold theirs they stay stale.
         locked := streetgen._lock_places(model, changed || spreads_to, wait => false);
-        EXIT WHEN locked.changed <@ changed;
+        EXIT WHEN streetgen._holds_all(changed, locked.changed);
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
     RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks, edges);

@@ -42,7 +42,7 @@ BEGIN
             EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
             GET STACKED DIAGNOSTICS spreads_to = PG_EXCEPTION_HINT;
-            IF spreads_to <@ changed THEN
+            IF streetgen._holds_all(changed, spreads_to) THEN
                 RAISE;
             END IF;
             changed := changed || spreads_to;
