@@ -26,11 +26,11 @@ UPDATE town.axis SET width = 10 WHERE axis_id = 1;
 SELECT 'as it widens', abs(ST_Y(geom) - 6860006) < 1e-6 FROM town.street_object WHERE source_ref = '1';
 -- What is by hand stays, column by column, and what the source changes too is told.
 CREATE TABLE sign (id integer, kind text, turned float8, geom geometry(Point, 2154));
-INSERT INTO sign SELECT i, 'sign', 90, ST_SetSRID(ST_MakePoint(650010 + 10 * i, 6860007), 2154) FROM generate_series(1, 8) i;
+INSERT INTO sign SELECT i, 'sign', 90, ST_SetSRID(ST_MakePoint(650010 + 10 * i + 0.123, 6860007.457), 2154) FROM generate_series(1, 8) i;
 CREATE FUNCTION pg_temp.deliver() RETURNS SETOF text LANGUAGE sql AS
   $$SELECT format('%s %s', what, source_refs) FROM streetgen.import_objects('town', 'sign', '{"type": "kind", "source_ref": "id", "orientation": "turned"}') WHERE what IN ('by hand, kept', 'in conflict') ORDER BY 1$$;
 CREATE FUNCTION pg_temp.sign(ref integer) RETURNS text LANGUAGE sql AS
-  $$SELECT format('%s %s %s %s', type, round(abscissa), orientation, placed_by) FROM town.street_object WHERE source = 'sign' AND source_ref = ref::text$$;
+  $$SELECT format('%s %s %s %s', type, floor(abscissa), orientation, by_hand) FROM town.street_object WHERE source = 'sign' AND source_ref = ref::text$$;
 SELECT count(*) FROM pg_temp.deliver() \g /dev/null
 UPDATE town.street_object_editing SET abscissa = abscissa + 3 WHERE street_object_id IN (SELECT street_object_id FROM town.street_object WHERE source = 'sign' AND source_ref IN ('1', '2', '3', '8'));
 UPDATE town.street_object_editing SET type = 'lamp' WHERE street_object_id = (SELECT street_object_id FROM town.street_object WHERE source = 'sign' AND source_ref = '4');
@@ -40,21 +40,40 @@ UPDATE sign SET geom = ST_Translate(geom, 1, 0) WHERE id IN (2, 4, 6, 7);
 UPDATE sign SET kind = 'bench' WHERE id = 3;
 DELETE FROM sign WHERE id = 8;
 SELECT 'what both changed is in conflict, and told', array_agg(t) = '{"by hand, kept {1,3,4,5}","in conflict {2,6,8}"}' FROM pg_temp.deliver() t;
-SELECT 'the place by hand stays', pg_temp.sign(2) = 'sign 33 90 user' AND pg_temp.sign(8) = 'sign 93 90 user';
-SELECT 'the type of one that was moved is taken', pg_temp.sign(3) = 'bench 43 90 user';
-SELECT 'the type by hand stays, and its place follows', pg_temp.sign(4) = 'lamp 51 90 user';
+SELECT 'the place by hand stays', pg_temp.sign(2) = 'sign 33 90 {geom}' AND pg_temp.sign(8) = 'sign 93 90 {geom}';
+SELECT 'the type of one that was moved is taken', pg_temp.sign(3) = 'bench 43 90 {geom}';
+SELECT 'the type by hand stays, and its place follows', pg_temp.sign(4) = 'lamp 51 90 {type}';
 SELECT 'a deleted one stays away', count(*) = 0 FROM town.street_object WHERE source = 'sign' AND source_ref IN ('5', '6');
-SELECT 'what nobody edited follows', pg_temp.sign(7) = 'sign 81 90 import';
+SELECT 'what nobody edited follows', pg_temp.sign(7) = 'sign 81 90 {}';
 SELECT streetgen.settle_conflict('town', row_id, column_name, 'source', 'street_object') FROM town.import_conflict WHERE source = 'sign' \g /dev/null
-SELECT 'settled for the source it has what that says', pg_temp.sign(2) = 'sign 31 90 import' AND pg_temp.sign(6) = 'sign 71 90 import' AND pg_temp.sign(8) IS NULL;
+SELECT 'settled for the source it has what that says', pg_temp.sign(2) = 'sign 31 90 {}' AND pg_temp.sign(6) = 'sign 71 90 {}' AND pg_temp.sign(8) IS NULL;
 SELECT 'no conflict is left', count(*) = 0 FROM town.import_conflict;
 UPDATE sign SET geom = ST_Translate(geom, 1, 0), turned = 45;
 SELECT streetgen.set('town', 'delivery_wins', 'source') \g /dev/null
 SELECT 'where the source wins, it is told too', array_agg(t) = '{"by hand, kept {4}","in conflict {1,3,5}"}' FROM pg_temp.deliver() t;
-SELECT 'all is as the source has it but what it does not say', pg_temp.sign(1) = 'sign 21 45 import' AND pg_temp.sign(3) = 'bench 41 45 import' AND pg_temp.sign(4) LIKE 'lamp 52 45 user' AND pg_temp.sign(5) = 'sign 61 45 import';
+SELECT 'all is as the source has it but what it does not say', pg_temp.sign(1) = 'sign 21 45 {}' AND pg_temp.sign(3) = 'bench 41 45 {}' AND pg_temp.sign(4) = 'lamp 52 45 {type}' AND pg_temp.sign(5) = 'sign 61 45 {}';
 SELECT streetgen.settle_conflict('town', row_id, column_name, 'hand', 'street_object') FROM town.import_conflict WHERE source = 'sign' AND column_name = 'geom' AND source_ref = '1' \g /dev/null
-SELECT 'settled for the hand it stands where it did', pg_temp.sign(1) = 'sign 23 45 user';
+SELECT 'settled for the hand it stands where it did', pg_temp.sign(1) = 'sign 23 45 {geom}';
+SELECT streetgen.settle_conflict('town', row_id, column_name, 'source', 'street_object') FROM town.import_conflict WHERE source = 'sign' \g /dev/null
 SELECT streetgen.set('town', 'delivery_wins', 'hand') \g /dev/null
+-- Directions from the axis, stretches, streets that move, and objects at their control points.
+UPDATE town.street_object SET orientation_kind = 'axis' WHERE source = 'sign' AND source_ref = '2';
+UPDATE town.street_object SET abscissa_end = abscissa + 4 WHERE source = 'sign' AND source_ref = '3';
+INSERT INTO town.control_point (geom, kind) SELECT geom, 'stop' FROM town.street_object WHERE source = 'sign' AND source_ref = '6';
+UPDATE town.street_object SET control_point_id = (SELECT max(control_point_id) FROM town.control_point) WHERE source = 'sign' AND source_ref = '6';
+UPDATE town.street_object_editing SET orientation = 30 WHERE street_object_id = (SELECT street_object_id FROM town.street_object WHERE source = 'sign' AND source_ref = '6');
+UPDATE town.axis SET geom = ST_Translate(geom, 0, 0.3), width = width + 1 WHERE axis_id = 1;
+SELECT 'a street that moves is nobody''s hand', array_agg(t) = '{"by hand, kept {1,2,3,4,6}"}' FROM pg_temp.deliver() t;
+UPDATE sign SET geom = ST_Translate(geom, 1, 0), turned = 60 WHERE id IN (2, 3, 5, 6);
+SELECT 'what both changed of those is told', array_agg(t) = '{"by hand, kept {1,4}","in conflict {2,3,6}"}' FROM pg_temp.deliver() t;
+SELECT 'a direction from the axis stays, and its place follows', pg_temp.sign(2) = 'sign 33 45 {orientation}' AND by_hand = '45 from the axis' AND source_new = '60' FROM town.import_conflict c WHERE c.source = 'sign' AND source_ref = '2';
+SELECT 'a stretch stays', ST_Length(geom) > 3.9 AND abscissa_end IS NOT NULL FROM town.street_object WHERE source = 'sign' AND source_ref = '3';
+SELECT 'of one at its control point what was turned stays', pg_temp.sign(6) = 'sign 73 30 {orientation}' AND orientation_kind = 'absolute' FROM town.street_object WHERE source = 'sign' AND source_ref = '6';
+SELECT 'what nobody edited follows beside a street that moved', pg_temp.sign(5) = 'sign 62 60 {}';
+SELECT streetgen.settle_conflict('town', row_id, column_name, 'source', 'street_object') FROM town.import_conflict WHERE source = 'sign' \g /dev/null
+SELECT 'settled for the source nothing is by hand', pg_temp.sign(2) = 'sign 33 60 {}' AND pg_temp.sign(3) = 'bench 42 60 {}' AND pg_temp.sign(6) = 'sign 73 60 {}';
+SELECT 'and the stretch is a point', abscissa_end IS NULL AND ST_Dimension(geom) = 0 FROM town.street_object WHERE source = 'sign' AND source_ref = '3';
+UPDATE town.axis SET geom = ST_Translate(geom, 0, -0.3), width = width - 1 WHERE axis_id = 1;
 DELETE FROM town.street_object WHERE source = 'sign';
 DELETE FROM town.open_conflict;
 -- Of OpenStreetMap.

@@ -7,7 +7,8 @@ CREATE OR REPLACE FUNCTION streetgen._refuse(state text, message text, detail te
     LANGUAGE c VOLATILE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_refuse';
 COMMENT ON FUNCTION streetgen._refuse(text, text, text, text, text, text, text, text) IS
     'Raises an error with the SQLSTATE given, as RAISE does with the same words, but without CONTEXT: a refusal says '
-    'what is wrong and what to do, and a GIS shows all of it. NULL leaves a field out. No SQLSTATE: 22023.';
+    'what is wrong and what to do, and a GIS shows all of it. NULL leaves a field out. A state that is no '
+    'SQLSTATE: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._input_rule()
     RETURNS TABLE(relation name, attribute name, expected text, way_out text)

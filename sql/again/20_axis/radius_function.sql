@@ -45,12 +45,12 @@ BEGIN
         EXECUTE format('SELECT %s($1, $2, $3, $4, $5)', predictor) INTO radius USING width, speed, importance,
             lane_count, kind;
     EXCEPTION WHEN OTHERS THEN
-        RAISE EXCEPTION 'radius function % failed for axis %: %', predictor, axis, SQLERRM USING ERRCODE = SQLSTATE,
-            HINT = mend;
+        PERFORM streetgen._refuse(SQLSTATE, format('radius function %s failed for axis %s: %s', predictor, axis,
+            SQLERRM), hint => mend);
     END;
     IF NOT radius BETWEEN 0 AND 200 THEN
-        RAISE EXCEPTION 'radius function % gave % for axis %', predictor, radius, axis USING ERRCODE = '22023',
-            DETAIL = 'Expected 0 to 200 m, or NULL for the model''s own rule.', HINT = mend;
+        PERFORM streetgen._refuse('22023', format('radius function %s gave %s for axis %s', predictor, radius, axis),
+            'Expected 0 to 200 m, or NULL for the model''s own rule.', mend);
     END IF;
     RETURN radius;
 END $$;

@@ -50,7 +50,8 @@ BEGIN
     IF standard.speed IS NULL THEN
         PERFORM streetgen._refuse('22023',
             format('speed %s km/h of network %s has no row in design_standard', class.speed, network),
-            hint => format('INSERT INTO %I.design_standard (speed, …), or take the speed of one of its rows.', model));
+            hint => format('INSERT INTO %I.design_standard (speed, …), or take the speed of one of its rows.',
+                model));
     END IF;
     SELECT jsonb_object_agg(p, streetgen._design_number(model, p)) INTO rules FROM unnest(streetgen._road_prices()) p;
     RETURN rules || jsonb_build_object('width', class.width, 'radius', standard.radius, 'clothoid', standard.clothoid,

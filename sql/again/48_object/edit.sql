@@ -24,7 +24,7 @@ BEGIN
         EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
     END IF;
     PERFORM streetgen._hold_axes(model, axes, CASE WHEN ruled THEN array_remove(places, NULL) END, wait => true);
-    -- Here, where who waits for whom can be told.
+    -- A wait for the object can be told here; one of the UPDATE below ends in a deadlock of the server.
     EXECUTE format('SELECT FROM %I.street_object WHERE street_object_id = $1 FOR NO KEY UPDATE', model) USING object;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     PERFORM streetgen._refuse('55P03', 'another session edits the object or its street',

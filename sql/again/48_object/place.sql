@@ -199,6 +199,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._leave_free(name, bigint, geometry) IS
     'Keeps a place free of objects of a rule; they are renewed later in the edit.';
 
+CREATE OR REPLACE FUNCTION streetgen._changed_columns(former record, now record) RETURNS text[]
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN array_remove(ARRAY[CASE WHEN now.type IS DISTINCT FROM former.type THEN 'type' END,
+        CASE WHEN (now.orientation, now.orientation_kind) IS DISTINCT FROM (former.orientation, former.orientation_kind)
+            THEN 'orientation' END,
+        CASE WHEN (now.geom::bytea, now.placement, now.axis_id, now.abscissa, now.abscissa_end, now.side,
+            now.axis_offset) IS DISTINCT FROM (former.geom::bytea, former.placement, former.axis_id, former.abscissa,
+            former.abscissa_end, former.side, former.axis_offset) THEN 'geom' END], NULL);
+END $$;
+COMMENT ON FUNCTION streetgen._changed_columns(record, record) IS
+    'What differs between two rows of street_object: type, orientation (with its kind), geom (all that places it).';
+
 CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -208,7 +222,7 @@ DECLARE
     place record;
     known boolean;
     renamed boolean;
-    changed boolean;
+    changed text[] := '{}';
 BEGIN
     EXECUTE format('SELECT count(*) FILTER (WHERE type = $1) = 1, count(*) FILTER (WHERE type = $2) = 0
         FROM %I.object_type WHERE type IN ($1, $2)', TG_TABLE_SCHEMA) INTO known, renamed USING NEW.type, OLD.type;
@@ -220,20 +234,22 @@ BEGIN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.geom := ST_Force2D(NEW.geom);
     END IF;
-    changed := TG_OP = 'UPDATE' AND (NEW.type, NEW.geom::bytea, NEW.placement, NEW.axis_id, NEW.abscissa,
-        NEW.abscissa_end, NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind) IS DISTINCT FROM (OLD.type,
-        OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa, OLD.abscissa_end, OLD.side, OLD.axis_offset,
-        OLD.orientation, OLD.orientation_kind);
-    IF TG_OP = 'UPDATE' AND OLD.placed_by = 'rule' AND (changed
+    IF TG_OP = 'UPDATE' THEN
+        changed := streetgen._changed_columns(OLD, NEW);
+    END IF;
+    IF OLD.placed_by = 'rule' AND (changed <> '{}'
         OR (NEW.placed_by, NEW.rule_id, NEW.rule_place) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place))
     THEN
         -- It belongs to the user from then on, and the rule leaves its place free.
         PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
         NEW.placed_by := CASE NEW.placed_by WHEN 'rule' THEN 'user' ELSE NEW.placed_by END;
-    ELSIF changed AND OLD.placed_by = 'import' AND NEW.placed_by = 'import'
-        AND NOT streetgen._stands_at_control_point(TG_TABLE_SCHEMA, NEW.control_point_id, NEW.geom) THEN
+    ELSIF OLD.source_ref IS NOT NULL AND changed <> '{}' AND NEW.by_hand = OLD.by_hand THEN
+        IF 'geom' = ANY (changed) AND streetgen._stands_at_control_point(TG_TABLE_SCHEMA, NEW.control_point_id,
+            NEW.geom) THEN
+            changed := array_remove(changed, 'geom');
+        END IF;
         -- A delivery of its source keeps what is by hand.
-        NEW.placed_by := 'user';
+        NEW.by_hand := ARRAY(SELECT DISTINCT c FROM unnest(OLD.by_hand || changed) c ORDER BY c);
     END IF;
     IF NEW.placed_by <> 'rule' THEN
         NEW.rule_id := NULL;
@@ -311,6 +327,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
-    'without an axis it stands where its geometry lies. What a user changes of an object of a rule or an import makes '
-    'it the user''s; a type that was renamed does not, nor does its control point that moves. An abscissa beyond the '
-    'axis, an axis or a type that is not there, a side that is missing, a number that is none: 22023.';
+    'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s, '
+    'and of an imported one is by hand; a type that was renamed is not, nor is a move of its control point. An '
+    'abscissa beyond the axis, an axis or a type that is not there, a side that is missing, a number that is none: '
+    '22023.';

@@ -79,7 +79,8 @@ CREATE TABLE IF NOT EXISTS %1$I.street_object (
     rule_id bigint, rule_place integer, source text, source_ref text, source_hash bigint, control_point_id bigint,
     method text NOT NULL DEFAULT 'absolute' CHECK (method IN ('absolute', 'relative', 'orphaned')),
     CHECK (method <> 'relative' OR axis_id IS NOT NULL AND abscissa IS NOT NULL AND axis_offset IS NOT NULL));
-ALTER TABLE %1$I.street_object ADD IF NOT EXISTS control_point_id bigint;
+ALTER TABLE %1$I.street_object ADD IF NOT EXISTS control_point_id bigint,
+    ADD IF NOT EXISTS by_hand text[] NOT NULL DEFAULT '{}';
 CREATE INDEX IF NOT EXISTS street_object_geom ON %1$I.street_object USING gist (geom);
 CREATE INDEX IF NOT EXISTS street_object_axis ON %1$I.street_object (axis_id);
 CREATE INDEX IF NOT EXISTS street_object_type ON %1$I.street_object (type);
@@ -271,7 +272,9 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('street_object', 'axis_offset', 'metres to the left of the axis; by the border metres away from the roadway'),
     ('street_object', 'orientation', 'degrees clockwise from the axis, or from the north'),
     ('street_object', 'orientation_kind', 'axis or absolute: what orientation is counted from'),
-    ('street_object', 'placed_by', 'user (also what one changed since), import or rule'),
+    ('street_object', 'placed_by', 'user, import or rule'),
+    ('street_object', 'by_hand', 'of an imported one, what somebody changed since: type, orientation, geom '
+        '(its place)'),
     ('street_object', 'rule_id', 'the rule that placed it; 0: a function of the user; NULL: none'),
     ('street_object', 'rule_place', 'number of its place in the rule'),
     ('street_object', 'source', 'dataset of an import'),

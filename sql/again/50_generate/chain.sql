@@ -49,8 +49,7 @@ CREATE OR REPLACE FUNCTION streetgen._all_chains() RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     BEGIN ATOMIC SELECT 4095; END;
 COMMENT ON FUNCTION streetgen._all_chains() IS
-    'The key of all axes and chains of a model: whoever locks some of them shares it, whoever locks too many holds it '
-    'alone.';
+    'The key of all chains of a model: whoever locks some of them shares it, whoever locks too many holds it alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._has_chains(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

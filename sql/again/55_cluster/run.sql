@@ -221,9 +221,8 @@ FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
           GROUP BY pid HAVING bool_and(granted) AND bool_or(here AND locktype = 'advisory' AND objsubid = 2
               AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid
               AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')
-          AND bool_or(here AND relation = %2$L::regclass AND mode = 'RowShareLock')) l) s,
-     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model, format('%I.cluster', model))
-        USING model;
+          AND bool_or(here AND relation = (SELECT tableoid FROM %1$I.cluster LIMIT 1) AND mode = 'RowShareLock')) l) s,
+     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS
     'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do '

@@ -157,12 +157,13 @@ DECLARE
     columns constant text := (SELECT string_agg(name, ', ') FROM streetgen._axis_input());
     number bigint;
 BEGIN
+    PERFORM streetgen._pass_taken_keys(model, 'axis');
     PERFORM streetgen._drop_unchanged(model, 'axis', source), streetgen._bring_back(model, 'axis', source),
         streetgen._forget_gone(model, 'axis', source);
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
-    PERFORM streetgen._merge_delivery(model, 'axis', source), streetgen._pass_taken_keys(model, 'axis');
+    PERFORM streetgen._merge_delivery(model, 'axis', source);
     -- What a mapping does not mention is at its default.
     EXECUTE format($sql$
 WITH written AS (

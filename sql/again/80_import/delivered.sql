@@ -88,7 +88,7 @@ SELECT CASE relation WHEN 'axis' THEN row_id END AS axis_id, column_name, by_han
     relation, row_id, source, source_ref FROM %1$I.open_conflict;
 COMMENT ON VIEW %1$I.import_conflict IS
     'Columns that both somebody by hand and a delivery of the source changed, until one is settled: the column gets '
-    'the other value, or streetgen.settle_conflict says whose holds'
+    'the other value (not of an object), or streetgen.settle_conflict says whose holds'
 $sql$, model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_import_conflict_view(name) IS 'Makes view import_conflict of a model.';
@@ -152,8 +152,8 @@ CREATE OR REPLACE FUNCTION streetgen._row_delivered(model name, relation name) R
     AS $$ SELECT format('SELECT %3$s FROM %1$I.%2$I m WHERE m.source = d.source AND m.source_ref = d.source_ref',
         model, relation, CASE relation WHEN 'street_object' THEN (
             -- An object that nobody moved stands where its axis has it.
-            SELECT string_agg(CASE attname WHEN 'geom' THEN 'CASE WHEN m.placed_by = ''import'' OR ST_DWithin(m.geom, '
-                    'd.source_geom, 1e-6) THEN coalesce(d.source_geom, m.geom) ELSE m.geom END AS geom'
+            SELECT string_agg(CASE attname WHEN 'geom' THEN 'CASE WHEN ''geom'' = ANY (m.by_hand) THEN m.geom ELSE '
+                    'coalesce(d.source_geom, m.geom) END AS geom'
                     ELSE 'm.' || quote_ident(attname) END, ', ' ORDER BY attnum)
             FROM pg_attribute WHERE attrelid = format('%I.%I', model, relation)::regclass AND attnum > 0
                 AND NOT attisdropped) ELSE 'm.*' END) $$;
@@ -175,9 +175,10 @@ CREATE OR REPLACE FUNCTION streetgen._values_there(model name, relation name) RE
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._row_json(format('%I.%I', model, relation)::regclass, 't',
             array_remove(streetgen._delivered_columns(relation), 'geom'))
-        || CASE relation WHEN 'street_object' THEN ' || CASE WHEN t.placed_by = ''import'' THEN '
-            'jsonb_build_object(''orientation'', d.said -> ''orientation'') WHEN t.orientation = 0 AND '
-            't.orientation_kind = ''axis'' THEN ''{"orientation": null}'' ELSE ''{}'' END' ELSE '' END
+        || CASE relation WHEN 'street_object' THEN ' || jsonb_build_object(''type'', CASE WHEN ''type'' = ANY '
+            '(t.by_hand) THEN to_jsonb(t.type) ELSE d.said -> ''type'' END, ''orientation'', CASE WHEN '
+            '''orientation'' <> ALL (t.by_hand) THEN d.said -> ''orientation'' WHEN t.orientation_kind = ''axis'' '
+            'THEN to_jsonb(t.orientation || '' from the axis'') ELSE to_jsonb(t.orientation) END)' ELSE '' END
         -- An emptied width is estimated until the source says another: it is not by hand.
         || CASE relation WHEN 'axis' THEN ' || CASE WHEN t.width IS NULL AND NOT t.width_by_hand THEN '
             'jsonb_build_object(''width'', d.said -> ''width'', ''width_end'', coalesce(to_jsonb(t.width_end), '

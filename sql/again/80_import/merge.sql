@@ -234,8 +234,7 @@ BEGIN
 WITH conflict AS MATERIALIZED (SELECT DISTINCT row_id, coalesce(source_ref, $2 || ' ' || row_id) AS source_ref
     FROM %1$I.open_conflict WHERE relation = $2 AND source = $1 AND ($3 IS NULL OR source_ref = ANY ($3))),
 kept AS (
-    SELECT d.source_ref FROM %1$I.delivered d LEFT JOIN %1$I.%2$I t ON t.source = d.source
-        AND t.source_ref = d.source_ref
+    SELECT d.source_ref FROM %1$I.delivered d LEFT JOIN LATERAL (%7$s) t ON true
     WHERE d.relation = $2 AND d.source = $1 AND ($3 IS NULL OR d.source_ref = ANY ($3))
         AND d.source_ref NOT IN (SELECT source_ref FROM conflict)
         AND (t.%3$I IS NULL OR d.said IS NULL

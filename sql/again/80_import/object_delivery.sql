@@ -32,45 +32,61 @@ END $$;
 COMMENT ON FUNCTION streetgen._place_import(name) IS
     'Makes the rows of street_object that the objects of the import become at the axes that were found for them.';
 
+CREATE OR REPLACE FUNCTION streetgen._adopt_objects(model name, source text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format($sql$
+UPDATE %1$I.street_object o SET by_hand = CASE WHEN r.source_hash IS DISTINCT FROM o.source_hash
+        THEN '{type,orientation,geom}'::text[] ELSE array_remove(ARRAY[CASE WHEN o.type <> r.type THEN 'type' END,
+            CASE WHEN (o.orientation, o.orientation_kind) <> (r.orientation, r.orientation_kind) THEN 'orientation' END,
+            CASE WHEN NOT ST_DWithin(o.geom, r.geom, 0.01) THEN 'geom' END], NULL) END
+FROM %1$I.street_object s LEFT JOIN pg_temp._import_row r USING (source_ref)
+WHERE o.street_object_id = s.street_object_id AND s.source = $1 AND s.source_ref IS NOT NULL
+    AND NOT EXISTS (SELECT FROM %1$I.delivered d WHERE (d.relation, d.source, d.source_ref)
+        = ('street_object', $1, s.source_ref)) $sql$, model) USING source;
+END $$;
+COMMENT ON FUNCTION streetgen._adopt_objects(name, text) IS
+    'Finds what is by hand of objects of an older build: what differs from their source, or where that says another '
+    'thing by now, all of it.';
+
 CREATE OR REPLACE FUNCTION streetgen._write_merged_objects(model name, source text, wins text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- What nobody edited follows its source whole, also to the axis of another name.
+    -- What is not by hand follows its source, also to the axis of another name.
     EXECUTE format($sql$
 WITH taken AS (
-    SELECT id, bool_or(column_name = 'type') AS type, bool_or(column_name = 'geom') AS place,
-        bool_or(column_name = 'orientation') AS turn
-    FROM pg_temp._import_merge WHERE fate = 'taken' OR fate = 'in conflict' AND $2 = 'source' GROUP BY id),
-now AS (
-    SELECT o.street_object_id, o.abscissa_end, r.source_hash, o.placed_by = 'import' OR t.place AS place, CASE WHEN
-            o.placed_by = 'import' OR t.type THEN r.type ELSE o.type END AS type,
-        CASE WHEN o.placed_by = 'import' OR t.turn THEN r.orientation ELSE o.orientation END AS orientation,
-        CASE WHEN o.placed_by = 'import' OR t.turn THEN r.orientation_kind ELSE o.orientation_kind END AS kind,
-        o AS stood, r AS said
+    SELECT id, array_agg(column_name) AS columns FROM pg_temp._import_merge
+    WHERE fate IN ('taken', 'alike') OR fate = 'in conflict' AND $2 = 'source' GROUP BY id),
+merged AS (
+    SELECT o.street_object_id, ARRAY(SELECT c FROM unnest(o.by_hand) c WHERE t.id IS NULL OR c <> ALL (t.columns))
+        AS by_hand, o AS stood, r AS said
     FROM pg_temp._import_row r JOIN %1$I.street_object o ON o.source = $1 AND o.source_ref = r.source_ref
         LEFT JOIN taken t ON t.id = o.street_object_id
-    WHERE t.id IS NOT NULL OR o.placed_by = 'import' AND o.source_hash IS DISTINCT FROM r.source_hash),
-placed AS (
-    SELECT n.street_object_id, n.type, n.orientation, n.kind, n.source_hash, p.*, n.abscissa_end,
-        CASE WHEN n.place AND (n.orientation, n.kind, n.type) = ((n.said).orientation, (n.said).orientation_kind,
-            (n.said).type) THEN 'import' ELSE 'user' END AS placed_by
-    FROM now n CROSS JOIN LATERAL (
-        SELECT (n.said).geom, (n.said).placement, (n.said).axis_id, (n.said).abscissa, (n.said).side,
-            (n.said).axis_offset, (n.said).method WHERE n.place
-        UNION ALL SELECT (n.stood).geom, (n.stood).placement, (n.stood).axis_id, (n.stood).abscissa, (n.stood).side,
-            (n.stood).axis_offset, (n.stood).method WHERE n.place IS NOT TRUE) p)
+    WHERE t.id IS NOT NULL OR o.source_hash IS DISTINCT FROM r.source_hash),
+now AS (
+    SELECT m.street_object_id, m.by_hand, (m.said).source_hash,
+        CASE WHEN 'type' = ANY (m.by_hand) THEN (m.stood).type ELSE (m.said).type END AS type, turned.*, placed.*
+    FROM merged m CROSS JOIN LATERAL (
+        SELECT (m.stood).orientation, (m.stood).orientation_kind WHERE 'orientation' = ANY (m.by_hand)
+        UNION ALL SELECT (m.said).orientation, (m.said).orientation_kind WHERE 'orientation' <> ALL (m.by_hand)) turned
+    CROSS JOIN LATERAL (
+        SELECT (m.stood).geom, (m.stood).placement, (m.stood).axis_id, (m.stood).abscissa, (m.stood).abscissa_end,
+            (m.stood).side, (m.stood).axis_offset, (m.stood).method WHERE 'geom' = ANY (m.by_hand)
+        UNION ALL SELECT (m.said).geom, (m.said).placement, (m.said).axis_id, (m.said).abscissa, NULL,
+            (m.said).side, (m.said).axis_offset, (m.said).method WHERE 'geom' <> ALL (m.by_hand)) placed)
 UPDATE %1$I.street_object o SET (type, geom, angle, placement, axis_id, abscissa, abscissa_end, side, axis_offset,
-        orientation, orientation_kind, source_hash, method, placed_by) = (p.type, p.geom, streetgen._object_angle(
-        ST_Force2D(a.geom), p.abscissa, CASE p.placed_by WHEN 'user' THEN p.abscissa_end END, p.orientation, p.kind),
-        p.placement, p.axis_id, p.abscissa, CASE p.placed_by WHEN 'user' THEN p.abscissa_end END, p.side,
-        p.axis_offset, p.orientation, p.kind, p.source_hash, p.method, p.placed_by)
-FROM placed p LEFT JOIN %1$I.axis a ON a.axis_id = p.axis_id WHERE o.street_object_id = p.street_object_id $sql$,
+        orientation, orientation_kind, source_hash, method, by_hand) = (n.type, n.geom, streetgen._object_angle(
+        ST_Force2D(a.geom), n.abscissa, n.abscissa_end, n.orientation, n.orientation_kind), n.placement, n.axis_id,
+        n.abscissa, n.abscissa_end, n.side, n.axis_offset, n.orientation, n.orientation_kind, n.source_hash, n.method,
+        n.by_hand)
+FROM now n LEFT JOIN %1$I.axis a ON a.axis_id = n.axis_id WHERE o.street_object_id = n.street_object_id $sql$,
         model) USING source, wins;
 END $$;
 COMMENT ON FUNCTION streetgen._write_merged_objects(name, text, text) IS
-    'Writes the objects that the comparison found to be taken: those that nobody edited as their source has them, of '
-    'others the columns that are taken, or where the source wins also those in conflict.';
+    'Writes the objects that the source changed: what is not by hand as the source has it, of the rest what the '
+    'comparison found to be taken, or where the source wins also what is in conflict.';
 
 CREATE OR REPLACE FUNCTION streetgen._insert_object(model name, said jsonb) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -90,23 +106,39 @@ END $$;
 COMMENT ON FUNCTION streetgen._insert_object(name, jsonb) IS
     'Inserts an object as its source delivered it, at the nearest axis, and returns its key.';
 
-CREATE OR REPLACE FUNCTION streetgen._give_object(model name, object bigint, column_name text, value text)
-    RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._settle_object(model name, object bigint, column_name text, holds text,
+    conflict record) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'off'
     AS $$
+DECLARE
+    value constant text := CASE holds WHEN 'hand' THEN conflict.by_hand ELSE conflict.source_new END;
+    now_by_hand boolean;
 BEGIN
-    EXECUTE format('UPDATE %I.street_object_editing SET ', model) || CASE column_name WHEN 'type' THEN 'type = $2'
-        WHEN 'geom' THEN 'geom = $2::geometry' ELSE 'orientation = coalesce($2::float8, 0), orientation_kind = '
-        'CASE WHEN $2 IS NULL THEN ''axis'' ELSE ''absolute'' END' END || ' WHERE street_object_id = $1'
-        USING object, value;
-    -- With the last of what was by hand it follows its source again.
-    EXECUTE format($sql$
-UPDATE %1$I.street_object o SET placed_by = 'import' FROM %1$I.delivered d
-WHERE o.street_object_id = $1 AND (d.relation, d.source, d.source_ref) = ('street_object', o.source, o.source_ref)
-    AND $2 = 'geom' AND $3::geometry::bytea = d.source_geom::bytea AND o.type = d.said ->> 'type'
-    AND (o.orientation, o.orientation_kind) = (coalesce((d.said ->> 'orientation')::float8, 0),
-        CASE WHEN d.said ->> 'orientation' IS NULL THEN 'axis' ELSE 'absolute' END) $sql$, model)
-        USING object, column_name, value;
+    EXECUTE format('SELECT $2 = ANY (by_hand) FROM %I.street_object WHERE street_object_id = $1', model)
+        INTO now_by_hand USING object, column_name;
+    IF holds = 'hand' AND now_by_hand THEN
+        -- It stands, or was edited once more since.
+        RETURN;
+    ELSIF column_name = 'type' THEN
+        EXECUTE format('UPDATE %I.street_object SET type = $2 WHERE street_object_id = $1', model) USING object, value;
+    ELSIF column_name = 'orientation' THEN
+        EXECUTE format('UPDATE %I.street_object SET orientation = coalesce(split_part($2, '' '', 1)::float8, 0),
+            orientation_kind = CASE WHEN $2 IS NULL OR $2 LIKE ''%% axis'' THEN ''axis'' ELSE ''absolute'' END
+            WHERE street_object_id = $1', model) USING object, value;
+    ELSIF ST_Dimension(value::geometry) > 0 THEN
+        RAISE EXCEPTION 'object % was a stretch by hand', object USING ERRCODE = '22023',
+            HINT = 'Give it abscissa and abscissa_end again, or let hold what the source says.';
+    ELSE
+        -- The view of edits puts it at the nearest axis; it shows no stretches.
+        EXECUTE format('UPDATE %I.street_object SET abscissa_end = NULL, geom = ST_StartPoint(geom)
+            WHERE street_object_id = $1 AND abscissa_end IS NOT NULL', model) USING object;
+        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2::geometry WHERE street_object_id = $1', model)
+            USING object, value;
+    END IF;
+    EXECUTE format('UPDATE %I.street_object SET by_hand = CASE $3 WHEN ''hand'' THEN array_append(array_remove(by_hand,
+        $2), $2) ELSE array_remove(by_hand, $2) END WHERE street_object_id = $1', model)
+        USING object, column_name, holds;
 END $$;
-COMMENT ON FUNCTION streetgen._give_object(name, bigint, text, text) IS
-    'Gives a column of an object a value, as import_conflict shows it; a place is one at the nearest axis.';
+COMMENT ON FUNCTION streetgen._settle_object(name, bigint, text, text, record) IS
+    'Ends a conflict about a column of an object: it gets the value of the source, and is by hand no more, or that by '
+    'hand, unless it was edited since. A place is one at the nearest axis. A stretch that the source replaced: 22023.';

@@ -48,10 +48,13 @@ BEGIN
     EXECUTE 'CREATE TEMPORARY VIEW _import_said AS SELECT p.*, '
         || streetgen._row_json('pg_temp._import_part'::regclass, 'p', streetgen._delivered_columns(relation))
         || ' AS said FROM pg_temp._import_part p';
+    IF relation = 'street_object' THEN
+        PERFORM streetgen._adopt_objects(model, source);
+    END IF;
+    PERFORM streetgen._pass_taken_keys(model, relation);
     PERFORM streetgen._adopt_rows(model, relation, source), streetgen._drop_vanished(model, relation, source),
         streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
-        streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source),
-        streetgen._pass_taken_keys(model, relation);
+        streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
     EXECUTE format($sql$
 WITH written AS (
 INSERT INTO %1$I.%2$I (%3$s, source) SELECT %3$s, $1 FROM pg_temp._import_row p

@@ -139,11 +139,10 @@ BEGIN
     IF holds = 'source' AND column_name IN ('geom', '*') AND conflict.source_new IS NOT NULL THEN
         PERFORM streetgen._refuse_doubling(model, relation, row_id, conflict.source, conflict.source_ref);
     END IF;
-    IF holds = conflict.stands THEN
+    IF column_name <> '*' AND relation = 'street_object' THEN
+        PERFORM streetgen._settle_object(model, row_id, column_name, holds, conflict);
+    ELSIF holds = conflict.stands THEN
         NULL;
-    ELSIF column_name <> '*' AND relation = 'street_object' THEN
-        PERFORM streetgen._give_object(model, row_id, column_name, CASE holds WHEN 'hand'
-            THEN conflict.by_hand ELSE conflict.source_new END);
     ELSIF column_name <> '*' AND holds = 'source' AND column_name IN ('width', 'width_end') THEN
         PERFORM streetgen._give_width(model, row_id, column_name);
     ELSIF column_name <> '*' THEN
