@@ -98,7 +98,7 @@ SELECT 'an adopted model takes it back', NOT has_any_column_privilege('called_ed
 DO $$ BEGIN PERFORM streetgen.grant('town', 'called_editor', 'editor'); END $$;
 SELECT 'a table of the owner''s that is called as overrides are stays his', NOT has_table_privilege('called_editor', 'town.wind_override', 'INSERT, UPDATE, DELETE') AND NOT EXISTS (SELECT FROM pg_trigger WHERE tgrelid = 'town.wind_override'::regclass);
 CREATE FUNCTION town.measured(bigint) RETURNS bigint LANGUAGE sql SECURITY DEFINER AS 'SELECT $1';
-SELECT 'a function with the rights of the owner that cannot look for those of others is refused', r.state = '22023' AND r.said = 'function town.measured(bigint) has no line DECLARE or BEGIN to look for functions of others at' AND r.hint <> ''
+SELECT 'a function with the rights of the owner that cannot look for those of others is refused', r.state = '22023' AND r.said = 'function town.measured(bigint) has no line at which to look for functions of others' AND r.hint <> ''
   FROM test.refusal($$SELECT streetgen._own_function('town', 'measured(bigint)', 'what is measured')$$) r;
 DROP FUNCTION town.measured(bigint);
 SELECT 'its controllers have the program of the model', (SELECT program IS NULL FROM town.controller_override) AND test.state($$UPDATE town.controller_override SET program = 'ours.own_signal_program'$$) = '23514';

@@ -15,7 +15,7 @@ BEGIN
         text := pg_get_functiondef(named);
         begins := least(nullif(strpos(text, E'\nDECLARE\n'), 0), nullif(strpos(text, E'\nBEGIN\n'), 0));
         IF begins IS NULL THEN
-            RAISE EXCEPTION 'function % has no line DECLARE or BEGIN to look for functions of others at', named
+            RAISE EXCEPTION 'function % has no line at which to look for functions of others', named
                 USING ERRCODE = '22023', HINT = 'One that runs with the rights of the owner is written in PL/pgSQL.';
         END IF;
         EXECUTE left(text, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
