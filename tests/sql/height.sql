@@ -133,7 +133,9 @@ SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);
 
 -- Where not all clearances can be kept, the lines tell which ones are, and no key: it says who came first.
+\o /dev/null
 \ir ../../data/quarter.sql
+\o
 SELECT streetgen.create_model('copies', 2154, subjects => '{height}') \g /dev/null
 SET streetgen.live = off;
 INSERT INTO copies.axis (geom, width, width_end, lane_count, importance, level, kind, direction, name) SELECT ST_Translate(geom, 600 * (i % 6), 600 * (i / 6)), width, width_end, lane_count, importance, level, kind, direction, name FROM quarter.axis, generate_series(0, 8) i ORDER BY i, axis_id;
