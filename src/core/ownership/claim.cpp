@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -19,7 +20,9 @@ void add_axis(Claim& claim, const Layout& layout, int edge) {
   claim.edges.push_back(edge);
   claim.importance = std::min(claim.importance, axis.importance);
   claim.width = std::max({claim.width, axis.width, axis.width_end});
-  claim.axis_length = std::max(claim.axis_length, millimetres(layout.axis_lengths[edge]));
+  const std::int64_t size = millimetres(layout.axis_lengths[edge]);
+  auto& sizes = claim.axis_lengths;
+  sizes.insert(std::upper_bound(sizes.begin(), sizes.end(), size, std::greater<>()), size);
   claim.axis_id = std::min(claim.axis_id, axis.axis_id);
 }
 

@@ -175,8 +175,8 @@ void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Poi
 }  // namespace
 
 bool before(const Claim& a, const Claim& b) {
-  return std::tuple(a.importance, -a.width, -a.axis_length, a.axis_id, a.order_key) <
-         std::tuple(b.importance, -b.width, -b.axis_length, b.axis_id, b.order_key);
+  return std::tie(a.importance, b.width, b.axis_lengths, a.axis_id, a.order_key) <
+         std::tie(b.importance, a.width, a.axis_lengths, b.axis_id, b.order_key);
 }
 
 Dispute::Dispute(const Disputant& a, const Disputant& b) {

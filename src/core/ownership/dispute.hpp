@@ -34,8 +34,9 @@ class Dispute {
   std::vector<Line> border_;
 };
 
-// Rank where nothing nearer decides: the more important, the wider, that of the longer axis.  No
-// edit of another axis changes these.  Claims equal in all are told by axis_id and order_key.
+// Rank where nothing nearer decides: the more important, the wider, that of the longer axes, the
+// longest first.  No edit of another axis changes these.  Claims equal in all are told by axis_id
+// and order_key.
 bool before(const Claim& a, const Claim& b);
 
 }  // namespace streetgen

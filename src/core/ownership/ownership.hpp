@@ -29,17 +29,17 @@ struct Claim {
   MultiPolygon* surface = nullptr;
   const MultiPolygon* whole = nullptr;  // the surface before crowds took of it; nullptr: the same
   int level = 0;
-  std::vector<Stretch> skeleton;  // the pieces of axis that the surface was built on
-  int importance = 99;            // of its most important axis, 1 the highest
-  double width = 0;               // of its widest axis, metres
-  std::int64_t axis_length = 0;   // of its longest axis, millimetres
-  std::int64_t axis_id = 0;       // the smallest of its axes, to break ties
-  std::int64_t order_key = 0;     // distinct within one axis_id, to break ties
-  std::vector<int> edges;         // that the surface covers or ends on
-  std::optional<Point> node;      // that it is the intersection of
-  bool joins_levels = false;      // its edges lie on several
-  bool wanted = true;             // its ground is to be settled, not only that of others against it
-  double contested_area = 0;      // out: square metres left to others
+  std::vector<Stretch> skeleton;           // the pieces of axis that the surface was built on
+  int importance = 99;                     // of its most important axis, 1 the highest
+  double width = 0;                        // of its widest axis, metres
+  std::vector<std::int64_t> axis_lengths;  // of the axes of its edges, millimetres, longest first
+  std::int64_t axis_id = 0;                // the smallest of its axes, to break ties
+  std::int64_t order_key = 0;              // distinct within one axis_id, to break ties
+  std::vector<int> edges;                  // that the surface covers or ends on
+  std::optional<Point> node;               // that it is the intersection of
+  bool joins_levels = false;               // its edges lie on several
+  bool wanted = true;         // its ground is to be settled, not only that of others against it
+  double contested_area = 0;  // out: square metres left to others
 };
 
 // Levels overlap freely, but an intersection tiles with all its sections.
