@@ -102,8 +102,10 @@ bool PreparedSurface::holds(const Point& p) const {
   return boundary().passes_oddly(p, way, right);
 }
 
-bool PreparedSurface::holds_deeply(const Point& p) const {
-  return holds(p) && !boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
+bool PreparedSurface::reaches(const Point& p) const { return holds(p) || has_on_boundary(p); }
+
+bool PreparedSurface::has_on_boundary(const Point& p) const {
+  return boundary().any(box_of(p, p), [&](const Point& a, const Point& b, const Box&) {
     return distance_to_segment(p, a, b) <= same_place;
   });
 }
@@ -140,14 +142,29 @@ bool PreparedSurface::comes_near(const Point& from, const Point& to) const {
 
 void PreparedSurface::cut(const Point& from, const Point& to, std::vector<double>& at) const {
   const Point along = to - from;
+  const double square = dot(along, along), near = same_place * std::sqrt(square);
+  const auto add = [&](double t) {
+    if (t > 0 && t < 1) at.push_back(t);
+  };
   boundary().any(box_of(from, to), [&](const Point& a, const Point& b, const Box&) {
-    const Point side = b - a;
-    const double turn = cross(along, side);
-    if (turn == 0) return false;
-    const double t = cross(a - from, side) / turn, u = cross(a - from, along) / turn;
-    if (t > 0 && t < 1 && u >= 0 && u <= 1) at.push_back(t);
+    const double off_a = cross(along, a - from), off_b = cross(along, b - from);
+    const bool touches_a = std::abs(off_a) <= near, touches_b = std::abs(off_b) <= near;
+    // Noise tells no side of a vertex on the segment.
+    if (touches_a) add(dot(a - from, along) / square);
+    if (touches_b) add(dot(b - from, along) / square);
+    if (touches_a || touches_b || off_a * off_b > 0) return false;
+    add(dot(a + (b - a) * (off_a / (off_a - off_b)) - from, along) / square);
     return false;
   });
+}
+
+const Point* PreparedSurface::vertex_at(const Point& place) const {
+  const Point* found = nullptr;
+  boundary().any(box_of(place, place), [&](const Point& a, const Point&, const Box&) {
+    if (distance(a, place) <= same_place) found = &a;
+    return found != nullptr;
+  });
+  return found;
 }
 
 bool PreparedSurface::crosses(const PreparedSurface& other, const Box& shared) const {

@@ -18,10 +18,16 @@ namespace {
 
 constexpr double sample_spacing = 1.0;  // metres along the axes
 
+// Whether the two lie on either side of the line through from and to.  Noise tells no side of what
+// lies on the line, as where two stretches overlap on one edge.
+bool parted_by(const Point& from, const Point& to, const Point& a, const Point& b) {
+  const double off_a = cross(to - from, a - from), off_b = cross(to - from, b - from);
+  return off_a * off_b < 0 &&
+         std::min(std::abs(off_a), std::abs(off_b)) > same_place * distance(from, to);
+}
+
 bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a);
-  const double o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
-  return o1 * o2 < 0 && o3 * o4 < 0;
+  return parted_by(a, b, c, d) && parted_by(c, d, a, b);
 }
 
 // A segment of a claim's skeleton, with the ends of the stretch that it belongs to.
@@ -136,7 +142,8 @@ void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>
 }
 
 // The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
-// a little on. Segments that go on from each other keep their common end.
+// a little on. Segments that go on from each other keep their common end.  A part that ends at a
+// vertex goes through it: beyond the vertex it may run along the border.
 void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Point& from,
                    const Point& to, std::vector<Line>& parts) {
   const Point along = to - from, past = along * (coordinate_margin / norm(along));
@@ -163,10 +170,16 @@ void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Poi
     while (on_both(i + 1)) ++i;
     const double last = cuts[i];
     Line part;
+    const auto append_vertex = [&](double at) {
+      const Point place = from + along * at;
+      const Point* vertex = a.vertex_at(place);
+      if (vertex == nullptr) vertex = b.vertex_at(place);
+      if (vertex != nullptr) part.push_back(planar(*vertex));
+    };
     const Point start = from + along * first - past, end = from + along * last + past;
     if (first > 0 || !shared(start)) part.push_back(start);
-    if (first == 0) part.push_back(from);
-    if (last == 1) part.push_back(to);
+    first == 0 ? part.push_back(from) : append_vertex(first);
+    last == 1 ? part.push_back(to) : append_vertex(last);
     if (last < 1 || !shared(end)) part.push_back(end);
     parts.push_back(std::move(part));
   }
@@ -183,7 +196,8 @@ Dispute::Dispute(const Disputant& a, const Disputant& b) {
   Box within = a.ground->box().shared_with(b.ground->box());
   const bool first_wins = before(*a.claim, *b.claim);
   const Disputant &winner = first_wins ? a : b, &loser = first_wins ? b : a;
-  const bool takes_node = loser.claim->node && winner.ground->holds(*loser.claim->node);
+  // A node on the border would be lost by noise.
+  const bool takes_node = loser.claim->node && winner.ground->reaches(*loser.claim->node);
   crossed_ = !takes_node && skeletons_cross(*a.claim, *b.claim, within);
   first_owns_all_ = crossed_ && first_wins;
   if (crossed_) return;

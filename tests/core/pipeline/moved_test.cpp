@@ -1,0 +1,88 @@
+// Streets do not turn with the paper.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "geometry/polyline.hpp"
+#include "rounds.hpp"
+#include "streetgen/streets.hpp"
+
+namespace streetgen {
+namespace {
+
+const Point centre{340000, 4830000, 0};
+
+Point turned(const Point& p, double radians) {
+  const Point off = p - centre;
+  return centre + Point{off.x * std::cos(radians) - off.y * std::sin(radians),
+                        off.x * std::sin(radians) + off.y * std::cos(radians), 0};
+}
+
+std::vector<StreetAxis> turned(std::vector<StreetAxis> axes, double radians) {
+  for (StreetAxis& axis : axes)
+    for (Point& p : axis.line) p = turned(p, radians);
+  return axes;
+}
+
+// The area of each intersection, with its node.
+struct Ground {
+  Point node;
+  double area;
+};
+
+std::vector<Ground> grounds_of(const std::vector<StreetAxis>& axes) {
+  StreetSettings settings;
+  settings.kerb_radius_minimal = 0;
+  const Streets town = streets(axes, settings);
+  std::vector<Ground> grounds;
+  for (const Intersection& intersection : town.intersections)
+    grounds.push_back({town.network.nodes[intersection.node].point, area(intersection.surface)});
+  return grounds;
+}
+
+void expect_same(const std::vector<Ground>& grounds, const std::vector<Ground>& moved,
+                 double radians, const std::string& which) {
+  ASSERT_EQ(grounds.size(), moved.size()) << which;
+  for (const Ground& ground : grounds) {
+    const Point place = turned(ground.node, radians);
+    const auto nearest =
+        std::min_element(moved.begin(), moved.end(), [&](const Ground& a, const Ground& b) {
+          return distance(a.node, place) < distance(b.node, place);
+        });
+    EXPECT_NEAR(ground.area, nearest->area, 2e-5) << which;
+  }
+}
+
+Point place_on(const Point& from, double degrees, double metres) {
+  const double radians = degrees * M_PI / 180;
+  return from + Point{metres * std::cos(radians), metres * std::sin(radians), 0};
+}
+
+// Limits that cross meet in the middle between two nodes, on a border line that the ground of both
+// intersections and the border between their owners have in common.
+TEST(MovedStreets, ForksBesideEachOtherDivideTheirGroundAlikeHoweverTurned) {
+  for (int seed = 1; seed <= rounds(40); ++seed) {
+    std::mt19937_64 random(seed);
+    const auto degrees = [&](double least, double most) {
+      return least + (most - least) * static_cast<double>(random() % 1000) / 1000;
+    };
+    const Point a = centre, b = place_on(a, degrees(0, 360), 3 + degrees(0, 2));
+    const double on = std::atan2(b.y - a.y, b.x - a.x) * 180 / M_PI;
+    const std::vector<StreetAxis> axes{
+        {1, {place_on(a, on + degrees(90, 130), 60), a}, 0, 4, 4, 3},
+        {2, {a, b, place_on(b, on + degrees(-10, 10), 80)}, 0, 4, 4, 3},
+        {3, {a, place_on(a, on + degrees(-110, -50), 50)}, 0, 4, 4, 3},
+        {4, {place_on(b, on + degrees(-110, -50), 40), b}, 0, 4, 4, 3}};
+    const std::vector<Ground> grounds = grounds_of(axes);
+    for (int k = 1; k < 12; ++k)
+      expect_same(grounds, grounds_of(turned(axes, 0.53 * k)), 0.53 * k,
+                  "seed " + std::to_string(seed) + ", turn " + std::to_string(k));
+  }
+}
+
+}  // namespace
+}  // namespace streetgen
