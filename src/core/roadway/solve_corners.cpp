@@ -105,6 +105,29 @@ bool tapers(const Arm& a, const Arm& b, double angle) {
   return std::abs(angle - M_PI) < nearly_straight && sideways(a, b) > same_width;
 }
 
+// Whether two streets leave their node on one line, as far as the order about the node looks.
+bool leave_together(const Arm& a, const Arm& b) {
+  for (double at = 1; at <= 32; at *= 2) {
+    const Point on_a = position_at(a.line, std::min(at, length(a.line))).point,
+                on_b = position_at(b.line, std::min(at, length(b.line))).point;
+    if (distance_to_line(on_a, b.line) > same_site && distance_to_line(on_b, a.line) > same_site)
+      return false;
+  }
+  return true;
+}
+
+// Whether a wider street lies on this one: the kerb is that of the wider, and no mirror tells on
+// which side of it this one lies.
+bool within_wider(const Layout& layout, const Junction& junction, const EdgeEnd& end) {
+  const Arm& own = layout.arm(end);
+  return std::any_of(junction.ends.begin(), junction.ends.end(), [&](const EdgeEnd& other) {
+    const Arm& arm = layout.arm(other);
+    return slot(other) != slot(end) && arm.half_start > own.half_start + same_width &&
+           arm.start_to(+1) >= own.start_to(+1) && arm.start_to(-1) >= own.start_to(-1) &&
+           leave_together(own, arm);
+  });
+}
+
 // Where three edges and more meet, the kerb of such a street needs no arc.
 void make_tapers(const Layout& layout, SolvedCorners& solved) {
   for (std::size_t n = 0; n < solved.size(); ++n) {
@@ -113,7 +136,10 @@ void make_tapers(const Layout& layout, SolvedCorners& solved) {
     for (std::size_t i = 0; i < solved[n].size(); ++i) {
       SolvedCorner& corner = solved[n][i];
       const double angle = corner.gap.angle;
-      if (!tapers(layout.arm(junction.ends[i]), layout.arm(junction.next(i)), angle)) continue;
+      const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
+      if (!tapers(layout.arm(a), layout.arm(b), angle) || within_wider(layout, junction, a) ||
+          within_wider(layout, junction, b))
+        continue;
       corner = {};
       corner.method = Method::transition;
       corner.gap.angle = angle;

@@ -78,5 +78,24 @@ TEST(Taper, IsLongerWhereStreetsAreFast) {
   EXPECT_NEAR(length_at(130), 40, 1e-9);
 }
 
+// A part of a street 9 m wide again, 6 m wide: its kerbs are those of the wider, and no side of the
+// street is told from the other.
+TEST(Taper, IsNoneOfAStreetDrawnAgainWithinAWiderOne) {
+  for (const double mirror : {1.0, -1.0}) {
+    const auto place = [&](double along) { return Point{along, 0.3 * along * mirror, 0}; };
+    const Streets town = streets({{1, {place(0), place(60), place(200)}, 0, 9, 9, 6, 3},
+                                  {2, {place(150), place(40)}, 0, 6, 6, 6, 3}},
+                                 {});
+    EXPECT_TRUE(std::none_of(town.corners.begin(), town.corners.end(),
+                             [](const Corner& c) { return c.method == Method::transition; }));
+    double ground = 0, between = 0;
+    for (const Section& section : town.sections) ground += area(section.surface);
+    for (const Intersection& node : town.intersections) between += area(node.surface);
+    EXPECT_NEAR(ground + between, 9 * 200 * std::hypot(1, 0.3), 1e-4) << mirror;
+    // No longer than the nodes need.
+    EXPECT_LT(between, 3 * 9) << mirror;
+  }
+}
+
 }  // namespace
 }  // namespace streetgen
