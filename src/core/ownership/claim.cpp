@@ -11,16 +11,12 @@ namespace streetgen {
 
 namespace {
 
-// Lengths that differ by noise are equal: the bounds lie beside whole and half millimetres, which
-// are drawn.
-std::int64_t millimetres(double metres) { return std::llround(1000 * metres + 0.1137); }
-
 void add_axis(Claim& claim, const Layout& layout, int edge) {
   const StreetAxis& axis = layout.axis_of(edge);
   claim.edges.push_back(edge);
   claim.importance = std::min(claim.importance, axis.importance);
   claim.width = std::max({claim.width, axis.width, axis.width_end});
-  const std::int64_t size = millimetres(layout.axis_lengths[edge]);
+  const std::int64_t size = layout.axis_lengths[edge];
   auto& sizes = claim.axis_lengths;
   sizes.insert(std::upper_bound(sizes.begin(), sizes.end(), size, std::greater<>()), size);
   claim.axis_id = std::min(claim.axis_id, axis.axis_id);

@@ -1,6 +1,7 @@
 #include "roadway/layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <unordered_map>
 
@@ -9,6 +10,14 @@
 #include "roadway/smooth_edges.hpp"
 
 namespace streetgen {
+
+namespace {
+
+// Lengths that differ by noise are equal: the bounds lie beside whole and half millimetres, which
+// are drawn.
+std::int64_t millimetres(double metres) { return std::llround(1000 * metres + 0.1137); }
+
+}  // namespace
 
 Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted,
                const std::vector<RoadOverride>& overrides)
@@ -33,7 +42,7 @@ void Layout::add_arms(int e) {
   const Edge& edge = streets.network.edges[e];
   const StreetAxis& axis = axis_of(e);
   const double total = length(axis.line);
-  axis_lengths.push_back(total);
+  axis_lengths.push_back(millimetres(total));
   const auto half = [&](double abscissa) {
     const double share = total > 0 ? std::clamp(abscissa / total, 0.0, 1.0) : 0;
     return (axis.width + (axis.width_end - axis.width) * share) / 2;
@@ -51,7 +60,15 @@ void Layout::add_arms(int e) {
 }
 
 void Layout::sort_ends() {
+  // Of ways alike in all that the order about a node looks at the first here goes first.
+  const auto first = [&](const EdgeEnd& a, const EdgeEnd& b) {
+    const auto rank = [&](const EdgeEnd& end) {
+      return std::pair(axis_of(end.edge).importance, -axis_lengths[end.edge]);
+    };
+    return rank(a) < rank(b);
+  };
   for (int n = 0; n < static_cast<int>(junctions.size()); ++n) {
+    std::stable_sort(junctions[n].ends.begin(), junctions[n].ends.end(), first);
     std::vector<EdgeEnd> sorted;
     for (const std::size_t i : counter_clockwise(arms_of(n)))
       sorted.push_back(junctions[n].ends[i]);

@@ -2,6 +2,7 @@
 // that come about.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -52,10 +53,10 @@ struct Layout {
 
   const StreetSettings& settings;
   Streets streets;
-  std::vector<const StreetAxis*> axes;  // by edge
-  std::vector<double> axis_lengths;     // by edge, metres
-  std::vector<Arm> arms;                // by slot
-  std::vector<Junction> junctions;      // by node
+  std::vector<const StreetAxis*> axes;     // by edge
+  std::vector<std::int64_t> axis_lengths;  // by edge, millimetres
+  std::vector<Arm> arms;                   // by slot
+  std::vector<Junction> junctions;         // by node
   std::vector<MergingRun> merging_runs;
 
  private:

@@ -84,5 +84,22 @@ TEST(MovedStreets, ForksBesideEachOtherDivideTheirGroundAlikeHoweverTurned) {
   }
 }
 
+// Part of a street drawn again as another, as wide: nothing but the axes' lengths tells which lies
+// on which side.
+TEST(MovedStreets, ThatAreDrawnTwiceLieAlikeUnderAnyNumbers) {
+  const auto place = [](double along) { return centre + Point{along, 0.3 * along, 0}; };
+  std::vector<std::int64_t> numbers{1, 2, 3, 4};
+  std::vector<Ground> grounds;
+  do {
+    const std::vector<StreetAxis> axes{
+        {numbers[0], {place(0), place(40), place(200)}, 0, 7, 7, 6, 3},
+        {numbers[1], {place(40), place(150)}, 0, 7, 7, 6, 3},
+        {numbers[2], {place(40), place(40) + Point{-10, 60, 0}}, 0, 7, 7, 6, 3},
+        {numbers[3], {place(150), place(150) + Point{30, -50, 0}}, 0, 7, 7, 6, 3}};
+    if (grounds.empty()) grounds = grounds_of(axes);
+    expect_same(grounds, grounds_of(axes), 0, std::to_string(numbers[0]));
+  } while (std::next_permutation(numbers.begin(), numbers.end()));
+}
+
 }  // namespace
 }  // namespace streetgen
