@@ -1,6 +1,7 @@
 #include "traffic/lane_taper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "geometry/polyline.hpp"
@@ -8,6 +9,8 @@
 namespace streetgen {
 
 namespace {
+
+constexpr double same_share = 1e-9;  // of a width: what differs by less differs by rounding
 
 constexpr unsigned leftwards =
     turn::reverse | turn::sharp_left | turn::left | turn::slight_left | turn::merge_right;
@@ -143,7 +146,10 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     const std::vector<int>& lanes = left + right < 0 ? end.ending : end.beside;
     std::vector<double> widths = widths_at(own, 2 * half);
     std::vector<int> on_left, on_right;
-    for (const int i : lanes) (own[i] + own[i + 1] < 1 ? on_left : on_right).push_back(i);
+    // One in the middle lies on neither side.
+    for (const int i : lanes)
+      if (const double aside = own[i] + own[i + 1] - 1; std::abs(aside) > same_share)
+        (aside < 0 ? on_left : on_right).push_back(i);
     if (on_left.empty() || on_right.empty()) {
       add(widths, lanes, left + right);
     } else {

@@ -104,5 +104,19 @@ TEST(LaneTaper, IsSharedByAllWhereNoLaneChanges) {
     for (const double share : border) EXPECT_NEAR(share, border.front(), 1e-12);
 }
 
+// Of three lanes that change the one in the middle lies on neither side, whatever rounding says.
+TEST(LaneTaper, LeavesTheMiddleLaneToNoSide) {
+  LaneStrip strip = narrowing();
+  strip.profile.places[2] = {95, 4, 3};
+  TaperedLanes tapered;
+  tapered.end.ending = {0, 1, 2};
+  for (const double noise : {-1e-15, 0.0, 1e-15}) {
+    const std::vector<LaneShares> shares =
+        tapered_shares(strip, {0, 1. / 3, 2. / 3 + noise, 1}, tapered);
+    EXPECT_NEAR(strip.share_at(95, shares[1]), 2.5 / 7, 1e-9) << noise;
+    EXPECT_NEAR(strip.share_at(95, shares[2]), 5.5 / 7, 1e-9) << noise;
+  }
+}
+
 }  // namespace
 }  // namespace streetgen
