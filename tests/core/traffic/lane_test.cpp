@@ -220,16 +220,22 @@ const Town& town(unsigned seed) {
   return made.emplace(seed, std::move(town)).first->second;
 }
 
-// But for the ground of slits and holes that a section is given.
+// Lanes lie within their section and beside each other, and leave nothing of it, but for the ground
+// of slits and holes that a section is given.
 TEST(Lanes, TileTheirSection) {
   int given = 0, all = 0;
   for (unsigned seed = 1; seed <= towns; ++seed) {
     const Town& made = town(seed);
     Geos geos;
     std::vector<double> sum(made.streets.sections.size());
+    std::vector<std::vector<MultiPolygon>> grounds(sum.size());
+    const auto united_area = [&](const std::vector<MultiPolygon>& surfaces) {
+      return area(geos.polygons(geos.unite(surfaces).get()));
+    };
     for (const Lane& lane : made.lanes.lanes) {
       EXPECT_TRUE(geos.valid(geos.surface(lane.surface).get()));
       sum[lane.edge] += area(lane.surface);
+      grounds[lane.edge].push_back(lane.surface);
     }
     for (const Section& section : made.streets.sections) {
       if (section.method == Method::crossed_limits) {
@@ -240,6 +246,10 @@ TEST(Lanes, TileTheirSection) {
         ASSERT_EQ(unfilled.edge, section.edge);
         const double whole = area(section.surface), own = area(unfilled.surface);
         EXPECT_NEAR(sum[section.edge], own, 1e-6 * own);
+        std::vector<MultiPolygon>& ground = grounds[section.edge];
+        EXPECT_NEAR(united_area(ground), own, 1e-6 * own) << "no lane lies upon another";
+        ground.push_back(unfilled.surface);
+        EXPECT_NEAR(united_area(ground), own, 1e-6 * own) << "no lane lies beyond the section";
         EXPECT_GT(whole, own - 1e-6 * own);
         given += whole > own + 1e-6 * own;
         ++all;
