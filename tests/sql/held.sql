@@ -26,8 +26,10 @@ BEGIN
   EXECUTE 'SELECT coalesce(bool_and(held.of_axis(e.axis_id, e.geom)), true) FROM town.edge e WHERE ' || condition INTO all_held USING ids;
   RETURN all_held;
 END $$;
+-- Is one of the axes held, wherever it lies and lay?
 CREATE FUNCTION held.of_axes(axes bigint[]) RETURNS boolean LANGUAGE sql VOLATILE AS $$
-  SELECT EXISTS (SELECT FROM unnest(axes) a WHERE held.holds(streetgen._axis_key(a))) OR coalesce(bool_or(held.of_axis(axis_id, geom)), false) FROM (SELECT axis_id, geom FROM town.axis UNION ALL SELECT axis_id, geom FROM town.edge) l WHERE axis_id = ANY (axes) $$;
+  SELECT EXISTS (SELECT FROM unnest(axes) a WHERE held.holds(streetgen._axis_key(a))
+    OR (SELECT bool_and(held.of_axis(axis_id, geom)) FROM (SELECT axis_id, geom FROM town.axis UNION ALL SELECT axis_id, geom FROM town.edge) l WHERE axis_id = a)) $$;
 CREATE FUNCTION held.of_chain(relation name, chain bigint) RETURNS boolean LANGUAGE sql VOLATILE AS $$
   SELECT held.holds(streetgen._chain_key(relation, chain)) OR held.holds(streetgen._all_chains()) $$;
 CREATE FUNCTION held.is_covered(relation name, ids jsonb) RETURNS boolean LANGUAGE sql VOLATILE AS $$

@@ -120,10 +120,6 @@ BEGIN
             coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
-    -- Who holds the object must not wait for the axis.
-    IF NEW.placement <> 'absolute' AND dropped IS NULL THEN
-        PERFORM streetgen._object_axis(TG_TABLE_SCHEMA, NEW.axis_id, NULL);
-    END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
         'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
         'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 '
