@@ -285,7 +285,7 @@ BEGIN
         streetgen._make_object_triggers(model), streetgen._make_object_functions(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model),
-        streetgen._make_settling(model);
+        streetgen._make_settling(model), streetgen._make_own_keys(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 

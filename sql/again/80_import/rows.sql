@@ -19,19 +19,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._adopt_rows(name, name, text) IS
     'Finds what a source said last of rows of a model of an older build: what it says now, where they are alike.';
 
-CREATE OR REPLACE FUNCTION streetgen._pass_taken_keys(model name, relation name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    keys constant text := pg_get_serial_sequence(format('%I.%I', model, relation), relation || '_id');
-BEGIN
-    EXECUTE format('SELECT setval(%1$L, taken) FROM (SELECT max(%2$I) AS taken FROM %3$I.%4$I) m, %1$s
-        WHERE taken >= last_value', keys, relation || '_id', model, relation);
-END $$;
-COMMENT ON FUNCTION streetgen._pass_taken_keys(name, name) IS
-    'Lets new rows of a table of a model be numbered after all that are there: who wrote keys of his own did not count '
-    'them.';
-
 CREATE OR REPLACE FUNCTION streetgen._deliver_rows(model name, relation name, source text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public

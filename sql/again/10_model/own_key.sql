@@ -1,0 +1,65 @@
+-- Keys that somebody wrote himself: generated ones go on after them.
+
+CREATE OR REPLACE FUNCTION streetgen._generated_key(model name, relation name) RETURNS name
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT attname FROM pg_attribute JOIN streetgen._model_column() c ON c.attribute = attname
+        WHERE attrelid = format('%I.%I', model, relation)::regclass AND attidentity <> ''
+            AND c.relation = _generated_key.relation $$;
+COMMENT ON FUNCTION streetgen._generated_key(name, name) IS
+    'The column of a table of a model that is numbered where a row leaves it out; NULL for none.';
+
+CREATE OR REPLACE FUNCTION streetgen._pass_taken_keys(model name, relation name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    key constant name := streetgen._generated_key(model, relation);
+    keys constant text := pg_get_serial_sequence(format('%I.%I', model, relation), key);
+BEGIN
+    EXECUTE format('SELECT setval(%1$L, taken) FROM (SELECT max(%2$I) AS taken FROM %3$I.%4$I WHERE %2$I < $1) m, %1$s
+        WHERE taken >= last_value', keys, key, model, relation) USING streetgen._last_passed_key();
+END $$;
+COMMENT ON FUNCTION streetgen._pass_taken_keys(name, name) IS
+    'Lets new rows of a table of a model be numbered after all that are there: keys that were written while the '
+    'trigger own_key was not there, or was off.';
+
+CREATE OR REPLACE FUNCTION streetgen._last_passed_key() RETURNS bigint
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN 1::bigint << 62;
+COMMENT ON FUNCTION streetgen._last_passed_key() IS
+    'Generated keys do not go on after this one or a greater one: it would leave too few numbers to others.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_own_keys(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    relation name;
+    key name;
+BEGIN
+    -- With the rights of the model's owner, as an editor may not set the sequence.
+    EXECUTE format($sql$
+CREATE OR REPLACE FUNCTION %1$I._pass_own_key() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    AS $body$
+DECLARE
+    keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
+BEGIN
+    IF keys IS NOT NULL THEN
+        EXECUTE format('SELECT setval(%%1$L, ($1).%%2$I) FROM %%1$s WHERE ($1).%%2$I < $2 AND (($1).%%2$I > last_value '
+            'OR ($1).%%2$I = last_value AND NOT is_called)', keys, TG_ARGV[0]) USING NEW, streetgen._last_passed_key();
+    END IF;
+    RETURN NEW;
+END $body$ $sql$, model);
+    PERFORM streetgen._own_function(model, '_pass_own_key()',
+        'Before a row: where somebody wrote its key himself, generated keys go on after it');
+    FOR relation, key IN SELECT r, streetgen._generated_key(model, r) FROM unnest(streetgen._edited_tables(model)) r
+    LOOP
+        CONTINUE WHEN key IS NULL;
+        PERFORM streetgen._pass_taken_keys(model, relation);
+        EXECUTE format('CREATE OR REPLACE TRIGGER own_key BEFORE INSERT OR UPDATE OF %3$I ON %1$I.%2$I FOR EACH ROW '
+            'EXECUTE FUNCTION %1$I._pass_own_key(%3$L)', model, relation, key);
+        EXECUTE format('COMMENT ON TRIGGER own_key ON %I.%I IS %L', model, relation,
+            'Generated keys go on after one that somebody wrote himself');
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_own_keys(name) IS
+    'Makes the triggers on the input tables of a model that let generated keys go on after keys of one''s own.';
