@@ -293,6 +293,7 @@ DECLARE
   numbers name[];
   geometries name[];
   key text;
+  said text;
   part text;
   order_by text;
   geometry_of text;
@@ -303,14 +304,17 @@ BEGIN
         array_agg(col) FILTER (WHERE type = 'double precision' AND NOT test.left_out(relation, col)), array_agg(col) FILTER (WHERE type LIKE 'geometry%')
       INTO all_cols, scalars, numbers, geometries FROM test.columns(m.model, relation);
     key := (SELECT string_agg(CASE WHEN k = 'on_edge' THEN 'CASE WHEN node_id IS NULL THEN edge_id END' ELSE k END, ', ') FROM unnest(test.moved_key(relation)) k);
+    -- A row of an edge and one of a node may have one number.
+    said := (SELECT string_agg(format('coalesce((%s)::text, ''-'')', CASE WHEN k = 'on_edge' THEN 'CASE WHEN node_id IS NULL THEN edge_id END' ELSE k END), ', ') FROM unnest(test.moved_key(relation)) k);
     geometry_of := (SELECT g FROM unnest(geometries) g ORDER BY g <> 'geom' LIMIT 1);
     -- Rows of one key in their order across the paper.
     order_by := CASE WHEN geometry_of IS NOT NULL THEN format('0.8 * ST_X(ST_Centroid(%1$I)) + 0.6 * ST_Y(ST_Centroid(%1$I))', geometry_of) WHEN 'start_abscissa' = ANY (all_cols) THEN 'start_abscissa' ELSE '1' END;
     EXECUTE 'DROP TABLE IF EXISTS pg_temp.here, pg_temp.there';
-    EXECUTE format('CREATE TEMP TABLE here AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (SELECT %s FROM %I.%I t) t', key, key, order_by,
+    EXECUTE format('CREATE TEMP TABLE here AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (SELECT %s FROM %I.%I t) t', said, key, order_by,
       (SELECT string_agg(format('%s AS %I', test.plain_column(relation, col), col), ', ') FROM unnest(all_cols) col), m.model, relation);
-    EXECUTE format('CREATE TEMP TABLE there AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (%s) t', key, key, order_by, test.moved_rows(m.moved, relation, true));
-    part := (SELECT coalesce(string_agg(format('CASE WHEN abs(a.%1$I - b.%1$I) > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN 'angle' THEN 'degrees(1e-6)' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
+    EXECUTE format('CREATE TEMP TABLE there AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (%s) t', said, key, order_by, test.moved_rows(m.moved, relation, true));
+    -- Angles of a circle are the same a whole turn on.
+    part := (SELECT coalesce(string_agg(format('CASE WHEN ' || CASE n WHEN 'angle' THEN 'abs(a.%1$I - b.%1$I - 360 * round(((a.%1$I - b.%1$I) / 360)::numeric))' ELSE 'abs(a.%1$I - b.%1$I)' END || ' > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN 'angle' THEN 'degrees(1e-6)' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
       || (SELECT coalesce(string_agg(format(', CASE WHEN a.%1$I IS DISTINCT FROM b.%1$I THEN %1$L END', n), ''), '') FROM unnest(scalars) n);
     EXECUTE format($q$WITH met AS MATERIALIZED (SELECT a.key AS a_key, b.key AS b_key, concat_ws(' ', %s%s) AS cols, greatest(0%s) AS apart, %s AS area, %s AS place
         FROM here a FULL JOIN there b USING (key)), told AS (SELECT *, a_key IS NULL OR b_key IS NULL AS is_alone FROM met)
