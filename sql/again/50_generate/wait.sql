@@ -35,15 +35,30 @@ CREATE OR REPLACE FUNCTION streetgen._place_holders(model name, alone integer[],
 COMMENT ON FUNCTION streetgen._place_holders(name, integer[], integer[]) IS
     'The other sessions, as processes, for which this one would wait where it locks keys alone, or shared.';
 
-CREATE OR REPLACE FUNCTION streetgen._wait_for_this(sessions integer[]) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._wait_for_this(session integer) RETURNS boolean
     LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
     WITH RECURSIVE ahead AS (
-        SELECT pid FROM unnest(sessions) pid
+        SELECT session AS pid
         UNION SELECT unnest(pg_blocking_pids(pid)) FROM ahead WHERE pid <> pg_backend_pid())
     SELECT EXISTS (SELECT FROM ahead WHERE pid = pg_backend_pid()) $$;
-COMMENT ON FUNCTION streetgen._wait_for_this(integer[]) IS
-    'Does one of the sessions wait for what this one holds, or for who waits so?';
+COMMENT ON FUNCTION streetgen._wait_for_this(integer) IS
+    'Does a session wait for what this one holds, or for who waits so?';
+
+CREATE OR REPLACE FUNCTION streetgen._stuck(model name, holders integer[], alone integer[], shared integer[])
+    RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    waiting constant integer[] := ARRAY(SELECT pid FROM unnest(holders) pid WHERE streetgen._wait_for_this(pid));
+BEGIN
+    -- A session may have given its places back since they were looked at, and wait with its next edit at the entrance
+    -- of the model, behind a run that waits for this one. A session that waits takes none.
+    RETURN waiting <> '{}' AND waiting && streetgen._place_holders(model, alone, shared);
+END $$;
+COMMENT ON FUNCTION streetgen._stuck(name, integer[], integer[], integer[]) IS
+    'Of sessions that held places of a model a moment ago: does one wait for this one, and still hold some? Then '
+    'neither can go on.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_place(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -113,7 +128,7 @@ CREATE OR REPLACE FUNCTION streetgen._go_on_waiting(model name, alone integer[],
 DECLARE
     holders constant integer[] := streetgen._place_holders(model, alone, shared);
 BEGIN
-    IF streetgen._wait_for_this(holders) THEN
+    IF streetgen._stuck(model, holders, alone, shared) THEN
         PERFORM streetgen._refuse('55P03',
             format('another session works at this place of model "%s", and waits for this one', model),
             detail => streetgen._told(holders),
