@@ -101,6 +101,8 @@ CREATE OR REPLACE FUNCTION streetgen._input_rule()
     ('height_override', 'abscissa', '0 m or more along the axis', 'Edit height_editing, which fills it.'),
     ('height_override', 'height', '-1000 to 10000 m', 'Delete the row to have the height computed.'),
     ('overpass_override', 'clearance', '0 to 100 m', 'Leave it empty for setting clearance.'),
+    ('interconnection_override', 'lane_in', '1 to 60', 'Lanes are numbered from the middle outwards.'),
+    ('interconnection_override', 'lane_out', '1 to 60', 'Lanes are numbered from the middle outwards.'),
     ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12',
         'Leave it empty to have it computed.')
     $$;
@@ -168,7 +170,7 @@ BEGIN
     FOR broken IN
         SELECT c.oid::regclass AS input, attribute,
             string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'),
-            ' AND ') AS condition
+            ' AND ' ORDER BY condition) AS condition
         FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
         -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
         JOIN streetgen._model_column() USING (attribute)

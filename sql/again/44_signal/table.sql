@@ -61,7 +61,8 @@ CREATE TABLE IF NOT EXISTS %1$I.controller_override (
     cycle float8 CHECK (cycle BETWEEN 10 AND 3600),
     start_offset float8 CHECK (start_offset BETWEEN 0 AND 3600),
     durations float8[] CONSTRAINT durations_are_seconds
-        CHECK (0.1 <= ALL (durations) IS NOT FALSE AND 3600 >= ALL (durations) IS NOT FALSE));
+        CHECK (durations IS NULL
+            OR coalesce(durations <> '{}' AND 0.1 <= ALL (durations) AND 3600 >= ALL (durations), false)));
 CREATE INDEX IF NOT EXISTS controller_override_axis ON %1$I.controller_override (axis_id);
 CREATE INDEX IF NOT EXISTS controller_override_geom ON %1$I.controller_override USING gist (geom);
 COMMENT ON TABLE %1$I.controller_override IS

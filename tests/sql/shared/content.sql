@@ -128,12 +128,19 @@ BEGIN
   EXECUTE format('SELECT FROM streetgen.generate(%L, ARRAY(SELECT axis_id FROM %I.axis), wait => true)', anew, anew);
 END $$;
 
--- Are the streets of a model those that a run from scratch over the same input gives, with nothing left to do?
+-- What check_model finds of a model that is no error of its input, as roads that cross in turn too near for the clearance are.
 -- Without notices: a slow machine is told how far check_model is.
-CREATE FUNCTION test.followed(model name, anew name) RETURNS boolean LANGUAGE plpgsql SET client_min_messages = warning AS $$
+CREATE FUNCTION test.faults(model name) RETURNS SETOF text LANGUAGE plpgsql SET client_min_messages = warning AS $$
+BEGIN
+  RETURN QUERY SELECT concat_ws(' ', rule, relation_of, id) FROM streetgen.check_model(model) c(severity, rule, relation_of, id)
+    WHERE severity = 'error' AND rule <> 'clearance not kept, m' OR rule LIKE 'stale%' OR rule = 'not_generated';
+END $$;
+
+-- Are the streets of a model those that a run from scratch over the same input gives, with nothing left to do?
+CREATE FUNCTION test.followed(model name, anew name) RETURNS boolean LANGUAGE plpgsql AS $$
 BEGIN
   PERFORM test.generate_anew(model, anew);
-  RETURN test.same(model, anew) AND NOT EXISTS (SELECT FROM streetgen.check_model(model) WHERE severity = 'error' OR rule = 'not_generated' OR rule LIKE 'stale%');
+  RETURN test.same(model, anew) AND NOT EXISTS (SELECT FROM test.faults(model));
 END $$;
 
 -- The same within a millimetre, as after many edits: where the far end of a side moved, what crosses it may lie a step of the grid aside. NULL: yes; else what differs.
@@ -147,9 +154,7 @@ BEGIN
   SELECT string_agg(format('%s: %s', side, left(content, 300)), E'\n') INTO differs FROM (
     (SELECT 'only edited' AS side, content FROM edited e WHERE NOT EXISTS (SELECT FROM scratch s WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
     UNION ALL (SELECT 'only from scratch', content FROM scratch s WHERE NOT EXISTS (SELECT FROM edited e WHERE test.alike(e.content, s.content)) ORDER BY content LIMIT 3)
-    UNION ALL (SELECT 'check_model', concat_ws(' ', rule, relation_of, id) FROM streetgen.check_model(model) c(severity, rule, relation_of, id)
-      -- Roads that cross in turn too near for the clearance are an error of the input.
-      WHERE severity = 'error' AND rule <> 'clearance not kept, m' OR rule LIKE 'stale%' OR rule = 'not_generated' LIMIT 3)) d;
+    UNION ALL (SELECT 'check_model', fault FROM test.faults(model) fault LIMIT 3)) d;
   RETURN differs;
 END $$;
 
