@@ -138,7 +138,7 @@ UPDATE lane SET one_way = 'both' WHERE id = 3;
 SELECT 'what a delivery did not say is asked again', (name, direction) = ('other', 'both') FROM won.axis WHERE source_ref = '3';
 
 -- A model of a plain role, its editor and its reader.
-CREATE ROLE delivery_owner; CREATE ROLE delivery_editor; CREATE ROLE delivery_reader;
+CREATE ROLE delivery_owner ROLE CURRENT_USER; CREATE ROLE delivery_editor ROLE CURRENT_USER; CREATE ROLE delivery_reader ROLE CURRENT_USER;
 SELECT format('GRANT CREATE ON DATABASE %I TO delivery_owner', current_database()) \gexec
 GRANT USAGE, CREATE ON SCHEMA public TO delivery_owner; GRANT USAGE ON SCHEMA test TO delivery_owner, delivery_editor, delivery_reader;
 SET ROLE delivery_owner;
