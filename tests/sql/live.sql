@@ -62,7 +62,8 @@ INSERT INTO town.axis SELECT * FROM town.axis WHERE false;
 DELETE FROM town.axis WHERE axis_id = -1;
 SELECT 'nor does one that finds no row', count(*) = 0 FROM written;
 UPDATE town.axis SET name = 'rue de la Paix' WHERE axis_id = 3;
-SELECT 'a name is nothing that streets are made of', count(*) = 0 FROM written;
+-- Of a model with roundabouts the edge notes that what tells a roundabout was read.
+SELECT 'a name is nothing that streets are made of', count(*) = (to_regclass('town.roundabout') IS NOT NULL)::integer AND count(*) FILTER (WHERE relation <> 'edge') = 0 FROM written;
 
 -- Other statements.
 UPDATE town.axis SET width = width + 1 WHERE axis_id IN (2, 17, 30);
@@ -284,7 +285,8 @@ DROP DOMAIN pg_temp.float8;
 UPDATE town.axis SET width = 8.5 WHERE axis_id = 4;
 RESET ROLE;
 SELECT 'what an editor does is followed', test.difference('town', 'once') IS NULL AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
-SELECT 'functions in the schema are the owner''s, and those that run with its rights are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT (prosecdef AND has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE'))
+-- An editor of objects calls what holds their streets.
+SELECT 'functions in the schema are the owner''s, and those that run with its rights are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT (prosecdef AND proname <> ALL ('{_begin_ruled_edit,_lock_beside,_hold_borders}') AND has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE'))
     AND 'search_path=pg_catalog, public, pg_temp' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
   FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
 
