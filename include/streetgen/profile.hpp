@@ -60,6 +60,9 @@ struct Profiles {
   std::vector<bool> unmet;     // one per lift: the road above lies lower than it should
 };
 
+// Each edge has the heights of those that it hangs together with alone: by crossings and by nodes
+// off the ground.  What else is solved in the same call says nothing of them.
+//
 // Independent of the order of edges, but for the choice among the lifts of a circle, which goes by
 // their order.  A vertical arc bends a change of grade: over a crossing the road is lifted by what
 // the arc takes, and an arc ends where it would touch another crossing, so that clearances hold.

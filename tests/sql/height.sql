@@ -147,3 +147,17 @@ CREATE FUNCTION pg_temp.heights(turned bigint) RETURNS TABLE (edge_id bigint, ge
     (SELECT array_agg(ROW (turned * edge_above, abscissa_above, turned * edge_below, abscissa_below, clearance, false)::streetgen.profile_lift) FROM copies.overpass), '{}', 2154) p $$;
 SELECT 'heights are those of other keys', count(*) > 100 AND bool_and(a.geom::bytea = b.geom::bytea) FROM pg_temp.heights(1) a JOIN pg_temp.heights(-1) b USING (edge_id);
 SELECT 'clearances that cannot be kept', count(*) > 0 FROM streetgen.check_model('copies') WHERE rule = 'clearance not kept, m';
+
+-- Heights depend on what hangs together alone: a tunnel far away says nothing of a crossing whose clearance cannot be kept.
+SELECT streetgen.create_model('apart', 32629, subjects => '{height}') \g /dev/null
+SET streetgen.live = on;
+INSERT INTO apart.axis (axis_id, geom, direction) VALUES
+  (72, 'SRID=32629;LINESTRING(532107.30 4554729.38,532102.42 4554716.76,532102.93 4554712.93,532102.65 4554714.52,532104.83 4554704.21,532099.09 4554703.07,532085.02 4554718.72,532100.63 4554750.29,532108.03 4554749.43,532107.30 4554729.38)', 'reverse'),
+  (169, 'SRID=32629;LINESTRING(532102.93 4554712.93,532148.57 4554698.98,532265.37 4554723.51)', 'both');
+CREATE TEMPORARY TABLE alone AS SELECT edge_id, p.geom FROM apart.profile p;
+INSERT INTO apart.axis (axis_id, geom, level) VALUES (11, 'SRID=32629;LINESTRING(534000 4555000,534400 4555000)', 0), (12, 'SRID=32629;LINESTRING(534200 4554800,534200 4555200)', -1);
+SELECT 'the crossing cannot be kept, and the tunnel is sunk', (SELECT count(*) FROM streetgen.check_model('apart') WHERE rule = 'clearance not kept, m') = 1, (SELECT count(*) FROM apart.profile WHERE method = 'sunk') = 1;
+SELECT 'a run moves no height', sum(updated) = 0 FROM streetgen.generate('apart') WHERE relation = 'profile';
+SELECT 'heights are those without the tunnel', count(*) = 3 AND bool_and(p.geom::bytea = a.geom::bytea) FROM apart.profile p JOIN alone a USING (edge_id);
+UPDATE apart.axis SET width = 5 WHERE axis_id = 169;
+SELECT 'nor after an edit', sum(updated) = 0 FROM streetgen.generate('apart') WHERE relation = 'profile';

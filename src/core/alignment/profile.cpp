@@ -2,230 +2,140 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <unordered_set>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
 #include <utility>
 
-#include "alignment/height_line.hpp"
-#include "alignment/least_height.hpp"
+#include "alignment/joint_profile.hpp"
 #include "geometry/tolerance.hpp"
+#include "streetgen/cancel.hpp"
+#include "support/disjoint_sets.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double grade_base = 20;  // metres over which the grade of the ground is measured
-
-// The greatest grade of the ground between points so far apart.
-double steepest(const HeightLine& ground) {
-  double most = 0;
-  for (std::size_t i = 0, j = 0; i + 1 < ground.size(); ++i) {
-    while (j + 1 < ground.size() && ground[j].at - ground[i].at < grade_base) ++j;
-    const double apart = ground[j].at - ground[i].at;
-    if (apart >= grade_base || i == 0)
-      most = std::max(most, std::abs(ground[j].z - ground[i].z) / apart);
-  }
-  return most;
-}
-
-// The height that a vertical arc between the two greatest grades takes from its crest.
-double crest_loss(const ProfileEdge& edge) { return edge.radius * edge.grade * edge.grade / 2; }
-
-HeightLine upside_down(HeightLine heights) {
-  for (HeightPoint& point : heights) point.z = -point.z;
-  return heights;
-}
-
-class Builder {
+// Crossings join edges to clusters, and nodes off the ground join clusters, until the ground lies
+// between them: then what one holds moves no other one, whatever else is solved in the same call.
+class Clusters {
  public:
-  Builder(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
-          const std::vector<ProfileHeight>& by_hand)
-      : edges_(edges), lifts_(lifts), by_hand_(by_hand) {
-    for (const ProfileEdge& edge : edges) {
-      ground_.push_back(heights_of(edge.line));
-      grades_.push_back(std::max(edge.grade, steepest(ground_.back())));
+  Clusters(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
+           const std::vector<ProfileHeight>& by_hand)
+      : edges_(edges), lifts_(lifts), by_hand_(by_hand), groups_(static_cast<int>(edges.size())) {
+    for (int e = 0; e < groups_.size(); ++e) {
+      meet(edges[e].from_node, edges[e].line.front().z, e);
+      meet(edges[e].to_node, edges[e].line.back().z, e);
     }
-    heights_ = ground_;
-    place_.resize(edges.size());
-    is_off_ground_.assign(edges.size(), false);
-    solved_.resize(edges.size());
-    std::iota(solved_.begin(), solved_.end(), 0);
-    std::iota(place_.begin(), place_.end(), 0);
+    for (const ProfileLift& lift : lifts) groups_.join(lift.above, lift.below);
+    out_.edges.resize(edges.size());
+    out_.unmet.resize(lifts.size());
   }
 
-  Profiles build() {
-    for (const ProfileLift& lift : lifts_)
-      losses_.push_back(crest_loss(edges_[lift.sinks ? lift.below : lift.above]));
-    for (const ProfileHeight& height : by_hand_) losses_.push_back(crest_loss(edges_[height.edge]));
-    // An arc that ends at the next bend takes less than a whole one: the road need not lie so high.
-    std::size_t off_ground = 0;
-    for (int round = 0; round < most_rounds; ++round) {
-      for (const int e : solved_) heights_[e] = ground_[e];
-      lift();
-      sink();
-      const std::vector<HeightLine> straight = heights_;
-      bend();
-      const bool settled = !take_losses(straight);
-      const std::size_t before = std::exchange(off_ground, leave_out_ground());
-      if (settled && (round == 0 || off_ground == before)) break;
-    }
-    Profiles out;
-    for (std::size_t e = 0; e < edges_.size(); ++e) out.edges.push_back(profile(e));
-    for (const ProfileLift& lift : lifts_) out.unmet.push_back(is_unmet(lift));
-    return out;
+  Profiles solve() {
+    is_fresh_.assign(edges_.size(), true);
+    do {
+      for (const auto& [group, cluster] : fresh_clusters()) {
+        poll_cancel();
+        solve(cluster);
+      }
+    } while (join_off_ground());
+    return std::move(out_);
   }
 
  private:
-  // Lower losses lift and sink no road by more: a road on the ground stays there. The next rounds
-  // solve the roads off the ground, those of lifts and heights by hand, and those that meet them.
-  // Returns how many were off the ground in any round: only a circle of lifts can add one.
-  std::size_t leave_out_ground() {
-    for (const ProfileLift& lift : lifts_)
-      is_off_ground_[lift.above] = is_off_ground_[lift.below] = true;
-    for (const ProfileHeight& height : by_hand_) is_off_ground_[height.edge] = true;
-    std::unordered_set<std::int64_t> nodes;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      if (is_off_ground_[e]) nodes.insert({edges_[e].from_node, edges_[e].to_node});
-    solved_.clear();
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      if (nodes.count(edges_[e].from_node) + nodes.count(edges_[e].to_node) > 0) {
-        place_[e] = static_cast<int>(solved_.size());
-        solved_.push_back(static_cast<int>(e));
-      }
-    return std::count(is_off_ground_.begin(), is_off_ground_.end(), true);
+  struct Node {
+    double ground;  // the greatest of its edges
+    std::vector<int> edges;
+  };
+
+  // Numbers of edges, lifts and heights by hand, each in the order of all.
+  struct Cluster {
+    std::vector<int> edges, lifts, by_hand;
+  };
+
+  void meet(std::int64_t node, double ground, int edge) {
+    Node& met = nodes_.try_emplace(node, Node{ground, {}}).first->second;
+    met.ground = std::max(met.ground, ground);
+    met.edges.push_back(edge);
   }
 
-  // The roads that are solved, in the order of solved_.
-  std::vector<GradedRoad> roads(bool mirrored) const {
-    std::vector<GradedRoad> roads;
-    for (const int e : solved_)
-      roads.push_back({edges_[e].from_node, edges_[e].to_node,
-                       mirrored ? upside_down(heights_[e]) : heights_[e], grades_[e]});
-    return roads;
-  }
-
-  void set_heights(std::vector<HeightLine> solved, bool mirrored) {
-    for (std::size_t i = 0; i < solved.size(); ++i) {
-      const int e = solved_[i];
-      heights_[e] = mirrored ? upside_down(std::move(solved[i])) : std::move(solved[i]);
-      is_off_ground_[e] = is_off_ground_[e] || method_of(e) != ProfileMethod::ground;
-    }
-  }
-
-  bool is_off_ground(const ProfileHeight& height) const {
-    return height.height > height_at(ground_[height.edge], height.abscissa) + same_place;
-  }
-
-  void lift() {
-    std::vector<Lift> lifts;
-    for (std::size_t l = 0; l < lifts_.size(); ++l)
-      if (const ProfileLift& lift = lifts_[l]; !lift.sinks)
-        lifts.push_back({place_[lift.below], lift.at_below, place_[lift.above], lift.at_above,
-                         lift.clearance + losses_[l]});
-    std::vector<LeastHeight> least;
-    for (std::size_t h = 0; h < by_hand_.size(); ++h)
-      if (const ProfileHeight& height = by_hand_[h]; is_off_ground(height))
-        least.push_back(
-            {place_[height.edge], height.abscissa, height.height + losses_[lifts_.size() + h]});
-    set_heights(least_heights(roads(false), lifts, least), false);
-  }
-
-  // A road that sinks takes those along that it passes over.
-  void sink() {
-    if (std::none_of(lifts_.begin(), lifts_.end(), [](const ProfileLift& l) { return l.sinks; }))
-      return;
-    std::vector<Lift> lifts;
-    for (std::size_t l = 0; l < lifts_.size(); ++l)
-      lifts.push_back({place_[lifts_[l].above], lifts_[l].at_above, place_[lifts_[l].below],
-                       lifts_[l].at_below,
-                       lifts_[l].clearance + (lifts_[l].sinks ? losses_[l] : 0)});
-    set_heights(least_heights(roads(true), lifts, {}), true);
-  }
-
-  void bend() {
-    std::vector<KinkBounds> bounds(edges_.size());
-    for (std::size_t l = 0; l < lifts_.size(); ++l) {
-      const ProfileLift& lift = lifts_[l];
-      bounds[lift.above].fixed.push_back(lift.at_above);
-      bounds[lift.below].fixed.push_back(lift.at_below);
-      if (lift.sinks)
-        bounds[lift.below].raised.push_back({lift.at_below, losses_[l]});
-      else
-        bounds[lift.above].lowered.push_back({lift.at_above, losses_[l]});
-    }
-    for (std::size_t h = 0; h < by_hand_.size(); ++h) {
-      const ProfileHeight& height = by_hand_[h];
-      bounds[height.edge].fixed.push_back(height.abscissa);
-      if (is_off_ground(height))
-        bounds[height.edge].lowered.push_back({height.abscissa, losses_[lifts_.size() + h]});
-    }
-    for (const int e : solved_) {
-      bounds[e].ground = ground_[e];
-      bounds[e].radius = edges_[e].radius;
-      heights_[e] = without_kinks(heights_[e], bounds[e]);
-    }
-  }
-
-  // Takes what the arcs took; is that less than the roads were lifted or sunk by for them?
-  bool take_losses(const std::vector<HeightLine>& straight) {
-    bool less = false;
-    const auto take = [&](double* loss, int edge, double at) {
-      const double taken = std::abs(height_at(straight[edge], at) - height_at(heights_[edge], at));
-      if (taken <= same_place || taken >= *loss - rounding_of_losses) return;
-      *loss = taken;
-      less = true;
+  std::map<int, Cluster> fresh_clusters() {
+    std::map<int, Cluster> fresh;
+    const auto add = [&](int edge, int number, std::vector<int> Cluster::*numbers) {
+      if (is_fresh_[edge]) (fresh[groups_.of(edge)].*numbers).push_back(number);
     };
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      add(static_cast<int>(e), static_cast<int>(e), &Cluster::edges);
     for (std::size_t l = 0; l < lifts_.size(); ++l)
-      take(&losses_[l], lifts_[l].sinks ? lifts_[l].below : lifts_[l].above,
-           lifts_[l].sinks ? lifts_[l].at_below : lifts_[l].at_above);
+      add(lifts_[l].above, static_cast<int>(l), &Cluster::lifts);
     for (std::size_t h = 0; h < by_hand_.size(); ++h)
-      take(&losses_[lifts_.size() + h], by_hand_[h].edge, by_hand_[h].abscissa);
-    return less;
+      add(by_hand_[h].edge, static_cast<int>(h), &Cluster::by_hand);
+    return fresh;
   }
 
-  ProfileMethod method_of(std::size_t e) const {
-    bool lifted = false, sunk = false;
-    for (const HeightPoint& point : heights_[e]) {
-      const double over = point.z - height_at(ground_[e], point.at);
-      lifted = lifted || over > same_place;
-      sunk = sunk || over < -same_place;
+  void solve(const Cluster& cluster) {
+    std::vector<ProfileEdge> edges;
+    std::unordered_map<int, int> place;
+    for (const int e : cluster.edges) {
+      place[e] = static_cast<int>(edges.size());
+      edges.push_back(edges_[e]);
     }
-    return sunk ? ProfileMethod::sunk : lifted ? ProfileMethod::lifted : ProfileMethod::ground;
+    std::vector<ProfileLift> lifts;
+    for (const int l : cluster.lifts) {
+      lifts.push_back(lifts_[l]);
+      lifts.back().above = place.at(lifts_[l].above);
+      lifts.back().below = place.at(lifts_[l].below);
+    }
+    std::vector<ProfileHeight> by_hand;
+    for (const int h : cluster.by_hand) {
+      by_hand.push_back(by_hand_[h]);
+      by_hand.back().edge = place.at(by_hand_[h].edge);
+    }
+    Profiles solved = joint_profiles(edges, lifts, by_hand);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      out_.edges[cluster.edges[i]] = std::move(solved.edges[i]);
+    for (std::size_t i = 0; i < lifts.size(); ++i) out_.unmet[cluster.lifts[i]] = solved.unmet[i];
   }
 
-  Profile profile(std::size_t e) const {
-    const ProfileMethod method = method_of(e);
-    return {method == ProfileMethod::ground ? edges_[e].line
-                                            : with_heights(edges_[e].line, heights_[e]),
-            method, grades_[e]};
+  // Whether any cluster grew: the edges of those are fresh.
+  bool join_off_ground() {
+    std::vector<int> joined;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Line& road = out_.edges[e].line;
+      join_at(nodes_.at(edges_[e].from_node), road.front().z, &joined);
+      join_at(nodes_.at(edges_[e].to_node), road.back().z, &joined);
+    }
+    std::vector<bool> has_grown(edges_.size());
+    for (const int e : joined) has_grown[groups_.of(e)] = true;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      is_fresh_[e] = has_grown[groups_.of(static_cast<int>(e))];
+    return !joined.empty();
   }
 
-  bool is_unmet(const ProfileLift& lift) const {
-    return height_at(heights_[lift.above], lift.at_above) <
-           height_at(heights_[lift.below], lift.at_below) + lift.clearance - same_place;
+  void join_at(const Node& node, double height, std::vector<int>* joined) {
+    if (std::abs(height - node.ground) <= same_place) return;
+    for (const int e : node.edges)
+      if (groups_.of(e) != groups_.of(node.edges.front())) {
+        groups_.join(e, node.edges.front());
+        joined->push_back(e);
+      }
   }
-
-  // Each round leaves a quarter of what is too high on flat ground.
-  static constexpr int most_rounds = 20;
-  static constexpr double rounding_of_losses = 1e-8;  // metres
 
   const std::vector<ProfileEdge>& edges_;
   const std::vector<ProfileLift>& lifts_;
   const std::vector<ProfileHeight>& by_hand_;
-  std::vector<HeightLine> ground_, heights_;
-  std::vector<double> grades_;
-  std::vector<int> solved_;          // the edges of a round
-  std::vector<int> place_;           // of an edge in solved_
-  std::vector<bool> is_off_ground_;  // of an edge, in any round so far
-  // Metres that the arc over each lift, and at each height by hand, may take.
-  std::vector<double> losses_;
+  Groups groups_;  // of edges, a group for each cluster
+  std::unordered_map<std::int64_t, Node> nodes_;
+  std::vector<bool> is_fresh_;  // edges of clusters that grew since they were solved
+  Profiles out_;
 };
 
 }  // namespace
 
 Profiles profiles(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
                   const std::vector<ProfileHeight>& by_hand) {
-  return Builder(edges, lifts, by_hand).build();
+  return Clusters(edges, lifts, by_hand).solve();
 }
 
 }  // namespace streetgen

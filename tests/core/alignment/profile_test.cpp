@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -105,6 +106,68 @@ TEST(Profile, TellsARoadThatCannotBeLifted) {
     for (const Profile& profile : all.edges)
       for (const Point& point : profile.line) EXPECT_TRUE(std::isfinite(point.z));
   }
+}
+
+// Roads on flat ground that cross at random: not all clearances can be kept.
+struct Net {
+  std::vector<ProfileEdge> edges;
+  std::vector<ProfileLift> lifts;
+};
+
+Net random_net(std::mt19937_64* random, bool sinks) {
+  Net net;
+  const int nodes = 8, count = 10;
+  for (int e = 0; e < count; ++e) {
+    const double length = 10 + static_cast<double>((*random)() % 300);
+    const int from = static_cast<int>((*random)() % nodes),
+              to = static_cast<int>((*random)() % nodes);
+    net.edges.push_back(edge(from, to, {{0, 0}, {length, 0}}, 400));
+  }
+  const auto place = [&](int e) {
+    return net.edges[e].line.back().x * static_cast<double>((*random)() % 100) / 100;
+  };
+  for (int l = 0; l < 4; ++l) {
+    const int above = static_cast<int>((*random)() % count), below = (above + 1 + l % 2) % count;
+    const double at_above = place(above), at_below = place(below);
+    net.lifts.push_back(
+        {above, at_above, below, at_below, clearance, sinks && (*random)() % 2 == 0});
+  }
+  return net;
+}
+
+Net together(Net net, const Net& other) {
+  const int edges = static_cast<int>(net.edges.size());
+  for (ProfileEdge edge : other.edges) {
+    edge.from_node += 1000, edge.to_node += 1000;
+    net.edges.push_back(edge);
+  }
+  for (ProfileLift lift : other.lifts) {
+    lift.above += edges, lift.below += edges;
+    net.lifts.push_back(lift);
+  }
+  return net;
+}
+
+TEST(Profile, IsThatOfEachNetAlone) {
+  std::mt19937_64 random(42);
+  int unmet = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Net lifted = random_net(&random, false), sunk = random_net(&random, true);
+    const Net both = together(lifted, sunk);
+    const Profiles all = profiles(both.edges, both.lifts, {});
+    const Profiles first = profiles(lifted.edges, lifted.lifts, {}),
+                   second = profiles(sunk.edges, sunk.lifts, {});
+    unmet += static_cast<int>(std::count(first.unmet.begin(), first.unmet.end(), true));
+    for (std::size_t e = 0; e < all.edges.size(); ++e) {
+      const std::size_t other = e - first.edges.size();
+      const Line& alone = e < first.edges.size() ? first.edges[e].line : second.edges[other].line;
+      const Line& road = all.edges[e].line;
+      ASSERT_EQ(road.size(), alone.size()) << "round " << round << " edge " << e;
+      for (std::size_t i = 0; i < road.size(); ++i)
+        ASSERT_EQ(road[i].z, alone[i].z) << "round " << round << " edge " << e;
+    }
+  }
+  EXPECT_GT(unmet, 100);
 }
 
 // Heights of random nets against a plain iteration over all constraints.

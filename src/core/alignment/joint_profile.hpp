@@ -1,0 +1,14 @@
+// Heights of roads that are solved together: each of them can move each other one.
+#pragma once
+
+#include <vector>
+
+#include "streetgen/profile.hpp"
+
+namespace streetgen {
+
+Profiles joint_profiles(const std::vector<ProfileEdge>& edges,
+                        const std::vector<ProfileLift>& lifts,
+                        const std::vector<ProfileHeight>& by_hand);
+
+}  // namespace streetgen
