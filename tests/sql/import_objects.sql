@@ -132,6 +132,7 @@ SELECT 'a mapping of something else', test.state($$SELECT streetgen.import_objec
 SELECT 'a source_ref that comes twice', test.state($$SELECT streetgen.import_objects('town', 'lamp', '{"type": {"value": "lamp"}, "source_ref": {"value": "x"}}')$$) = '22023';
 SELECT 'a line is no object', test.state($$SELECT streetgen.import_objects('town', 'town.axis', '{"type": {"value": "lamp"}}')$$) = '22023';
 SELECT 'no table of an OSM file', test.state($$SELECT streetgen.import_osm_objects('town', 'elsewhere')$$) = '42P01';
+SELECT 'and those that are there', test.hint($$SELECT streetgen.import_osm_objects('town', 'elsewhere')$$) = 'Prefixes that have one: "osm".';
 SELECT 'nothing was lost', count = (SELECT count(*) FROM town.street_object) FROM kept;
 SET streetgen_test.subjects = 'asked';
 SELECT streetgen.create_model('bare', 2154) \g /dev/null

@@ -168,6 +168,22 @@ DELETE FROM cut.axis WHERE axis_id = 4;
 SELECT 'one that ends there has none', array_agg(axis_id ORDER BY axis_id) = '{1,2}' FROM cut.street_object;
 INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);
 SELECT 'until it goes on', array_agg(axis_id ORDER BY axis_id) = '{1,2,3}' FROM cut.street_object;
+-- Streets of 30 to 69 m between two junctions, whose limits lie 18.5 m from a node: from 38 m on there is a section.
+SELECT streetgen.create_model('short', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO short.axis (axis_id, geom, width) SELECT 10 * k + n, pg_temp.line(format(line, 400 * k, 30 + k)), 7 FROM generate_series(0, 39) k,
+  (VALUES (1, 'LINESTRING(0 %1$s, %2$s %1$s)'), (2, 'LINESTRING(-80 %1$s, 0 %1$s)'), (3, 'LINESTRING(%2$s %1$s, 200 %1$s)')) v(n, line);
+INSERT INTO short.axis (axis_id, geom, width) SELECT 10 * k + n, pg_temp.line(format(line, 400 * k, 30 + k, 400 * k + side)), 7 FROM generate_series(0, 39) k,
+  (VALUES (4, 'LINESTRING(0 %1$s, 0 %3$s)', 80), (5, 'LINESTRING(%2$s %1$s, %2$s %3$s)', -80)) v(n, line, side);
+INSERT INTO short.placement_rule (type, along, distance_from_limit) VALUES ('crossing', 'arm', 2.5);
+CREATE TEMP VIEW short_crossing AS SELECT axis_id, street_object_id, surface FROM short.street_object JOIN short.pedestrian_crossing USING (street_object_id) WHERE axis_id % 10 = 1;
+SELECT 'a street without room for two crossings has one, and with room two', array_agg(DISTINCT n) = '{1,2}' AND bool_and(n >= before) AND count(*) = 32
+  FROM (SELECT n, lag(n, 1, 1) OVER (ORDER BY axis_id) AS before FROM (SELECT axis_id, count(*) AS n FROM short_crossing GROUP BY axis_id) c) c;
+SELECT 'two crossings of a street leave the length of one between them', min(ST_Distance(a.surface, b.surface)) BETWEEN 3.99 AND 5
+  FROM short_crossing a JOIN short_crossing b USING (axis_id) WHERE a.street_object_id < b.street_object_id;
+-- Who tells a side means its border.
+INSERT INTO short.street_object_editing (type, axis_id, abscissa, side, axis_offset) VALUES ('tree', 1, 10, 'left', 1)
+  RETURNING 'an object with a side stands by its border', (placement, side, axis_offset) = ('border', 'left', 1) AND ST_DWithin(geom, pg_temp.line('POINT(10 4.5)'), 1e-6);
+SELECT 'and is refused by the axis', pg_temp.said($$INSERT INTO short.street_object (type, placement, axis_id, abscissa, side) VALUES ('tree', 'axis', 1, 10, 'left')$$) LIKE '22023 % stands on no side';
 SELECT 'a run over all places the same', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('cut', wait => true);
 -- A first run takes keys off and puts them back.
 SELECT streetgen.create_model('first', 2154, subjects => '{object}') \g /dev/null

@@ -114,9 +114,12 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, side, '
             'axis_offset, orientation, orientation_kind) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) '
-            'RETURNING street_object_id, geom, angle, method', TG_TABLE_SCHEMA)
-            INTO NEW.street_object_id, NEW.geom, NEW.angle, NEW.method USING NEW.type, NEW.geom,
-            coalesce(NEW.placement, 'axis'), NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset,
+            'RETURNING street_object_id, geom, placement, side, axis_offset, orientation, orientation_kind, angle, '
+            'method', TG_TABLE_SCHEMA)
+            INTO NEW.street_object_id, NEW.geom, NEW.placement, NEW.side, NEW.axis_offset, NEW.orientation,
+            NEW.orientation_kind, NEW.angle, NEW.method USING NEW.type, NEW.geom,
+            -- Who tells a side means its border.
+            coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset,
             coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;

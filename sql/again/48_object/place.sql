@@ -312,6 +312,9 @@ BEGIN
     ELSIF NEW.abscissa_end - NEW.abscissa BETWEEN 0 AND 0.001 THEN
         PERFORM streetgen._refuse('22023', format('the end of %s lies at its start', subject),
             detail => 'A stretch is longer than a millimetre.', hint => 'Leave abscissa_end empty for a point.');
+    ELSIF NEW.placement = 'axis' AND NEW.side IS NOT NULL AND NEW.side IS DISTINCT FROM OLD.side THEN
+        PERFORM streetgen._refuse('22023', format('%s stands on no side', subject),
+            detail => 'It is placed by its axis.', hint => 'Give placement "border", or leave side empty.');
     ELSIF NEW.placement = 'border' AND NEW.side IS NULL THEN
         PERFORM streetgen._refuse('22023', format('the side of %s is missing', subject),
             detail => 'It is placed by a border of the roadway.', hint => 'It is left or right.');
@@ -329,5 +332,5 @@ COMMENT ON FUNCTION streetgen._place_object() IS
     'Trigger of street_object: computes place, direction and method of an object from its axis, abscissa and offset; '
     'without an axis it stands where its geometry lies. What a user changes of a rule''s object makes it the user''s, '
     'and of an imported one is by hand; a type that was renamed is not, nor is a move of its control point. An '
-    'abscissa beyond the axis, an axis or a type that is not there, a side that is missing, a number that is none: '
-    '22023.';
+    'abscissa beyond the axis, an axis or a type that is not there, a side that is missing or not used, a number that '
+    'is none: 22023.';

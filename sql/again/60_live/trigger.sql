@@ -136,8 +136,8 @@ CREATE OR REPLACE FUNCTION %1$I._begin_edit() RETURNS trigger
     AS $body$
 BEGIN
     PERFORM streetgen._require_one_build();
-    -- A schema of another name, or a copy, that nobody adopted yet.
-    IF TG_TABLE_SCHEMA <> %2$L THEN
+    -- A schema of another name, a copy or one that came back, that nobody adopted yet.
+    IF TG_TABLE_SCHEMA <> %2$L OR NOT EXISTS (SELECT FROM streetgen.model WHERE name = %2$L) THEN
         PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
     END IF;
     IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN

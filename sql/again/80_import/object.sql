@@ -132,13 +132,18 @@ CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text 
     AS $$
 DECLARE
     points regclass;
+    others text;
 BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('prefix', prefix);
     PERFORM streetgen._require_subject(model, 'object');
     points := to_regclass(format('%I', prefix || '_object'));
     IF points IS NULL THEN
+        SELECT string_agg(format('"%s"', left(c.relname, -7)), ', ' ORDER BY c.relname) INTO others FROM pg_class c
+        WHERE c.relname LIKE '%\_object' AND pg_table_is_visible(c.oid)
+            AND 2 = (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid AND a.attname IN ('class', 'node_id'));
         RAISE EXCEPTION 'there is no table "%"', prefix || '_object' USING ERRCODE = '42P01',
-            HINT = 'Load the file again with data/osm2pgsql_flex.lua of this build, which makes it.';
+            HINT = coalesce(format('Prefixes that have one: %s.', others),
+                'Load the file again with data/osm2pgsql_flex.lua of this build, which makes it.');
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_objects(model, points::text, format($sql$
 SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' THEN 'traffic_light'
