@@ -52,7 +52,7 @@ struct Numbers {
   Datum* values;
 };
 
-Numbers take_numbers(FunctionCallInfo fcinfo, int argument) {
+Numbers take_lengths(FunctionCallInfo fcinfo, int argument) {
   Numbers numbers;
   bool* nulls;
   deconstruct_array(PG_GETARG_ARRAYTYPE_P(argument), FLOAT8OID, 8, true, 'd', &numbers.values,
@@ -161,7 +161,7 @@ STREETGEN_FUNCTION(streetgen_intersection_surface) {
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED), errmsg("axis %d is NULL", i + 1)));
     axes[i] = PointerGetDatum(PG_DETOAST_DATUM_PACKED(axes[i]));
   }
-  const Numbers widths = take_numbers(fcinfo, 1), radii = take_numbers(fcinfo, 2);
+  const Numbers widths = take_lengths(fcinfo, 1), radii = take_lengths(fcinfo, 2);
   const bool curved = PG_GETARG_BOOL(3);
   return geometry_result(fcinfo, [&](GivenGeometry& result) {
     std::vector<Line> lines;
@@ -184,7 +184,7 @@ STREETGEN_FUNCTION(streetgen_intersection_surface) {
 
 STREETGEN_FUNCTION(streetgen_variable_buffer) {
   const std::string_view line = take_bytes(fcinfo, 0);
-  const Numbers radii = take_numbers(fcinfo, 1);
+  const Numbers radii = take_lengths(fcinfo, 1);
   const char* side = text_to_cstring(PG_GETARG_TEXT_PP(2));
   const char* ends = text_to_cstring(PG_GETARG_TEXT_PP(3));
   return geometry_result(fcinfo, [&](GivenGeometry& result) {

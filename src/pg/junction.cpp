@@ -44,13 +44,13 @@ EdgeRows take_edges(FunctionCallInfo fcinfo, int argument) {
           column_or_null(edges, "by_hand", BOOLOID)};
 }
 
-struct Found {
+struct FoundJunctions {
   std::vector<std::int64_t> node_ids;
   JunctionNetwork network;
   JunctionGroups groups;
 };
 
-void read_nodes(const EdgeRows& rows, Found& found) {
+void read_nodes(const EdgeRows& rows, FoundJunctions& found) {
   for (int i = 0; i < rows.count; ++i) {
     found.node_ids.push_back(DatumGetInt64(rows.from_node.values[i]));
     found.node_ids.push_back(DatumGetInt64(rows.to_node.values[i]));
@@ -62,7 +62,7 @@ void read_nodes(const EdgeRows& rows, Found& found) {
   found.network.nodes.resize(found.node_ids.size());
 }
 
-void read_edges(const EdgeRows& rows, Found& found) {
+void read_edges(const EdgeRows& rows, FoundJunctions& found) {
   const auto index = [&](const Column& column, int row) {
     const std::int64_t id = DatumGetInt64(column.values[row]);
     return static_cast<int>(std::lower_bound(found.node_ids.begin(), found.node_ids.end(), id) -
@@ -94,7 +94,7 @@ Datum control_datum(const std::optional<ControlKind>& kind, bool* null) {
 }
 
 // node_id, edge_id, junction_id, chain, role, parted, control_from, control_to
-void give(const Found& found, const EdgeRows& rows, ReturnSetInfo* result) {
+void give(const FoundJunctions& found, const EdgeRows& rows, ReturnSetInfo* result) {
   Datum values[8];
   bool nulls[8];
   for (std::size_t n = 0; n < found.node_ids.size(); ++n) {
@@ -131,10 +131,10 @@ STREETGEN_FUNCTION(streetgen_group_junctions) {
   const double gap = PG_GETARG_FLOAT8(2), extent = PG_GETARG_FLOAT8(3);
   const double control_distance = PG_GETARG_FLOAT8(4);
   InitMaterializedSRF(fcinfo, 0);
-  Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
+  Slot<FoundJunctions>* slot = make_slot<FoundJunctions>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new Found;
-    Found& found = *slot->value;
+    slot->value = new FoundJunctions;
+    FoundJunctions& found = *slot->value;
     read_nodes(edges, found);
     read_edges(edges, found);
     found.network.controls = read_controls(controls);

@@ -252,7 +252,7 @@ void read_way_restrictions(const MovementCall& call, Places& places) {
   }
 }
 
-struct Found {
+struct FoundMovements {
   std::vector<std::int64_t> junctions, lanes_in, lanes_out;
   std::vector<bool> along_in, along_out;
   std::vector<JunctionMovement> movements;
@@ -260,7 +260,7 @@ struct Found {
 };
 
 void compute_movements(const MovementCall& call, const InterconnectionSettings& settings, int srid,
-                       Found& found) {
+                       FoundMovements& found) {
   Places places;
   read_legs(call, places);
   read_lanes(call, places);
@@ -292,7 +292,7 @@ Datum ids_datum(const std::vector<std::int64_t>& ids) {
                                          FLOAT8PASSBYVAL, TYPALIGN_DOUBLE));
 }
 
-void give(const Found& found, ReturnSetInfo* result) {
+void give(const FoundMovements& found, ReturnSetInfo* result) {
   for (std::size_t i = 0; i < found.movements.size(); ++i) {
     const JunctionMovement& movement = found.movements[i];
     const Datum values[11] = {Int64GetDatum(found.junctions[i]),
@@ -329,9 +329,9 @@ STREETGEN_FUNCTION(streetgen_junction_movements) {
   settings.most = static_cast<std::size_t>(PG_GETARG_INT32(12));
   settings.driving_side = PG_GETARG_BOOL(13) ? DrivingSide::left : DrivingSide::right;
   InitMaterializedSRF(fcinfo, 0);
-  Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
+  Slot<FoundMovements>* slot = make_slot<FoundMovements>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new Found;
+    slot->value = new FoundMovements;
     in_range(settings.tolerance, 1e-3, 1000, "trajectory_tolerance");
     compute_movements(call, settings, srid, *slot->value);
   });

@@ -17,13 +17,13 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-struct Found {
+struct FoundLanes {
   int srid = 0;
   std::vector<Lane> lanes;
   std::vector<std::string> lines, surfaces;
 };
 
-void give(const Found& found, ReturnSetInfo* result) {
+void give(const FoundLanes& found, ReturnSetInfo* result) {
   for (std::size_t i = 0; i < found.lanes.size(); ++i) {
     const Lane& lane = found.lanes[i];
     const Datum values[10] = {Int32GetDatum(lane.ordinality),
@@ -55,9 +55,9 @@ STREETGEN_FUNCTION(streetgen_lanes) {
   for (int i = 0; i < 6; ++i) words[i] = text_to_cstring(PG_GETARG_TEXT_PP(5 + i));
   const int lanes_both = PG_GETARG_INT32(11);
   InitMaterializedSRF(fcinfo, 0);
-  Slot<Found>* slot = make_slot<Found>(CurrentMemoryContext);
+  Slot<FoundLanes>* slot = make_slot<FoundLanes>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new Found;
+    slot->value = new FoundLanes;
     const ReadLine read = read_line(axis, "axis");
     in_range(width, 1e-3, 200, "width");
     in_range(width_end, 1e-3, 200, "width_end");
@@ -72,7 +72,7 @@ STREETGEN_FUNCTION(streetgen_lanes) {
     };
     std::vector<LaneWish> both(static_cast<int>(in_range(lanes_both, 0, 40, "lanes_both")));
     const LaneSettings settings = read_lane_settings(words[4], words[5], LaneSettings{}.narrowest);
-    Found& found = *slot->value;
+    FoundLanes& found = *slot->value;
     found.lanes = axis_lanes(read.line, width, width_end, {list(0), list(1), both}, settings);
     for (const Lane& lane : found.lanes) {
       found.lines.push_back(write_line(lane.line, {read.srid, false}));

@@ -14,7 +14,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr std::size_t between_polls = 4096;
 constexpr double gravity = 9.81;  // m/s2
 
 bool one_height(const std::vector<RoadPiece>& pieces, const Point& end) {
@@ -79,7 +78,7 @@ ArcRoad ArcRoad::along(const CurvedLine& curve) {
   const double least = resolution(ends);
   RoadBuilder road(least);
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (i % between_polls == 0) poll_cancel();
+    poll_cancel();
     const Arc& arc = curve[i].arc;
     if (i > 0) refuse_gap(curve[i - 1].arc.end, arc.start, least, i + 1);
     const RoadPiece piece = curve[i].curved ? arc_piece(arc) : straight_piece(arc.start, arc.end);

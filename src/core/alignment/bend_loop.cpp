@@ -12,8 +12,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr std::size_t between_polls = 64;
-
 class Cutting {
  public:
   Cutting(const std::vector<RawBorderPiece>& border, const std::vector<RoadPiece>& road,
@@ -99,7 +97,7 @@ class Cutting {
     for (const std::size_t k : {i + 1, j - 1, (i + j) / 2})
       if (!middle_too_near(k, i, j)) return false;
     for (std::size_t k = i + 2; k + 1 < j; ++k) {
-      if (k % between_polls == 0) poll_cancel();
+      poll_cancel();
       if (!middle_too_near(k, i, j)) return false;
     }
     return true;

@@ -17,12 +17,11 @@ namespace streetgen {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double short_chord = 3;         // metres
-constexpr double turn_of_point = pi / 3;  // radians, the most
-constexpr double share_of_point = 0.45;   // of an arc's turn, the most
-constexpr double share_of_height = 0.1;   // of an arc's height, the most that a point leaves it
-constexpr double vote_cell = 2;           // metres: centres in one cell vote for one circle
+constexpr double short_chord = 3;           // metres
+constexpr double turn_of_point = M_PI / 3;  // radians, the most
+constexpr double share_of_point = 0.45;     // of an arc's turn, the most
+constexpr double share_of_height = 0.1;     // of an arc's height, the most that a point leaves it
+constexpr double vote_cell = 2;             // metres: centres in one cell vote for one circle
 constexpr int least_support = 4;
 
 // From the direction before the point to the one behind it, radians.
@@ -171,8 +170,8 @@ class ArcSearch {
         run.circle.radius > bounds_.radius_greatest || !near(run.circle, run.first, run.last))
       return false;
     const double all = turn(run), sense = all < 0 ? -1 : 1;
-    if (std::abs(all) < bounds_.turn_least * pi / 180) return false;
-    const double height = run.circle.radius * (1 - std::cos(std::min(std::abs(all), pi) / 2));
+    if (std::abs(all) < bounds_.turn_least * M_PI / 180) return false;
+    const double height = run.circle.radius * (1 - std::cos(std::min(std::abs(all), M_PI) / 2));
     for (int i = run.first; i <= run.last; ++i)
       if (deviation(run.circle, i) > share_of_height * height) return false;
     for (int i = run.first; i < run.last; ++i)
@@ -197,7 +196,7 @@ class ArcSearch {
     const Point out = points_[run.first] - found.centre;
     const double start = std::atan2(out.y, out.x), all = turn(run);
     const bool whole = closed_ && run.count() > sides_;
-    const double turned = whole ? (all < 0 ? -2 : 2) * pi : all;
+    const double turned = whole ? (all < 0 ? -2 : 2) * M_PI : all;
     found.arc = {on_circle(start), on_circle(start + turned / 2),
                  whole ? on_circle(start) : on_circle(start + turned)};
     if (closed_ && whole) --found.support;

@@ -16,7 +16,7 @@ constexpr double sharpest_turn = M_PI / 2;  // beyond it no edge goes on from an
 constexpr double share_of_segment = 0.25;   // of the segment at a node, for its tangent
 constexpr double least_piece = 1e-3;        // metres
 constexpr double near_bend = 1;             // metres along the axis, from an override to its bend
-constexpr double fits = 1 - 1e-12;          // of a segment that two radii fill
+constexpr double filled = 1 - 1e-12;        // of a segment that two radii fill
 
 // The direction in which an edge leaves its node: unit.
 Point leaving(const Network& network, const EdgeEnd& end) {
@@ -88,8 +88,8 @@ void shrink_to_fit(const Line& line, Radii& radii) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double wanted = taken(i) + taken(i + 1), room = distance(line[i], line[i + 1]);
     if (wanted <= room) continue;
-    share[i] = std::min(share[i], fits * room / wanted);
-    share[i + 1] = std::min(share[i + 1], fits * room / wanted);
+    share[i] = std::min(share[i], filled * room / wanted);
+    share[i + 1] = std::min(share[i + 1], filled * room / wanted);
   }
   for (std::size_t i = 0; i < line.size(); ++i)
     if (radii[i]) *radii[i] *= share[i];

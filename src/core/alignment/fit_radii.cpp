@@ -13,7 +13,6 @@ namespace streetgen {
 namespace {
 
 constexpr double unsettled = -1;
-constexpr std::size_t between_polls = 4096;
 
 // A stop of the growth at a radius: a segment that is full (even place) or a bend at its bound.
 struct Stop {
@@ -43,7 +42,7 @@ class Growth {
       if (wants_more(i)) stops.push_back({full_at(i), 2 * i});
     std::priority_queue<Stop> next({}, std::move(stops));
     for (std::size_t step = 0; !next.empty(); ++step) {
-      if (step % between_polls == 0) poll_cancel();
+      poll_cancel();
       const Stop stop = next.top();
       next.pop();
       if (stop.place % 2 == 1) {

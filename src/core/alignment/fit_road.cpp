@@ -16,7 +16,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr std::size_t between_polls = 4096;
 constexpr double fits = 1e-9;  // share by which tangents may exceed their segment
 
 void refuse_unless_length(double value, const std::string& name) {
@@ -61,7 +60,7 @@ class Fitting {
     arcs.reserve(bends_.size());
     double taken = 0;  // of the segment, by the bend before it
     for (std::size_t i = 0; i < lengths_.size(); ++i) {
-      if (i % between_polls == 0) poll_cancel();
+      poll_cancel();
       const double next = i < bends_.size() ? radii_[i] * bends_[i].tangent : 0;
       RoadPiece straight;
       straight.origin = points[i] + directions_[i] * taken;

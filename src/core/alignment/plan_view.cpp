@@ -15,9 +15,8 @@ namespace streetgen {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Radians.  A sharper turn has no arc worth the name.
-constexpr double sharpest = 0.9 * pi;
+constexpr double sharpest = 0.9 * M_PI;
 // A share of the tolerance is for the points left out, the other for the arcs at those that stay.
 constexpr double half = 0.5;
 // Radians.  A turn that is smaller moves the end of a kilometre by ten micrometres.
@@ -61,7 +60,7 @@ Line simplified(const Line& line, double tolerance) {
 void set_out(Line& line, double heading, double tolerance) {
   const Point side = line[1] - line[0], way = along(heading);
   const double turn = std::abs(turn_between(way, side));
-  const double aside = std::max(std::sin(std::min(turn, pi / 2)), straight_turn);
+  const double aside = std::max(std::sin(std::min(turn, M_PI / 2)), straight_turn);
   line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, tolerance / aside));
 }
 
@@ -135,7 +134,7 @@ std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const Chain
   if (ends.heading_from) set_out(points, *ends.heading_from, tolerance * half);
   if (ends.heading_to) {
     points = reversed(std::move(points));
-    set_out(points, *ends.heading_to + pi, tolerance * half);
+    set_out(points, *ends.heading_to + M_PI, tolerance * half);
     points = reversed(std::move(points));
   }
   points = without_reversals(points, tolerance * half);

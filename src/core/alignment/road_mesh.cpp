@@ -13,7 +13,7 @@ namespace streetgen {
 namespace {
 
 // A place of the road and the direction across it. A sharp bend has several.
-struct Station {
+struct CrossLine {
   Point place;
   Point left;
 };
@@ -37,11 +37,11 @@ class Stations {
                  road.flat ? 0 : most_halvings);
     }
   }
-  const std::vector<Station>& all() const { return stations_; }
+  const std::vector<CrossLine>& all() const { return stations_; }
 
  private:
   void add(const Point& place, const Point& direction) {
-    const Station next{place, leftwards(direction)};
+    const CrossLine next{place, leftwards(direction)};
     if (!stations_.empty() && space::distance(stations_.back().place, place) <= rounding &&
         norm(stations_.back().left - next.left) * reach_ <= same_place)
       return;
@@ -50,7 +50,7 @@ class Stations {
 
   // The stations of a sharp bend, about its point.
   void turn_to(const Point& direction) {
-    const Station from = stations_.back();
+    const CrossLine from = stations_.back();
     const Point to = leftwards(direction);
     const double angle = std::atan2(cross(from.left, to), dot(from.left, to));
     if (std::abs(angle) * reach_ <= same_place) return;
@@ -85,7 +85,7 @@ class Stations {
   }
 
   double reach_, tolerance_;
-  std::vector<Station> stations_;
+  std::vector<CrossLine> stations_;
 };
 
 // A step that still runs back is a loop that the chords leave open: it becomes its middle.
@@ -101,10 +101,10 @@ void shut_steps_back(const std::vector<RawBorderPiece>& border, Line& points) {
 }
 
 // A point for each station: beside it, or where the border meets itself.
-Line border_of(const std::vector<Station>& stations, double offset, double tolerance) {
+Line border_of(const std::vector<CrossLine>& stations, double offset, double tolerance) {
   Line points;
   points.reserve(stations.size());
-  for (const Station& station : stations) points.push_back(station.place + station.left * offset);
+  for (const CrossLine& station : stations) points.push_back(station.place + station.left * offset);
   std::vector<RoadPiece> road;
   std::vector<RawBorderPiece> border;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {

@@ -15,8 +15,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr std::size_t between_polls = 4096;
-
 void refuse_infinite(const Line& line) {
   for (std::size_t i = 0; i < line.size(); ++i)
     for (const auto& [name, value] :
@@ -121,7 +119,7 @@ RoadVertices road_vertices(const Line& line) {
         ErrorKind::invalid_input,
         "the line has no length: its " + std::to_string(line.size()) + " points are one place");
   for (std::size_t i = 0; i + 1 < all.points.size(); ++i) {
-    if (i % between_polls == 0) poll_cancel();
+    poll_cancel();
     refuse_vertical(all.points[i], all.points[i + 1], "vertex", all.numbers[i] + 1);
   }
   return without_straight(std::move(all), near);

@@ -25,7 +25,7 @@ constexpr double largest_disc = 1000;  // metres, of its radius
 constexpr std::size_t few = 4096;      // pairs of sides that are looked at one by one
 
 // A segment of a ring, the surface on its left.
-struct Side {
+struct SurfaceSide {
   Point from, to;
   int surface, ring;
 
@@ -59,7 +59,7 @@ void order_by_place(const std::vector<Box>& boxes, std::vector<int>::iterator fi
   order_by_place(boxes, middle, last);
 }
 
-double share_of(const Side& side, const Point& p) {
+double share_of(const SurfaceSide& side, const Point& p) {
   const Point along = side.to - side.from;
   return std::clamp(dot(p - side.from, along) / dot(along, along), 0.0, 1.0);
 }
@@ -169,9 +169,9 @@ class Borders {
   }
 
   void meet(int i, int j) {
-    const Side &s = sides_[i], &t = sides_[j];
+    const SurfaceSide &s = sides_[i], &t = sides_[j];
     const auto end_on = [&](int on, const Point& end, int other, double share) {
-      const Side& side = sides_[on];
+      const SurfaceSide& side = sides_[on];
       if (distance_to_segment(end, side.from, side.to) > same_place) return;
       met_.push_back({on, share_of(side, end)});
       met_.push_back({other, share});
@@ -217,7 +217,7 @@ class Borders {
     };
     auto next = first_met;
     for (int i = first; i < last; ++i) {
-      const Side& side = sides_[i];
+      const SurfaceSide& side = sides_[i];
       const double size = distance(side.from, side.to);
       double at = 0;
       const auto go_on = [&](double share) {
@@ -251,7 +251,7 @@ class Borders {
     if (radius > largest_disc) return false;
     const Point centre = place_beside(piece, radius + beside_border), along = piece.to - piece.from;
     return !index_.any_near(box_of(centre, centre), radius + same_place, [&](std::size_t i) {
-      const Side& side = sides_[indexed_[i]];
+      const SurfaceSide& side = sides_[indexed_[i]];
       const double away = distance_to_segment(centre, side.from, side.to);
       return away < radius || (away < radius + same_place && side.surface == surface &&
                                dot(side.to - side.from, along) < 0);
@@ -265,7 +265,7 @@ class Borders {
 
   const std::vector<const MultiPolygon*>& surfaces_;
   BoxIndex surface_index_;
-  std::vector<Side> sides_;
+  std::vector<SurfaceSide> sides_;
   std::vector<int> rings_;    // their first sides, and the end
   std::vector<Meeting> met_;  // where sides of different rings meet, by side
   std::vector<int> indexed_;  // sides, by place

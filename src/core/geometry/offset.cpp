@@ -8,10 +8,6 @@
 
 namespace streetgen {
 
-namespace {
-constexpr int join_quarter = 8;
-}  // namespace
-
 std::vector<OffsetPiece> offset_pieces(const Line& axis, double offset, int side) {
   std::vector<OffsetPiece> pieces;
   pieces.reserve(2 * axis.size());

@@ -10,8 +10,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr int join_quarter = 8;
-
 // The offset of every segment, joined as they come, and the axis vertex behind each point.
 struct Raw {
   Line axis;

@@ -64,6 +64,9 @@ double nearest_abscissa(const Point& p, const Line& line);
 // Whether the line is anywhere nearer to p than `reach`.
 bool comes_within(const Point& p, const Line& line, double reach);
 
+// Chords of a quarter circle where two offsets join: behind a node, about an outer bend.
+constexpr int join_quarter = 8;
+
 // Points on the circle about `centre` from `from` to `to` (both left out), turning
 // counter-clockwise or clockwise; a quarter circle has `quarter` chords.
 void append_arc(Ring& ring, const Point& centre, const Point& from, const Point& to,

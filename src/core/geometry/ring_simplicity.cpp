@@ -15,7 +15,7 @@ namespace {
 
 constexpr double onwards = 0.01;  // cosine: a way that turns more may go back
 
-struct Side {
+struct RingSide {
   Point from, to, along;
   Box box;
   std::size_t place;     // along the rings, one after the other
@@ -23,13 +23,13 @@ struct Side {
 };
 
 // How far p lies left of the line of a side.
-double left_of(const Side& side, const Point& p) { return cross(side.along, p - side.from); }
+double left_of(const RingSide& side, const Point& p) { return cross(side.along, p - side.from); }
 
 bool same_side(double a, double b) {
   return std::min(a, b) > sides_touch || std::max(a, b) < -sides_touch;
 }
 
-std::optional<bool> keep_apart(const Side& s, const Side& t) {
+std::optional<bool> keep_apart(const RingSide& s, const RingSide& t) {
   const double t_from = left_of(s, t.from), t_to = left_of(s, t.to);
   if (same_side(t_from, t_to)) return true;
   const double s_from = left_of(t, s.from), s_to = left_of(t, s.to);
@@ -39,14 +39,14 @@ std::optional<bool> keep_apart(const Side& s, const Side& t) {
 }
 
 // Of a side and the next: they turn, and not back.
-bool turn(const Side& s, const Side& t) {
+bool turn(const RingSide& s, const RingSide& t) {
   return std::abs(left_of(s, t.to)) > sides_touch || dot(s.along, t.along) > 0;
 }
 
 // Whether t comes after the side that follows s, and all go on one way, so that however short that
 // side is, no two of them meet but at their ends.
-bool one_way(const std::vector<Side>& sides, const Side& s, const Side& t) {
-  const Side& between = sides[s.follower];
+bool one_way(const std::vector<RingSide>& sides, const RingSide& s, const RingSide& t) {
+  const RingSide& between = sides[s.follower];
   return between.follower == t.place && dot(s.along, between.along) > onwards &&
          dot(s.along, t.along) > onwards;
 }
@@ -54,7 +54,7 @@ bool one_way(const std::vector<Side>& sides, const Side& s, const Side& t) {
 }  // namespace
 
 std::optional<bool> simple(const MultiPolygon& surface) {
-  std::vector<Side> sides;
+  std::vector<RingSide> sides;
   std::size_t count = 0;
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon) count += ring.size();
@@ -67,14 +67,14 @@ std::optional<bool> simple(const MultiPolygon& surface) {
                          box_of(ring[i - 1], ring[i]), sides.size(),
                          i + 1 < ring.size() ? sides.size() + 1 : first});
     }
-  std::vector<std::pair<double, const Side*>> order;  // by their least x
+  std::vector<std::pair<double, const RingSide*>> order;  // by their least x
   order.reserve(count);
-  for (const Side& side : sides) order.emplace_back(side.box.min_x, &side);
+  for (const RingSide& side : sides) order.emplace_back(side.box.min_x, &side);
   std::sort(order.begin(), order.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   struct Active {
     double max_x, min_y, max_y;
-    const Side* side;
+    const RingSide* side;
   };
   std::vector<Active> active;
   active.reserve(16);
@@ -90,7 +90,7 @@ std::optional<bool> simple(const MultiPolygon& surface) {
       }
       const Active& other = active[k++];
       if (other.min_y > high || other.max_y < low) continue;
-      const Side* t = other.side;
+      const RingSide* t = other.side;
       if (s->follower == t->place || t->follower == s->place) {
         clear = clear && (s->follower == t->place ? turn(*s, *t) : turn(*t, *s));
         continue;

@@ -10,24 +10,24 @@ namespace streetgen {
 
 namespace {
 
-struct Side {
+struct BoxedSide {
   Point from, to;
   Box box;
 };
 
-std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
-  std::vector<Side> sides;
+std::vector<BoxedSide> sides_within(const MultiPolygon& surface, const Box& box) {
+  std::vector<BoxedSide> sides;
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i) {
-        const Side side{ring[i - 1], ring[i], box_of(ring[i - 1], ring[i])};
+        const BoxedSide side{ring[i - 1], ring[i], box_of(ring[i - 1], ring[i])};
         if (side.box.meets(box)) sides.push_back(side);
       }
   return sides;
 }
 
 // Sides that do not cross are nearest at an end.
-bool come_near(const Side& a, const Side& b, double reach) {
+bool come_near(const BoxedSide& a, const BoxedSide& b, double reach) {
   return a.box.meets(b.box, reach) && (crossing(a.from, a.to, b.from, b.to).has_value() ||
                                        distance_to_segment(a.from, b.from, b.to) <= reach ||
                                        distance_to_segment(a.to, b.from, b.to) <= reach ||
@@ -48,10 +48,10 @@ bool holds_part(const MultiPolygon& surface, const MultiPolygon& other) {
 
 bool come_near(const MultiPolygon& a, const MultiPolygon& b, double reach) {
   const Box shared = box_of(a).grown(reach).shared_with(box_of(b).grown(reach));
-  const std::vector<Side> of_a = sides_within(a, shared), of_b = sides_within(b, shared);
-  const bool by_borders = std::any_of(of_a.begin(), of_a.end(), [&](const Side& side) {
+  const std::vector<BoxedSide> of_a = sides_within(a, shared), of_b = sides_within(b, shared);
+  const bool by_borders = std::any_of(of_a.begin(), of_a.end(), [&](const BoxedSide& side) {
     return std::any_of(of_b.begin(), of_b.end(),
-                       [&](const Side& other) { return come_near(side, other, reach); });
+                       [&](const BoxedSide& other) { return come_near(side, other, reach); });
   });
   return by_borders || holds_part(a, b) || holds_part(b, a);
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -16,7 +16,6 @@ namespace {
 constexpr double beyond = 1;  // metres
 constexpr double stride = 2;  // metres: sites in a row are no farther apart
 constexpr int beside = 2;     // sites of a row
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Box everywhere{-infinite, -infinite, infinite, infinite};
 
 std::vector<Site> distinct_sites(const std::vector<Site>& sites, const Point& origin) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double collinear_within = 1e-3;
 
-struct Vertex {
+struct LineVertex {
   Point point;
   bool fixed;
 };
@@ -85,13 +85,13 @@ class TightTurn {
   Point last_;
 };
 
-bool is_flat_loop(const std::vector<Vertex>& line) {
+bool is_flat_loop(const std::vector<LineVertex>& line) {
   return line.size() < 4 && distance(line.front().point, line.back().point) == 0;
 }
 
 template <class Filter>
-void apply(Filter filter, std::vector<Vertex>& line) {
-  std::vector<Vertex> out;
+void apply(Filter filter, std::vector<LineVertex>& line) {
+  std::vector<LineVertex> out;
   for (std::size_t i = 0; i < line.size(); ++i) {
     poll_cancel();
     const bool inner = i > 0 && i + 1 < line.size();
@@ -113,14 +113,14 @@ Line clean(const Line& line, const std::vector<bool>& keep, double epsilon, doub
     throw Error(ErrorKind::invalid_input, "the line has " + std::to_string(line.size()) +
                                               " points but keep has " +
                                               std::to_string(keep.size()) + " elements");
-  std::vector<Vertex> vertices;
+  std::vector<LineVertex> vertices;
   for (std::size_t i = 0; i < line.size(); ++i)
     vertices.push_back({line[i], !keep.empty() && keep[i]});
   apply(Coincident(epsilon), vertices);
   apply(Collinear(), vertices);
   apply(TightTurn(r_min), vertices);
   Line out;
-  for (const Vertex& vertex : vertices) out.push_back(vertex.point);
+  for (const LineVertex& vertex : vertices) out.push_back(vertex.point);
   return out;
 }
 

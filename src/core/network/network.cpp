@@ -20,7 +20,7 @@ namespace streetgen {
 namespace {
 
 // One vertex of one axis.
-struct Vertex {
+struct AxisVertex {
   int axis;
   int index;
   double abscissa;
@@ -67,9 +67,9 @@ class Cuts {
   std::multiset<Cut> cuts_;
 };
 
-class Builder {
+class NetworkBuilder {
  public:
-  Builder(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing)
+  NetworkBuilder(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing)
       : tolerance_(tolerance + std::min(same_place, tolerance / 1000)),
         crossing_(crossing),
         groups_(0) {
@@ -114,7 +114,7 @@ class Builder {
     cuts_.resize(axes_.size());
   }
 
-  bool may_join(const Vertex& u, const Vertex& v, double apart) const {
+  bool may_join(const AxisVertex& u, const AxisVertex& v, double apart) const {
     if (u.axis == v.axis) {
       if (std::abs(u.index - v.index) <= 1) return false;
       return (u.end && v.end && lengths_[u.axis] > 3 * tolerance_) || apart <= same_place;
@@ -215,7 +215,7 @@ class Builder {
 
   // Vertices that would have joined, but for the width of their cluster.
   bool parted(int i, int j) {
-    const Vertex &u = vertices_[i], &v = vertices_[j];
+    const AxisVertex &u = vertices_[i], &v = vertices_[j];
     const double apart = distance(u.point, v.point);
     return apart <= tolerance_ && may_join(u, v, apart) && groups_.of(i) != groups_.of(j);
   }
@@ -224,7 +224,7 @@ class Builder {
     index_segments();
     std::vector<std::pair<int, Cut>> found;
     for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
-      const Vertex& vertex = vertices_[v];
+      const AxisVertex& vertex = vertices_[v];
       if (!vertex.end) continue;
       poll_cancel();
       Box box;
@@ -413,7 +413,7 @@ class Builder {
         edge.line.push_back(out_.nodes[edge.from_node].point);
         auto vertex = std::upper_bound(
             vertices_.begin() + first_[a], vertices_.begin() + first_[a + 1], from.abscissa,
-            [](double abscissa, const Vertex& v) { return abscissa < v.abscissa; });
+            [](double abscissa, const AxisVertex& v) { return abscissa < v.abscissa; });
         for (; vertex != vertices_.begin() + first_[a + 1] && vertex->abscissa < to.abscissa;
              ++vertex)
           if (distance(vertex->point, edge.line.back()) > 0) edge.line.push_back(vertex->point);
@@ -462,7 +462,7 @@ class Builder {
   std::vector<const NetworkAxis*> axes_;  // by axis_id
   std::vector<Line> lines_;
   std::vector<double> lengths_;
-  std::vector<Vertex> vertices_;  // by (axis_id, index)
+  std::vector<AxisVertex> vertices_;  // by (axis_id, index)
   std::vector<int> first_;
   Groups groups_;
   std::vector<Cuts> cuts_;
@@ -477,7 +477,7 @@ class Builder {
 }  // namespace
 
 Network network(const std::vector<NetworkAxis>& axes, double tolerance, Crossing crossing) {
-  return Builder(axes, tolerance, crossing).build();
+  return NetworkBuilder(axes, tolerance, crossing).build();
 }
 
 }  // namespace streetgen

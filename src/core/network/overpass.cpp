@@ -24,7 +24,7 @@ struct Meeting {
   Point point;
 };
 
-struct Segment {
+struct EdgeSegment {
   int edge;
   int index;  // from point index to index + 1
   double abscissa;
@@ -73,7 +73,7 @@ class Crossings {
     return false;
   }
 
-  void meet(const Segment& one, const Segment& other) {
+  void meet(const EdgeSegment& one, const EdgeSegment& other) {
     if (one.edge == other.edge && std::abs(one.index - other.index) <= 1) return;
     const Line& line = network_.edges[one.edge].line;
     const Line& beside = network_.edges[other.edge].line;
@@ -95,7 +95,7 @@ class Crossings {
 
   const Network& network_;
   double tolerance_;
-  std::vector<Segment> segments_;
+  std::vector<EdgeSegment> segments_;
   std::vector<Meeting> found_;
 };
 

@@ -21,7 +21,7 @@ constexpr double least_sine = 1e-6;
 const double smooth_cosine = std::cos(M_PI / 4 + same_angle);
 
 // A side of a ring, which has the surface on its left.
-struct Side {
+struct RingSide {
   const Ring* ring;
   std::size_t end;  // index of the point where it ends
 
@@ -30,8 +30,8 @@ struct Side {
   Box box() const { return box_of(from(), to()); }
 };
 
-std::vector<Side> sides_in(const MultiPolygon& surface, const Box& box) {
-  std::vector<Side> sides;
+std::vector<RingSide> sides_in(const MultiPolygon& surface, const Box& box) {
+  std::vector<RingSide> sides;
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i)
@@ -41,7 +41,7 @@ std::vector<Side> sides_in(const MultiPolygon& surface, const Box& box) {
 
 // From a place on a border along it, as far as it bends by less than 45 degrees, so that no end of
 // a border line is passed.
-Line smooth_part(const Side& side, const Point& start, bool forwards) {
+Line smooth_part(const RingSide& side, const Point& start, bool forwards) {
   const Ring& ring = *side.ring;
   const std::size_t count = ring.size() - 1;  // the last point is the first
   std::size_t next = forwards ? side.end % count : side.end - 1;
@@ -62,7 +62,7 @@ Line smooth_part(const Side& side, const Point& start, bool forwards) {
 }
 
 // Whether one goes through the other; a touch does not count.
-bool cross_each_other(const Side& a, const Side& b) {
+bool cross_each_other(const RingSide& a, const RingSide& b) {
   const Point along_a = a.to() - a.from(), along_b = b.to() - b.from();
   return cross(along_a, b.from() - a.from()) * cross(along_a, b.to() - a.from()) < 0 &&
          cross(along_b, a.from() - b.from()) * cross(along_b, a.to() - b.from()) < 0;
@@ -83,7 +83,7 @@ Line bend(const Point& from, const Point& corner, const Point& to) {
   return line;
 }
 
-std::optional<Line> across(const Side& a, const Side& b, const Point& place, double radius,
+std::optional<Line> across(const RingSide& a, const RingSide& b, const Point& place, double radius,
                            const std::function<bool(const Point&)>& is_free) {
   // The border of a is free where it lies on the right of b.
   const bool a_onwards = cross(b.to() - b.from(), a.to() - a.from()) < 0;
@@ -113,11 +113,11 @@ std::vector<Line> across_notches(const MultiPolygon& a, const MultiPolygon& b, d
                                  const std::function<bool(const Point&)>& is_free) {
   std::vector<Line> lines;
   const Box shared = box_of(a).shared_with(box_of(b));
-  const std::vector<Side> of_b = sides_in(b, shared);
+  const std::vector<RingSide> of_b = sides_in(b, shared);
   if (of_b.empty()) return lines;
-  for (const Side& side : sides_in(a, shared)) {
+  for (const RingSide& side : sides_in(a, shared)) {
     const Box box = side.box();
-    for (const Side& other : of_b) {
+    for (const RingSide& other : of_b) {
       if (!box.meets(other.box()) || !cross_each_other(side, other)) continue;
       const auto place = crossing(side.from(), side.to(), other.from(), other.to());
       if (!place) continue;

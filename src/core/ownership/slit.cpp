@@ -24,12 +24,12 @@ constexpr double least_slit = 0.01;  // square metres
 constexpr int nose_chords = 8;
 constexpr double around_cuts = 1.5;  // metres: small ground this near that they close
 
-struct Side {
+struct Segment {
   Point from, to;  // the surface on its left
 };
 
-std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
-  std::vector<Side> sides;
+std::vector<Segment> sides_within(const MultiPolygon& surface, const Box& box) {
+  std::vector<Segment> sides;
   for (const Polygon& polygon : surface)
     for (const Ring& ring : polygon)
       for (std::size_t i = 1; i < ring.size(); ++i)
@@ -39,7 +39,8 @@ std::vector<Side> sides_within(const MultiPolygon& surface, const Box& box) {
 
 // Across the slit between two sides that face each other: a line where it begins, one where it
 // ends. Where the slit grows wider than `width` the ground beyond gets a round nose.
-std::optional<std::pair<Line, Line>> ends_of_slit(const Side& a, const Side& b, double width) {
+std::optional<std::pair<Line, Line>> ends_of_slit(const Segment& a, const Segment& b,
+                                                  double width) {
   const double size = distance(a.from, a.to);
   const Point along = unit(a.to - a.from), outwards = left_normal(along) * -1;
   if (dot(along, unit(b.to - b.from)) > -nearly_parallel) return std::nullopt;
@@ -123,12 +124,12 @@ class Slits {
                             [&](const Point& p) { return is_free(p, i, j); });
     if (width_ <= 0 || share_edge(i, j)) return cuts;
     const Box shared = boxes_[i].grown(width_).shared_with(boxes_[j].grown(width_));
-    const std::vector<Side> of_j = sides_within(*claims_[j].surface, shared);
+    const std::vector<Segment> of_j = sides_within(*claims_[j].surface, shared);
     if (of_j.empty()) return cuts;
     std::vector<Box> boxes;
-    for (const Side& b : of_j) boxes.push_back(box_of(b.from, b.to));
+    for (const Segment& b : of_j) boxes.push_back(box_of(b.from, b.to));
     const BoxIndex sides(boxes);
-    for (const Side& a : sides_within(*claims_[i].surface, shared)) {
+    for (const Segment& a : sides_within(*claims_[i].surface, shared)) {
       poll_cancel();
       for (const int k : sides.near(box_of(a.from, a.to), width_)) {
         auto ends = ends_of_slit(a, of_j[k], width_);

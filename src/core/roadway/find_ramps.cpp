@@ -6,6 +6,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "roadway/highway.hpp"
 #include "roadway/node_corner.hpp"
 #include "roadway/width_transition.hpp"
 
@@ -13,15 +14,12 @@ namespace streetgen {
 
 namespace {
 
-const double straightest = std::cos(M_PI / 6 + same_angle);  // of a highway past its ramp
-constexpr double look = 10;         // metres from the node, to tell directions
 constexpr double fast = 80;         // km/h, of a highway without a class
-constexpr double least_taper = 1;   // metres
 constexpr double friction = 0.35;   // to the side, that a driver bears on a ramp
 constexpr double gravity = 9.81;    // m/s2
 constexpr double farthest = 200;    // metres from the node where a link is beside its lane
 constexpr double margin = 0.01;     // metres
-constexpr double straight = 1e-9;   // radians
+constexpr double no_turn = 1e-9;    // radians
 constexpr int tries = 6;            // of radii of the outer kerb, each half of the last
 constexpr double tangent_step = 5;  // metres
 // A longer tangent ends where the link turns by 45 degrees off the highway.
@@ -67,7 +65,7 @@ class Finder {
       const RampEdgeLanes lanes = rules_.lanes_of(layout_.streets.network.edges[end.edge]);
       if (lanes.both_ways) return std::nullopt;
       const Line& line = layout_.arm(end).line;
-      const Point far = position_at(line, std::min(look, length(line))).point;
+      const Point far = position_at(line, std::min(highway_look, length(line))).point;
       legs.push_back(
           {end, found->second, lanes, unit(far - line.front()), layout_.axis_of(end.edge).speed});
     }
@@ -75,7 +73,8 @@ class Finder {
     if (link < 0 || !legs[link].one_way()) return std::nullopt;
     const RampLeg &one = legs[(link + 1) % 3], &other = legs[(link + 2) % 3];
     if (one.end.edge == other.end.edge || one.end.edge == legs[link].end.edge ||
-        other.end.edge == legs[link].end.edge || dot(one.direction, other.direction) > -straightest)
+        other.end.edge == legs[link].end.edge ||
+        dot(one.direction, other.direction) > -highway_straightest)
       return std::nullopt;
     // A ramp lies beside the arm by which its traffic would come, or go, on the highway.
     const bool one_beside =
@@ -204,7 +203,7 @@ Bend bend_of(const Layout& layout, const Ramp& ramp, double least) {
     const Point leaves = position_at(link.line, std::max(least, beside + tangent)).direction;
     if (tangent > ramp.tangent && -dot(leaves, along) < least_along) break;
     const double turn = std::atan2(std::abs(cross(leaves, along)), -dot(leaves, along));
-    const double radius = tangent / std::tan(std::max(turn, straight) / 2);
+    const double radius = tangent / std::tan(std::max(turn, no_turn) / 2);
     if (radius <= best.radius) continue;
     best.radius = radius;
     best.tangent = tangent;

@@ -8,16 +8,14 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "roadway/highway.hpp"
 
 namespace streetgen {
 
 namespace {
 
-const double straightest = std::cos(M_PI / 6 + same_angle);  // of a highway that goes on
-constexpr double look = 10;                    // metres from the node, to tell directions
 constexpr double shortest = 20;                // metres, of a run with a merging lane
 constexpr double shortest_piece = 1;           // metres of a lane on a further edge
-constexpr double least_taper = 1;              // metres
 constexpr double least_taper_share = 1.0 / 3;  // of the room of a merging lane
 
 EdgeEnd far_end(const EdgeEnd& end) { return {end.edge, !end.at_start}; }
@@ -61,11 +59,12 @@ class Courses {
     const bool highway = part(a) == RampPart::highway || part(a) == RampPart::unclassed;
     const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
     return highway && part(a) == part(b) && as_wide(arm_a, arm_b) &&
-           dot(direction(arm_a), direction(arm_b)) <= -straightest && same_lanes(a, b);
+           dot(direction(arm_a), direction(arm_b)) <= -highway_straightest && same_lanes(a, b);
   }
 
   static Point direction(const Arm& arm) {
-    return unit(position_at(arm.line, std::min(look, length(arm.line))).point - arm.line.front());
+    return unit(position_at(arm.line, std::min(highway_look, length(arm.line))).point -
+                arm.line.front());
   }
 
   bool same_lanes(const EdgeEnd& a, const EdgeEnd& b) const {

@@ -13,7 +13,7 @@ namespace {
 
 const double least_cosine = std::cos(M_PI / 6 + same_angle);  // of a turn that is no kink
 constexpr int quarter = 8;                                    // chords of a quarter circle
-constexpr double shortest = 1e-3;                             // metres of a side that an arc takes
+constexpr double shortest_side = 1e-3;                        // metres of a side that an arc takes
 constexpr double most = 0.9;            // of the way to what an arc must not reach
 constexpr double widest = 0.49 * M_PI;  // half of a turn: beyond it a line goes back
 
@@ -29,7 +29,7 @@ void append_round(Line& line, const Point& before, const Point& at, const Point&
   const double sine = cross(in, out), cosine = dot(in, out);
   const double tangent = std::abs(std::atan2(sine, cosine)) / 2;
   const double taken = std::min(radius * std::tan(tangent), room);
-  if (taken < shortest || tangent > widest) return line.push_back(at);
+  if (taken < shortest_side || tangent > widest) return line.push_back(at);
   const double side = sine > 0 ? 1 : -1;
   const Point from = at - in * taken, to = at + out * taken;
   const Point centre = from + left_normal(in) * (side * taken / std::tan(tangent));

@@ -9,9 +9,6 @@
 
 namespace streetgen {
 
-// Chords of a quarter circle behind a node or about an outer bend.
-constexpr int join_quarter = 8;
-
 // The sector from one place to another, counter-clockwise about a centre.
 Polygon fan(const Point& centre, const Point& from, const Point& to);
 

@@ -19,8 +19,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settings) {
   std::vector<NetworkAxis> lines;
   for (const RingAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
@@ -221,8 +219,8 @@ class RingFinder {
   std::optional<RingFace> face_of_loop(Loop loop) const {
     const double greatest = settings_.radius_greatest, least = settings_.radius_least;
     const double size = size_of(loop.steps);
-    if (loop.steps.empty() || size < 2 * pi * least ||
-        size > 2 * pi * greatest / std::sqrt(settings_.shape_least))
+    if (loop.steps.empty() || size < 2 * M_PI * least ||
+        size > 2 * M_PI * greatest / std::sqrt(settings_.shape_least))
       return std::nullopt;
     RingFace face{std::move(loop), {}, {}};
     face.line = line_of(face.loop.steps);

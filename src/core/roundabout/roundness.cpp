@@ -12,7 +12,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double beside_circle = 0.1;  // of the radius: what is nearer lies on the circle
 constexpr double step = 1;             // metres between the places that are compared with it
 constexpr std::size_t most_places = 2000;
@@ -54,7 +53,7 @@ bool bends_inwards(const Line& places, std::size_t i) {
 
 double compactness_of(const Ring& line) {
   const double size = length(line);
-  return std::min(1.0, 4 * pi * signed_area(line) / (size * size));
+  return std::min(1.0, 4 * M_PI * signed_area(line) / (size * size));
 }
 
 std::optional<Roundness> roundness_of(const Ring& line) {

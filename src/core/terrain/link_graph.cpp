@@ -5,11 +5,11 @@
 
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 // The first ellipse has room for about so many towns.
 constexpr double first_towns = 3;

@@ -11,12 +11,12 @@
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/road_network.hpp"
+#include "support/infinite.hpp"
 #include "terrain/link_graph.hpp"
 
 namespace streetgen {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_towns = 1000;
 
 using Pair = std::pair<std::size_t, std::size_t>;

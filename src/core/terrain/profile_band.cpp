@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 namespace {
@@ -15,7 +15,6 @@ constexpr int half_band = 7;
 constexpr int band = 2 * half_band + 1;
 // Cost of a metre by which a rule is broken, far above what any road costs.
 constexpr double broken = 1e8;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Band = std::array<double, band>;
 using Sides = std::array<Band, band>;  // cost by height at the start and at the end

@@ -7,6 +7,7 @@
 
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 namespace {
@@ -19,7 +20,6 @@ constexpr int ground_level = 2;
 constexpr double level_share[levels] = {-1.1, -0.4, 0, 0.4, 1.1};
 constexpr std::uint8_t no_parent = 255;
 constexpr float unreached = std::numeric_limits<float>::infinity();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::uint32_t state_of(std::uint32_t cell, int level, int heading) {
   return (cell * levels + level) * headings + heading;

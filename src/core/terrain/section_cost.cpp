@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "support/infinite.hpp"
 
 namespace streetgen {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // A tunnel needs so much ground over its roadway, metres.
 constexpr double tunnel_cover = 8;
 

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 #include "terrain/curve_room.hpp"
 #include "terrain/section_cost.hpp"
 
 namespace streetgen {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // A vertex goes where the road without it costs no more than this beside the road with it.
 constexpr double dearer_without = 1.02;
 

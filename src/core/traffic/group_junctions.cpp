@@ -14,7 +14,7 @@ namespace streetgen {
 namespace {
 
 const double opposite = std::cos(M_PI / 6 + same_angle);  // of the directions of two carriageways
-constexpr double across = 0.5;  // sine of the angle of a link and a carriageway
+constexpr double least_across = 0.5;  // sine of the angle of a link and a carriageway
 
 constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
 
@@ -159,8 +159,8 @@ class Grouping {
       return false;
     const int from = link.nodes.front(), to = link.nodes.back();
     const Point first = heading(a, from), second = heading(b, to);
-    if (std::abs(cross(first, course_from(link.edges.front(), from))) < across ||
-        std::abs(cross(second, course_from(link.edges.back(), to))) < across)
+    if (std::abs(cross(first, course_from(link.edges.front(), from))) < least_across ||
+        std::abs(cross(second, course_from(link.edges.back(), to))) < least_across)
       return false;
     const double cosine = -dot(first, second);
     if (cosine > 0 && edge(a).name != 0 && edge(a).name == edge(b).name) return true;

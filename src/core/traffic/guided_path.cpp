@@ -10,12 +10,12 @@ namespace streetgen {
 
 namespace {
 
-constexpr double farthest_aside = 30;  // metres from a node at which two pieces may meet
-constexpr double straight = 1e-6;      // sine of an angle that is none
-constexpr double shortest = 1e-3;      // metres
-constexpr double shift_ratio = 3;      // metres along for each metre that a path moves aside
-constexpr double slight = 0.3;         // metres aside that no driver follows
-constexpr double lead = 0.5;           // metres that a path stays on the course of its lanes
+constexpr double farthest_aside = 30;   // metres from a node at which two pieces may meet
+constexpr double parallel_sine = 1e-6;  // sine of an angle that is none
+constexpr double shortest = 1e-3;       // metres
+constexpr double shift_ratio = 3;       // metres along for each metre that a path moves aside
+constexpr double unfollowed = 0.3;      // metres aside that no driver follows
+constexpr double lead = 0.5;            // metres that a path stays on the course of its lanes
 
 // A straight piece of the guide, endless.
 struct Guide {
@@ -76,7 +76,8 @@ Line forward_only(const Line& guide, const LaneEnd& out) {
 Line without_slight_corners(const Line& guide) {
   Line kept{guide[0], guide[1]};
   for (std::size_t i = 2; i + 2 < guide.size(); ++i)
-    if (distance_to_segment(guide[i], kept.back(), guide[i + 1]) > slight) kept.push_back(guide[i]);
+    if (distance_to_segment(guide[i], kept.back(), guide[i + 1]) > unfollowed)
+      kept.push_back(guide[i]);
   kept.insert(kept.end(), guide.end() - 2, guide.end());
   return kept;
 }
@@ -85,7 +86,7 @@ void append_rounded(Line& line, const Point& corner, const Point& from, const Po
                     double tangent, double tolerance) {
   const Point start = corner - from * tangent, end = corner + to * tangent;
   const double turn = std::atan2(cross(from, to), dot(from, to));
-  if (std::abs(turn) < straight || tangent < shortest) {
+  if (std::abs(turn) < parallel_sine || tangent < shortest) {
     line.push_back(corner);
     return;
   }
@@ -123,7 +124,7 @@ Line rounded(const Line& guide, double widest, double tolerance) {
     const std::size_t other = corner == piece ? piece + 1 : piece;
     if (other == 0 || other + 1 == n) return 0.8 * size[piece];
     const double both = wish[corner] + wish[other];
-    return both > straight ? size[piece] * wish[corner] / both : 0;
+    return both > parallel_sine ? size[piece] * wish[corner] / both : 0;
   };
   Line line{guide.front()};
   for (std::size_t i = 1; i + 1 < n; ++i) {

@@ -32,7 +32,7 @@ Point leaving(At first, At end) {
   return next == end ? Point{} : unit(*next - *first);
 }
 
-struct EdgeLanes {
+struct LaneRange {
   std::size_t first = 0, count = 0;
 };
 
@@ -48,18 +48,18 @@ struct NodeLeg {
   std::vector<int> in, out;  // indices of lanes, from left to right in their driving direction
 };
 
-class Builder {
+class InterconnectionBuilder {
  public:
-  Builder(const Streets& streets, const std::vector<StreetAxis>& axes,
-          const std::vector<Lane>& lanes, const InterconnectionSettings& settings,
-          const std::vector<Circulation>& circulations)
+  InterconnectionBuilder(const Streets& streets, const std::vector<StreetAxis>& axes,
+                         const std::vector<Lane>& lanes, const InterconnectionSettings& settings,
+                         const std::vector<Circulation>& circulations)
       : streets_(streets), lanes_(lanes), settings_(settings), circulations_(circulations) {
     for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
     for (const Ramp& ramp : streets.ramps) ramps_.emplace(ramp.node, &ramp);
     const auto& edges = streets.network.edges;
     of_edge_.resize(edges.size());
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-      EdgeLanes& own = of_edge_[lanes[i].edge];
+      LaneRange& own = of_edge_[lanes[i].edge];
       if (own.count++ == 0) own.first = i;
     }
     legs_.resize(streets.network.nodes.size());
@@ -87,7 +87,7 @@ class Builder {
 
   NodeLeg leg_of(int edge, bool at_start) const {
     NodeLeg leg{edge, at_start, {}, {}};
-    const EdgeLanes& own = of_edge_[edge];
+    const LaneRange& own = of_edge_[edge];
     for (std::size_t i = own.first; i < own.first + own.count; ++i) {
       const Lane& lane = lanes_[i];
       if (lane.kind == LaneKind::parking || !lane.reaches(at_start)) continue;
@@ -377,7 +377,7 @@ class Builder {
   const Circulations circulations_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<int, const Ramp*> ramps_;  // by node
-  std::vector<EdgeLanes> of_edge_;
+  std::vector<LaneRange> of_edge_;
   std::vector<std::vector<NodeLeg>> legs_;  // by node, in the order of edges
   std::map<int, std::vector<const TurnRestriction*>> restrictions_;
   std::vector<Interconnection> out_;
@@ -429,7 +429,7 @@ std::vector<Interconnection> interconnections(const Streets& streets,
                                               const std::vector<TurnRestriction>& restrictions,
                                               const InterconnectionSettings& settings,
                                               const std::vector<Circulation>& circulations) {
-  return Builder(streets, axes, lanes, settings, circulations).run(restrictions);
+  return InterconnectionBuilder(streets, axes, lanes, settings, circulations).run(restrictions);
 }
 
 }  // namespace streetgen

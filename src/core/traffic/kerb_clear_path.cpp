@@ -10,8 +10,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double half_car = 0.9;  // metres
-constexpr double sharpest = 64;   // the least tangents are this part of the longest
+constexpr double sharpest = 64;  // the least tangents are this part of the longest
 
 // Both end where they first cross.
 void end_at_crossing(Line& in, Line& out) {

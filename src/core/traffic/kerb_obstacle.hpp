@@ -8,6 +8,9 @@
 
 namespace streetgen {
 
+// Metres from the middle of a car to its side: the clearance that a path wishes for.
+constexpr double half_car = 0.9;
+
 // The boundary of an intersection.  Where it runs along a border line a path may leave it: onto
 // the section behind.
 class Kerbs {

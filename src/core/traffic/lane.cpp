@@ -78,7 +78,7 @@ MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const
 }
 
 // The lanes of one edge with the lines between them.
-struct EdgeLanes {
+struct LanesOfEdge {
   std::vector<Lane> lanes;
   std::vector<LaneSeparator> separators;
 };
@@ -158,8 +158,8 @@ LineBetween line_between(const std::vector<PlacedLane>& lanes, int position) {
   return {SeparatorKind::centre, driven <= 2};
 }
 
-EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
-                   const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
+LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
+                     const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
   const std::vector<PlacedLane> placed = placed_lanes(strip, wishes, settings.order);
   const int count = static_cast<int>(placed.size());
   const std::vector<double> own = lane_shares(wishes, strip.width(), settings.narrowest);
@@ -167,7 +167,7 @@ EdgeLanes lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWis
   const auto strip_at = [&](int p) {
     return placed[p - 1].stretch ? part_of(strip, *placed[p - 1].stretch) : strip;
   };
-  EdgeLanes out;
+  LanesOfEdge out;
   std::vector<Line> borders;
   for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
   for (Line* kerb : {&borders.front(), &borders.back()})
@@ -241,12 +241,12 @@ void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_sur
         variable_buffer(lane.line, std::vector<double>(lane.line.size(), lane.width / 2));
 }
 
-class Builder {
+class LaneBuilder {
  public:
-  Builder(const Streets& streets, std::vector<LanesOfAxis> axes,
-          std::vector<LaneOverride> overrides, const LaneSettings& settings,
-          const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
-          const PaintRules& paint)
+  LaneBuilder(const Streets& streets, std::vector<LanesOfAxis> axes,
+              std::vector<LaneOverride> overrides, const LaneSettings& settings,
+              const std::vector<ControlPoint>& controls,
+              const std::vector<Circulation>& circulations, const PaintRules& paint)
       : streets_(streets),
         settings_(settings),
         controls_(end_controls(streets.network, axes, controls, settings.control_distance,
@@ -265,7 +265,7 @@ class Builder {
       const bool crossed = limits_crossed(streets_, e);
       const auto [wishes, decisions] = wishes_.of(streets_.network.edges[e]);
       const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
-      EdgeLanes made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
+      LanesOfEdge made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
       std::size_t ordinary = 0;
       for (Lane& lane : made.lanes) {
         const bool merging = lane.kind == LaneKind::merging;
@@ -322,8 +322,8 @@ Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
             const PaintRules& paint) {
-  return Builder(streets, std::move(axes), std::move(overrides), settings, controls, circulations,
-                 paint)
+  return LaneBuilder(streets, std::move(axes), std::move(overrides), settings, controls,
+                     circulations, paint)
       .run();
 }
 

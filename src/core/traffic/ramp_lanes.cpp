@@ -9,8 +9,8 @@ namespace streetgen {
 namespace {
 
 constexpr unsigned onwards = turn::through;
-constexpr unsigned leftwards = turn::sharp_left | turn::left | turn::slight_left;
-constexpr unsigned rightwards = turn::slight_right | turn::right | turn::sharp_right;
+constexpr unsigned parting_leftwards = turn::sharp_left | turn::left | turn::slight_left;
+constexpr unsigned parting_rightwards = turn::slight_right | turn::right | turn::sharp_right;
 
 // The lanes of one direction.
 RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
@@ -19,8 +19,8 @@ RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
     if (!drives(lane.kind) || lane.along_axis != along_axis) continue;
     ++found.count;
     if (!(lane.turns & onwards)) continue;
-    if (lane.turns & leftwards) ++found.parting_left;
-    if (lane.turns & rightwards) ++found.parting_right;
+    if (lane.turns & parting_leftwards) ++found.parting_left;
+    if (lane.turns & parting_rightwards) ++found.parting_right;
   }
   return found;
 }

@@ -22,8 +22,6 @@ constexpr double shortest_cycle = 30, longest_cycle = 120;                  // s
 constexpr double saturation_flow = 1800;  // vehicles an hour of a lane that has green all the time
 constexpr double pair_state = 20;         // seconds, of the paper
 
-using Turn = SignalRequest::Turn;
-
 void require(bool holds, std::size_t movement, const char* what) {
   if (!holds)
     throw Error(ErrorKind::invalid_input,
@@ -66,7 +64,8 @@ double amber_of(const SignalRequest& m) {
 }
 double all_red_of(const SignalRequest& m) {
   const double speed = m.speed / 3.6;
-  const double across = m.turn == Turn::through ? speed : std::min(speed, turning_speed);
+  const double across =
+      m.turn == SignalRequest::Turn::through ? speed : std::min(speed, turning_speed);
   return half_second_up((m.length + car_length) / across);
 }
 
@@ -113,7 +112,7 @@ class Phases {
   std::vector<int> main_movements(std::int64_t approach) const {
     std::vector<int> through;
     for (const int i : approaches_.at(approach))
-      if (movements_[i].turn == Turn::through) through.push_back(i);
+      if (movements_[i].turn == SignalRequest::Turn::through) through.push_back(i);
     return through.empty() ? approaches_.at(approach) : through;
   }
 
@@ -154,7 +153,10 @@ class Phases {
       order.insert(order.end(), approaches_.at(approach).begin(), approaches_.at(approach).end());
     const auto rank = [&](int i) {
       const SignalRequest& m = movements_[i];
-      return std::tuple(m.turn == Turn::u_turn ? 2 : m.turn == Turn::through ? 0 : 1, m.length, i);
+      return std::tuple(m.turn == SignalRequest::Turn::u_turn    ? 2
+                        : m.turn == SignalRequest::Turn::through ? 0
+                                                                 : 1,
+                        m.length, i);
     };
     std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
     std::vector<SignalState::Green> greens;

@@ -13,7 +13,6 @@ namespace streetgen {
 namespace {
 
 // Metres.
-constexpr double half_car = 0.9;
 constexpr double leads[] = {8, 4, 2, 1};         // that a path keeps straight on at its ends
 constexpr double widths[] = {40, 20, 10, 6, 3};  // of its arcs
 constexpr double sample = 3, beside = 8;         // along a piece; from it to an edge inside

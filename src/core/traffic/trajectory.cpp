@@ -11,7 +11,7 @@ namespace streetgen {
 namespace {
 
 constexpr int most_chords = 1000;
-constexpr double straight = 1e-9;        // sine of an angle that is none
+constexpr double no_angle = 1e-9;        // sine of an angle that is none
 constexpr double shortest_piece = 1e-6;  // metres: a shorter one has no direction to speak of
 
 int chords(double wanted) {
@@ -29,7 +29,7 @@ struct Passage {
   };
   Reach reach() const {
     const double sine = cross(start_direction, end_direction);
-    if (std::abs(sine) < straight) return {};
+    if (std::abs(sine) < no_angle) return {};
     const Point chord = end - start;
     return {cross(chord, end_direction) / sine, cross(start_direction, chord) / sine};
   }
@@ -87,7 +87,7 @@ Point append_tangent_arc(Line& line, const Point& direction, const Point& to, do
   const Point from = line.back(), chord = unit(to - from);
   if (norm(chord) == 0) return direction;
   const double sine = cross(direction, chord), half_sweep = std::atan2(sine, dot(direction, chord));
-  if (std::abs(sine) >= straight) {
+  if (std::abs(sine) >= no_angle) {
     const double diameter = distance(from, to) / std::abs(sine);
     const double step = 2 * std::acos(std::max(1 - 2 * tolerance / diameter, 0.5));
     const int n = chords(2 * std::abs(half_sweep) / step);
@@ -118,7 +118,7 @@ Trajectory tangent_arcs(const Passage& way, double tolerance) {
     const Point chord = way.end - way.start, sum = way.start_direction + way.end_direction;
     const double along = dot(chord, sum), square = dot(chord, chord);
     const double root = std::sqrt(along * along + 2 * (1 - cosine) * square);
-    const double tangent = along + root > straight * root ? square / (along + root) : 0;
+    const double tangent = along + root > no_angle * root ? square / (along + root) : 0;
     const Point joint =
         middle(way.start + way.start_direction * tangent, way.end - way.end_direction * tangent);
     path.control = joint;

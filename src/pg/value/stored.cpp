@@ -7,13 +7,11 @@
 #include <limits>
 
 #include "frame/varlena.hpp"
+#include "value/stored_format.hpp"
 
 namespace streetgen::pg {
 
 namespace {
-
-constexpr std::uint32_t point_type = 1, line_type = 2, polygon_type = 3, multi_polygon_type = 6;
-constexpr std::uint8_t z_flag = 0x01, box_flag = 0x04, version_flag = 0x40;
 
 // The nearest floats that a box may end at and still hold the number.
 float at_most(double number) {
@@ -49,7 +47,8 @@ class Writer {
     at_ = out_.get() + VARHDRSZ;
     SET_VARSIZE(out_.get(), all);
     for (const int shift : {16, 8, 0}) put(static_cast<std::uint8_t>(form.srid >> shift));
-    put<std::uint8_t>(version_flag | (box > 0 ? box_flag : 0) | (has_z_ ? z_flag : 0));
+    put<std::uint8_t>(stored_flag::version | (box > 0 ? stored_flag::box : 0) |
+                      (has_z_ ? stored_flag::z : 0));
     if (extent == nullptr) return;
     put_range(extent->low.x, extent->high.x);
     put_range(extent->low.y, extent->high.y);
@@ -102,7 +101,7 @@ std::size_t padded(std::size_t rings) { return rings + rings % 2; }
 
 Stored stored_point(const Point& point, Form form) {
   Writer writer(form, head_bytes + bytes_of_point(form.has_z), nullptr);
-  writer.head(point_type, 1);
+  writer.head(stored_type::point, 1);
   writer.put(point, bytes_of_point(form.has_z));
   return writer.take();
 }
@@ -112,7 +111,7 @@ Stored stored_line(const Line& line, Form form) {
   extent.hold(line);
   Writer writer(form, head_bytes + line.size() * bytes_of_point(form.has_z),
                 line.size() > 2 ? &extent : nullptr);
-  writer.head(line_type, line.size());
+  writer.head(stored_type::line, line.size());
   writer.put(line);
   return writer.take();
 }
@@ -128,9 +127,9 @@ Stored stored_surface(const MultiPolygon& surface, Form form) {
     }
   }
   Writer writer(form, bytes, surface.empty() ? nullptr : &extent);
-  writer.head(multi_polygon_type, surface.size());
+  writer.head(stored_type::multi_polygon, surface.size());
   for (const Polygon& polygon : surface) {
-    writer.head(polygon_type, polygon.size());
+    writer.head(stored_type::polygon, polygon.size());
     for (const Ring& ring : polygon) writer.put(static_cast<std::uint32_t>(ring.size()));
     if (polygon.size() % 2 != 0) writer.put(std::uint32_t{0});
     for (const Ring& ring : polygon) writer.put(ring);

@@ -5,14 +5,12 @@
 
 #include "streetgen/error.hpp"
 #include "value/stored.hpp"
+#include "value/stored_format.hpp"
 
 namespace streetgen::pg {
 
 namespace {
 
-constexpr std::uint32_t point_type = 1, line_type = 2, circular_type = 8, compound_type = 9;
-constexpr std::uint8_t z_flag = 0x01, m_flag = 0x02, box_flag = 0x04, geodetic_flag = 0x08;
-constexpr std::uint8_t extended_flag = 0x10, version_flag = 0x40;
 constexpr std::uint32_t wkb_z = 0x80000000, wkb_m = 0x40000000, wkb_srid = 0x20000000;
 
 class Transcript {
@@ -22,14 +20,14 @@ class Transcript {
     for (std::uint8_t& byte : srid) byte = take<std::uint8_t>();
     flags_ = take<std::uint8_t>();
     srid_ = (srid[0] & 0x1f) << 16 | srid[1] << 8 | srid[2];
-    if ((flags_ & version_flag) != 0 && (flags_ & extended_flag) != 0) skip(8);
-    const std::size_t stored_axes = (flags_ & geodetic_flag) != 0 ? 3 : axes();
-    if ((flags_ & box_flag) != 0) skip(stored_axes * 2 * sizeof(float));
+    if ((flags_ & stored_flag::version) != 0 && (flags_ & stored_flag::extended) != 0) skip(8);
+    const std::size_t stored_axes = (flags_ & stored_flag::geodetic) != 0 ? 3 : axes();
+    if ((flags_ & stored_flag::box) != 0) skip(stored_axes * 2 * sizeof(float));
   }
 
   std::string wkb() {
     const std::uint32_t type = part(true);
-    if (type == compound_type)
+    if (type == stored_type::compound_curve)
       for (std::uint32_t i = 0, parts = count(true); i < parts; ++i) points(part(false));
     else
       points(type);
@@ -37,7 +35,9 @@ class Transcript {
   }
 
  private:
-  std::size_t axes() const { return 2 + (flags_ & z_flag ? 1 : 0) + (flags_ & m_flag ? 1 : 0); }
+  std::size_t axes() const {
+    return 2 + (flags_ & stored_flag::z ? 1 : 0) + (flags_ & stored_flag::m ? 1 : 0);
+  }
 
   std::string_view skip(std::size_t bytes) {
     if (bytes > stored_.size() - at_)
@@ -61,8 +61,8 @@ class Transcript {
     const auto type = take<std::uint32_t>();
     const bool with_srid = outer && srid_ != 0;
     put<std::uint8_t>(1);
-    put<std::uint32_t>(type | (flags_ & z_flag ? wkb_z : 0) | (flags_ & m_flag ? wkb_m : 0) |
-                       (with_srid ? wkb_srid : 0));
+    put<std::uint32_t>(type | (flags_ & stored_flag::z ? wkb_z : 0) |
+                       (flags_ & stored_flag::m ? wkb_m : 0) | (with_srid ? wkb_srid : 0));
     if (with_srid) put<std::int32_t>(srid_);
     return type;
   }
@@ -72,8 +72,8 @@ class Transcript {
     return number;
   }
   void points(std::uint32_t type) {
-    const bool one = type == point_type;
-    if (!one && type != line_type && type != circular_type) return;
+    const bool one = type == stored_type::point;
+    if (!one && type != stored_type::line && type != stored_type::circular_string) return;
     const std::uint32_t number = count(!one);
     // A point that is empty has coordinates that are no numbers.
     if (one && number == 0)

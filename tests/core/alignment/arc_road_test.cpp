@@ -11,7 +11,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace arc_road_test {
 
 double greatest_jump(const ArcRoad& road) {
   double jump = 0;
@@ -352,5 +352,5 @@ TEST(ArcRoad, OfAMillionVerticesIsARoad) {
   EXPECT_NEAR(road.locate(road.at(at).point).abscissa, at, 1e-6);
 }
 
-}  // namespace
+}  // namespace arc_road_test
 }  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "rounds.hpp"
 
 namespace streetgen {
-namespace {
+namespace detect_arcs_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -118,5 +118,5 @@ TEST(DetectArcs, HasNoneWithoutFourPoints) {
   EXPECT_TRUE(detect_arcs({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}}, {}).empty());
 }
 
-}  // namespace
+}  // namespace detect_arcs_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "streetgen/arc_road.hpp"
 
 namespace streetgen {
-namespace {
+namespace fit_radii_test {
 
 // By the definition: bisects for the greatest radius that all free bends can share, and fixes the
 // bends that can have no more.
@@ -142,5 +142,5 @@ TEST(FitRadii, OfARoadAreThoseOfItsPolyline) {
   }
 }
 
-}  // namespace
+}  // namespace fit_radii_test
 }  // namespace streetgen

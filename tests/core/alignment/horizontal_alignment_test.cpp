@@ -10,7 +10,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace horizontal_alignment_test {
 
 // Where a car ends that turns by a curvature: the rule of Simpson over the heading, apart from the
 // quadrature of the code.
@@ -168,5 +168,5 @@ TEST(CurvatureSpectrum, AWaveHasItsEnergyInItsBand) {
   EXPECT_TRUE(curvature_spectrum({{0, 0}, {9000, 0}}, 10, 2000).empty());
 }
 
-}  // namespace
+}  // namespace horizontal_alignment_test
 }  // namespace streetgen

@@ -13,7 +13,7 @@
 #include "streetgen/road_lanes.hpp"
 
 namespace streetgen {
-namespace {
+namespace plan_view_test {
 
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
 
@@ -273,5 +273,5 @@ TEST(RoadLanes, DoNotLookAlongTheLaneBehindABend) {
     EXPECT_LT(road.borders[0][i] - road.borders[1][i], 4 * std::sqrt(2) + 0.01) << i;
 }
 
-}  // namespace
+}  // namespace plan_view_test
 }  // namespace streetgen

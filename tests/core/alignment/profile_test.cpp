@@ -11,7 +11,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace profile_test {
 
 constexpr double clearance = 6, grade = 0.06;
 
@@ -238,5 +238,5 @@ TEST(Profile, IsTheLeastOfAllThatHold) {
   EXPECT_GT(lifted, 500);
 }
 
-}  // namespace
+}  // namespace profile_test
 }  // namespace streetgen

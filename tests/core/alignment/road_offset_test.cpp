@@ -12,7 +12,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace road_offset_test {
 
 constexpr double step = 0.05;
 
@@ -232,5 +232,5 @@ TEST(RoadMesh, RefusesOffsetsInTheWrongOrder) {
   EXPECT_EQ(road.mesh(2, -2, 0.1).size(), 2u);
 }
 
-}  // namespace
+}  // namespace road_offset_test
 }  // namespace streetgen

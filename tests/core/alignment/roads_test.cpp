@@ -11,7 +11,7 @@
 #include "streetgen/road.hpp"
 
 namespace streetgen {
-namespace {
+namespace roads_test {
 
 constexpr double shift = 0.5;
 
@@ -192,5 +192,5 @@ TEST(RoadOverride, OfZeroOrMoreAlwaysFits) {
   }
 }
 
-}  // namespace
+}  // namespace roads_test
 }  // namespace streetgen

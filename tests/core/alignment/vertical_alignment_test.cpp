@@ -9,7 +9,7 @@
 #include "streetgen/vertical_alignment.hpp"
 
 namespace streetgen {
-namespace {
+namespace vertical_alignment_test {
 
 TEST(VerticalAlignment, AParabolaLeavesItsPointByTheMiddleOrdinate) {
   // R dg^2 / 8, below a crest and above a sag.
@@ -55,5 +55,5 @@ TEST(RoadStandard, TheLeastRadiusIsThatOfTheNorm) {
   EXPECT_THROW(least_radius(60, -0.1, 0.05), Error);
 }
 
-}  // namespace
+}  // namespace vertical_alignment_test
 }  // namespace streetgen

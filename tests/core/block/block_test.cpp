@@ -18,7 +18,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace block_test {
 
 Streets with_kerbs(const std::vector<StreetAxis>& axes, const StreetSettings& settings = {}) {
   return streets(axes, settings, {}, {}, true);
@@ -244,5 +244,5 @@ TEST(Block, IsTheSameOfItsOwnEdges) {
   }
 }
 
-}  // namespace
+}  // namespace block_test
 }  // namespace streetgen

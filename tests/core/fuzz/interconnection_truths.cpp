@@ -10,7 +10,7 @@ namespace streetgen::fuzz {
 
 namespace {
 
-struct Asked {
+struct TurnsAsked {
   std::vector<LanesOfAxis> axes;
   std::vector<TurnRestriction> restrictions;
   InterconnectionSettings settings;
@@ -27,8 +27,8 @@ std::vector<LaneWish> random_lanes(Random& random) {
   return lanes;
 }
 
-Asked random_traffic(Random& random, const Town& town) {
-  Asked asked;
+TurnsAsked random_traffic(Random& random, const Town& town) {
+  TurnsAsked asked;
   for (const StreetAxis& axis : town.axes) {
     asked.axes.push_back({axis.axis_id,
                           {random_lanes(random), random_lanes(random),
@@ -138,7 +138,7 @@ bool same(const Interconnection& a, const Interconnection& b) {
 Faults interconnection_faults(const Made& made) {
   Faults faults;
   Random random(made.seed);
-  Asked asked = random_traffic(random, made.town);
+  TurnsAsked asked = random_traffic(random, made.town);
   const std::vector<Lane> all = lanes(made.streets, asked.axes, {}, {}).lanes;
   std::vector<StreetAxis> axes = made.town.axes;
   const auto run = [&] {

@@ -22,15 +22,15 @@ std::vector<LaneWish> random_wishes(Random& random) {
   return wishes;
 }
 
-struct Asked {
+struct LanesAsked {
   std::vector<LanesOfAxis> axes;
   std::vector<LaneOverride> overrides;
   LaneSettings settings;
 };
 
-Asked random_lanes(Random& random, const Town& town) {
+LanesAsked random_lanes(Random& random, const Town& town) {
   using Direction = LaneOverride::Direction;
-  Asked asked;
+  LanesAsked asked;
   for (const StreetAxis& axis : town.axes) {
     if (!random.one_in(10))
       asked.axes.push_back({axis.axis_id,
@@ -151,7 +151,7 @@ bool same(const Lanes& a, const Lanes& b) {
 
 Faults lane_faults(const Made& made) {
   Random random(made.seed);
-  Asked asked = random_lanes(random, made.town);
+  LanesAsked asked = random_lanes(random, made.town);
   const Lanes first = lanes(made.streets, asked.axes, asked.overrides, asked.settings);
   Faults faults;
   find_unsound(first, faults);

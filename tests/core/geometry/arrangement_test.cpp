@@ -10,7 +10,7 @@
 #include "geometry/prepared_surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace arrangement_test {
 
 const Ring square{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
 
@@ -132,5 +132,5 @@ TEST(Arrangement, MakesFacesOfWhatNearlyCoincides) {
   }
 }
 
-}  // namespace
+}  // namespace arrangement_test
 }  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "geometry/prepared_surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace box_hierarchy_test {
 
 // A row of boxes that wanders, as the sides of a ring do.
 std::vector<Box> row(int count, std::mt19937& random) {
@@ -94,5 +94,5 @@ TEST(PreparedSurface, HoldsAPlaceThatLiesInsideItsRings) {
   }
 }
 
-}  // namespace
+}  // namespace box_hierarchy_test
 }  // namespace streetgen

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace box_index_test {
 
 const Box square{0, 0, 1, 1};
 
@@ -32,5 +32,5 @@ TEST(BoxIndex, FindsABoxWithoutExtent) {
   EXPECT_EQ(index.near(square, 2), (std::vector<int>{0, 1}));
 }
 
-}  // namespace
+}  // namespace box_index_test
 }  // namespace streetgen

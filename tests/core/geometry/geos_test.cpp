@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 namespace streetgen {
-namespace {
+namespace geos_test {
 
 const Ring square{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
 const Ring hole{{1, 1}, {1, 2}, {2, 2}, {1, 1}};
@@ -18,5 +18,5 @@ TEST(Geos, KeepsNothingOfASurfaceThatFailsHalfWay) {
   EXPECT_THROW(geos.surface({{square, hole}, {open}}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace geos_test
 }  // namespace streetgen

@@ -7,7 +7,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace hairline_test {
 
 // Wherever the ring begins.
 void expect_ring(const Ring& ring, std::size_t corners, double area) {
@@ -40,5 +40,5 @@ TEST(Hairline, IsLeftOutWithAllOfItsVertices) {
 
 TEST(Hairline, IsNoGroundAlone) { expect_ring({{0, 0}, {5, 0}, {9, 1}, {5, 2e-8}, {0, 0}}, 0, 0); }
 
-}  // namespace
+}  // namespace hairline_test
 }  // namespace streetgen

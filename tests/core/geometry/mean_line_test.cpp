@@ -5,7 +5,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace mean_line_test {
 
 TEST(MeanLine, RunsHalfwayBetweenTwoOffsets) {
   const Line left = {{0, 3, 0}, {97, 3, 0}, {97, 100, 0}};
@@ -32,5 +32,5 @@ TEST(MeanLine, OfLinesThatCancelOutIsNothing) {
   EXPECT_EQ(mean_line({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}}).size(), 2u);
 }
 
-}  // namespace
+}  // namespace mean_line_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace narrow_gap_test {
 
 MultiPolygon rectangle(double x, double y, double width, double height) {
   return {
@@ -134,5 +134,5 @@ TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {
   EXPECT_GT(holes, 100);
 }
 
-}  // namespace
+}  // namespace narrow_gap_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "geometry/ring_simplicity.hpp"
 
 namespace streetgen {
-namespace {
+namespace ring_simplicity_test {
 
 Ring ring(std::vector<std::pair<double, double>> corners) {
   Ring out;
@@ -64,5 +64,5 @@ TEST(Simple, AgreesWithGeos) {
   EXPECT_LT(crossed, 400);
 }
 
-}  // namespace
+}  // namespace ring_simplicity_test
 }  // namespace streetgen

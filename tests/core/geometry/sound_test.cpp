@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace sound_test {
 
 MultiPolygon rectangle(double west, double south, double east, double north) {
   return {{{{west, south}, {east, south}, {east, north}, {west, north}, {west, south}}}};
@@ -35,5 +35,5 @@ TEST(Sound, ALineLiesOnSurfacesThatFollowEachOther) {
   EXPECT_FALSE(lies_on({{1, 1}, {25, 1}}, {rectangle(0, 0, 10, 5), rectangle(11, 0, 30, 5)}));
 }
 
-}  // namespace
+}  // namespace sound_test
 }  // namespace streetgen

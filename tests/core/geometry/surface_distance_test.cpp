@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace surface_distance_test {
 
 MultiPolygon box(double x, double y, double size) {
   return {{{{x, y, 0}, {x + size, y, 0}, {x + size, y + size, 0}, {x, y + size, 0}, {x, y, 0}}}};
@@ -38,5 +38,5 @@ TEST(Near, AsTheirNearestPlacesTell) {
   }
 }
 
-}  // namespace
+}  // namespace surface_distance_test
 }  // namespace streetgen

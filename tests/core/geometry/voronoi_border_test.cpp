@@ -10,7 +10,7 @@
 #include "geometry/voronoi_border.hpp"
 
 namespace streetgen {
-namespace {
+namespace voronoi_border_test {
 
 double nearest(const std::vector<Site>& sites, const Point& p, bool first) {
   double best = std::numeric_limits<double>::infinity();
@@ -126,5 +126,5 @@ TEST(Nearest, OfSitesInOnePlaceTheEarlierCounts) {
       VoronoiBorder({{here, false}, {here, true}, {there, false}}, within).first_owns(here));
 }
 
-}  // namespace
+}  // namespace voronoi_border_test
 }  // namespace streetgen

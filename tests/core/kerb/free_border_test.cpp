@@ -7,7 +7,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace free_border_test {
 
 double unshared(double crack) {
   const MultiPolygon lower = {{{{0, -5}, {0, 0}, {6, 0}, {6, -5}, {0, -5}}}};
@@ -141,5 +141,5 @@ TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
   EXPECT_NEAR(sum, length(folded[0][0]), 4e-5);
 }
 
-}  // namespace
+}  // namespace free_border_test
 }  // namespace streetgen

@@ -14,7 +14,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace kerb_test {
 
 Streets with_kerbs(const std::vector<StreetAxis>& axes, const StreetSettings& settings = {}) {
   return streets(axes, settings, {}, {}, true);
@@ -292,5 +292,5 @@ TEST(Kerb, StonesLieOnItsLeft) {
   EXPECT_GT(area(stones_of(kerb)), 0.3 * 40 - 4 * 0.09 - 1e-9);
 }
 
-}  // namespace
+}  // namespace kerb_test
 }  // namespace streetgen

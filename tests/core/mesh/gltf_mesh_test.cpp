@@ -5,7 +5,7 @@
 #include <cstring>
 
 namespace streetgen {
-namespace {
+namespace gltf_mesh_test {
 
 float float_at(const std::string& bytes, std::size_t number) {
   float value;
@@ -48,5 +48,5 @@ TEST(GltfMesh, IsEmptyOfNothing) {
   EXPECT_TRUE(gltf_mesh({}, {}).bytes.empty());
 }
 
-}  // namespace
+}  // namespace gltf_mesh_test
 }  // namespace streetgen

@@ -14,7 +14,7 @@
 #include "streetgen/surface_mesh.hpp"
 
 namespace streetgen {
-namespace {
+namespace mesh_surfaces_test {
 
 const Line east{{0, 0}, {1, 0}};
 
@@ -174,5 +174,5 @@ TEST(WithoutSlightBends, CountsHeights) {
   EXPECT_EQ(without_slight_bends(line, 5).size(), 2u);
 }
 
-}  // namespace
+}  // namespace mesh_surfaces_test
 }  // namespace streetgen

@@ -9,11 +9,9 @@
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
-using streetgen::clean;
-using streetgen::Line;
-using streetgen::Point;
+namespace streetgen {
 
-namespace {
+namespace clean_test {
 
 std::vector<double> xs(const Line& line) {
   std::vector<double> out;
@@ -39,8 +37,6 @@ double farthest_from(const Line& cleaned, const Line& line) {
 }
 
 constexpr double millimetre = 1e-3 + 1e-8;
-
-}  // namespace
 
 TEST(Clean, RemovesPointsNearerThanEpsilonToTheLastKeptOne) {
   const Line line{{0, 0}, {10, 1}, {10.2, 1}, {20, 0}};
@@ -123,12 +119,12 @@ TEST(Clean, LeavesASmallLoopItsSides) {
 }
 
 TEST(Clean, RefusesAKeepOfAnotherLength) {
-  EXPECT_THROW(clean({{0, 0}, {1, 0}}, {true}, 0.3, 3), streetgen::Error);
+  EXPECT_THROW(clean({{0, 0}, {1, 0}}, {true}, 0.3, 3), Error);
 }
 
 TEST(Clean, Cancels) {
   streetgen::set_cancel_check([]() noexcept { return true; });
-  EXPECT_THROW(clean({{0, 0}, {1, 0}}, {}, 0.3, 3), streetgen::Error);
+  EXPECT_THROW(clean({{0, 0}, {1, 0}}, {}, 0.3, 3), Error);
   streetgen::set_cancel_check(nullptr);
 }
 
@@ -171,3 +167,6 @@ TEST(CleanNetwork, EachLineAsIfToldWhatOthersHave) {
     }
   }
 }
+
+}  // namespace clean_test
+}  // namespace streetgen

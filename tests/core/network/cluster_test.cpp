@@ -8,10 +8,9 @@
 
 #include "streetgen/error.hpp"
 
-using streetgen::clusters;
-using streetgen::Point;
+namespace streetgen {
 
-namespace {
+namespace cluster_test {
 
 std::vector<Point> scattered(int count, unsigned seed) {
   std::mt19937 random(seed);
@@ -39,8 +38,6 @@ double squares(const std::map<int, std::vector<Point>>& members) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST(Clusters, AreNumberedAndOfEqualSize) {
   for (const int count : {7, 100, 1001})
@@ -99,7 +96,10 @@ TEST(Clusters, AreTheSameAgain) {
 
 TEST(Clusters, KIsWithinOneAndTheNumberOfPoints) {
   const std::vector<Point> points = scattered(4, 2);
-  for (const int k : {-1, 0, 5}) EXPECT_THROW(clusters(points, k), streetgen::Error) << k;
+  for (const int k : {-1, 0, 5}) EXPECT_THROW(clusters(points, k), Error) << k;
   EXPECT_EQ(clusters(points, 4).size(), 4u);
-  EXPECT_THROW(clusters({}, 1), streetgen::Error);
+  EXPECT_THROW(clusters({}, 1), Error);
 }
+
+}  // namespace cluster_test
+}  // namespace streetgen

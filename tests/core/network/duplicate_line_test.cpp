@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-using streetgen::doubled;
-using streetgen::Line;
+namespace streetgen {
 
-namespace {
+namespace duplicate_line_test {
 
 constexpr double near = 0.3;
 
@@ -58,4 +57,5 @@ TEST(Doubled, ALineIsNotItsOwnOther) {
   EXPECT_TRUE(doubled({}, {}, near).empty());
 }
 
-}  // namespace
+}  // namespace duplicate_line_test
+}  // namespace streetgen

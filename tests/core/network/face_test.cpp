@@ -17,7 +17,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace face_test {
 
 NetworkFaces faces_of(const std::vector<Line>& edges) {
   return find_faces({edges.begin(), edges.end()});
@@ -263,5 +263,5 @@ TEST(Face, OfACityIsFoundAndCancelled) {
   set_cancel_check(nullptr);
 }
 
-}  // namespace
+}  // namespace face_test
 }  // namespace streetgen

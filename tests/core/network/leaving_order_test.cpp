@@ -8,7 +8,7 @@
 #include <random>
 
 namespace streetgen {
-namespace {
+namespace leaving_order_test {
 
 // The direction of a way that bends 3 m, 6 m and 12 m from its node.
 struct Way {
@@ -88,5 +88,5 @@ TEST(LeavingOrder, DoesNotDependOnOrderTurnOrSide) {
   }
 }
 
-}  // namespace
+}  // namespace leaving_order_test
 }  // namespace streetgen

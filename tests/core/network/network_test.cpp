@@ -9,7 +9,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace network_test {
 
 NetworkAxis axis(std::int64_t id, Line line, int level = 0) { return {id, std::move(line), level}; }
 
@@ -252,5 +252,5 @@ TEST(Network, DoesNotDependOnTheOrderOfTheAxes) {
   }
 }
 
-}  // namespace
+}  // namespace network_test
 }  // namespace streetgen

@@ -7,7 +7,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace overpass_test {
 
 struct Town {
   Network net;
@@ -116,5 +116,5 @@ TEST(Overpass, FindsWhatEveryPairOfSegmentsSays) {
   }
 }
 
-}  // namespace
+}  // namespace overpass_test
 }  // namespace streetgen

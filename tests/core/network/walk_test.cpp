@@ -6,7 +6,7 @@
 #include <random>
 
 namespace streetgen {
-namespace {
+namespace walk_test {
 
 Network network_of(const std::vector<Line>& lines, const std::vector<int>& levels = {}) {
   std::vector<NetworkAxis> axes;
@@ -81,5 +81,5 @@ TEST(Walks, AreAsManyAsEulerSays) {
   }
 }
 
-}  // namespace
+}  // namespace walk_test
 }  // namespace streetgen

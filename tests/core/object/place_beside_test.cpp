@@ -7,7 +7,7 @@
 #include "streetgen/object.hpp"
 
 namespace streetgen {
-namespace {
+namespace place_beside_test {
 
 const Line bent{{0, 0, 0}, {100, 0, 0}, {100, 50, 0}};
 
@@ -77,5 +77,5 @@ TEST(BesideAxis, IsTheInverse) {
   EXPECT_GT(tried, 3000);
 }
 
-}  // namespace
+}  // namespace place_beside_test
 }  // namespace streetgen

@@ -6,7 +6,7 @@
 #include "streetgen/object.hpp"
 
 namespace streetgen {
-namespace {
+namespace roadway_border_test {
 
 const Line straight{{0, 0, 0}, {100, 0, 0}};
 
@@ -52,5 +52,5 @@ TEST(RoadwayBorder, SaysTheSamePlaceOnce) {
   EXPECT_TRUE(roadway_border(straight, repeated, {50, 50}).empty());
 }
 
-}  // namespace
+}  // namespace roadway_border_test
 }  // namespace streetgen

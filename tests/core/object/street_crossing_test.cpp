@@ -7,7 +7,7 @@
 #include "streetgen/object.hpp"
 
 namespace streetgen {
-namespace {
+namespace street_crossing_test {
 
 const Line straight{{0, 0, 0}, {100, 0, 0}};
 
@@ -101,5 +101,5 @@ TEST(StreetCrossing, HasNoGroundWithoutAnAxis) {
   EXPECT_TRUE(crossing_stripes(nowhere, even(4, 4), {0, 4, M_PI / 2}).empty());
 }
 
-}  // namespace
+}  // namespace street_crossing_test
 }  // namespace streetgen

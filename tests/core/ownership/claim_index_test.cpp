@@ -11,7 +11,7 @@
 #include "roadway/node_corner.hpp"
 
 namespace streetgen {
-namespace {
+namespace claim_index_test {
 
 class RandomNode {
  public:
@@ -135,5 +135,5 @@ TEST(Vicinity, WhatEnclosesAHoleIsNear) {
   EXPECT_EQ(Vicinity(ring(far + 1), claims, 0).enclosing(0, none), std::vector<int>{});
 }
 
-}  // namespace
+}  // namespace claim_index_test
 }  // namespace streetgen

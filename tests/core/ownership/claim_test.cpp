@@ -8,7 +8,7 @@
 #include "ownership/dispute.hpp"
 
 namespace streetgen {
-namespace {
+namespace claim_test {
 
 // Whether the node at the first place comes before the one at the second.
 bool comes_before(const std::vector<StreetAxis>& axes, const Point& first, const Point& second) {
@@ -39,5 +39,5 @@ TEST(Claim, OfNeighboursOnOneLongAxisGoByTheirOtherAxesUnderAnyNumbers) {
   } while (std::next_permutation(numbers.begin(), numbers.end()));
 }
 
-}  // namespace
+}  // namespace claim_test
 }  // namespace streetgen

@@ -14,7 +14,7 @@
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace crowd_test {
 
 // Stops work that asks more often than this whether to stop: a measure of work that is the same on
 // every machine.
@@ -162,5 +162,5 @@ TEST(Crowd, NoPairsOfLanesOverTheBound) {
   EXPECT_EQ(interconnections(star, axes, made, {}, settings).size(), 12u);
 }
 
-}  // namespace
+}  // namespace crowd_test
 }  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace dispute_test {
 
 // Whether stretches of two lines cross, of streets 4 m wide.
 bool crossed(const Line& a, double to_a, const Line& b, double from_b) {
@@ -40,5 +40,5 @@ TEST(Dispute, StretchesThatCrossAtASmallAngleDo) {
   EXPECT_FALSE(crossed(line, 20, {{8, 10, 0}, {12, 0.001, 0}}, 0));
 }
 
-}  // namespace
+}  // namespace dispute_test
 }  // namespace streetgen

@@ -13,7 +13,7 @@
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace ownership_test {
 
 // Streets with their surfaces, as ownership takes them.
 struct Town {
@@ -224,5 +224,5 @@ TEST(Holes, LeaveNoHairlineAroundWhatWasFilled) {
   EXPECT_NEAR(area(frame), 100, 1e-9);
 }
 
-}  // namespace
+}  // namespace ownership_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace slit_test {
 
 StreetAxis axis(std::int64_t id, Line line, int level = 0) {
   return {id, std::move(line), level, 6, 6, 4, 3};
@@ -114,5 +114,5 @@ TEST(Slit, IsTheSameWhereverTheStreetsLie) {
   }
 }
 
-}  // namespace
+}  // namespace slit_test
 }  // namespace streetgen

@@ -12,7 +12,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace moved_test {
 
 const Point centre{340000, 4830000, 0};
 
@@ -101,5 +101,5 @@ TEST(MovedStreets, ThatAreDrawnTwiceLieAlikeUnderAnyNumbers) {
   } while (std::next_permutation(numbers.begin(), numbers.end()));
 }
 
-}  // namespace
+}  // namespace moved_test
 }  // namespace streetgen

@@ -7,7 +7,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace street_model_test {
 
 StreetModelInput random_input(unsigned seed) {
   StreetModelInput input;
@@ -41,5 +41,5 @@ TEST(StreetModel, HasNoRowWithoutAxes) {
   EXPECT_TRUE(model.interconnections.empty());
 }
 
-}  // namespace
+}  // namespace street_model_test
 }  // namespace streetgen

@@ -13,7 +13,7 @@
 #include "shared_area.hpp"
 
 namespace streetgen {
-namespace {
+namespace streets_test {
 
 TEST(Streets, SurfacesAreValidAndTileWhateverTheTown) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -337,5 +337,5 @@ TEST(Streets, AnIntersectionKeepsItsNode) {
   EXPECT_TRUE(PreparedSurface(tee->surface).holds({1e-3, 1e-3, 0}));
 }
 
-}  // namespace
+}  // namespace streets_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace corner_test {
 
 Line ray(double angle, double size) {
   return {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}};
@@ -117,5 +117,5 @@ TEST(MaxCornerRadius, LeavesTheSameArcInTheMirror) {
   }
 }
 
-}  // namespace
+}  // namespace corner_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace crossing_surface_test {
 
 CurvedLine curve(const Line& line) {
   CurvedLine out;
@@ -119,5 +119,5 @@ TEST(CrossingSurface, IsNoneWithoutAKerbWithinTenWidths) {
       crossing_surface(axis, curve({{0, 4, 0}, {49, 4, 0}}), curve(right), 50, 3, M_PI / 2));
 }
 
-}  // namespace
+}  // namespace crossing_surface_test
 }  // namespace streetgen

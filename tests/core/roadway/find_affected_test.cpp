@@ -9,7 +9,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace find_affected_test {
 
 FormerLimit former_of(const SectionLimit& limit) {
   return {limit.wanted_abscissa, limit.abscissa, limit.border_line};
@@ -242,5 +242,5 @@ TEST(Streets, TellAlongWhichAxesAChangeLeadsOn) {
   }
 }
 
-}  // namespace
+}  // namespace find_affected_test
 }  // namespace streetgen

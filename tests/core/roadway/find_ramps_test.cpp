@@ -13,7 +13,7 @@
 #include "streetgen/street_model.hpp"
 
 namespace streetgen {
-namespace {
+namespace find_ramps_test {
 
 constexpr double lane = 3.5;
 constexpr std::int64_t before = 1, after = 2, link = 3;
@@ -573,5 +573,5 @@ TEST(FindRamps, DoesNotReachAroundALoopForAGreaterRadius) {
     }
 }
 
-}  // namespace
+}  // namespace find_ramps_test
 }  // namespace streetgen

@@ -11,7 +11,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace followed_corner_test {
 
 // East and north from the origin, 10 m wide; a side street cuts the first 3 m off the one east.
 std::vector<StreetAxis> cut_short(double cut, double radius) {
@@ -208,5 +208,5 @@ TEST(Streets, AnAxisIsFollowedAlongAKerbThatSteps) {
   lies_on_a_kerb(town, corner->arc->start);
 }
 
-}  // namespace
+}  // namespace followed_corner_test
 }  // namespace streetgen

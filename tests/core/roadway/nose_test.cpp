@@ -10,7 +10,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace nose_test {
 
 // Arcs may lie far from their node.
 StreetSettings far_arcs() {
@@ -145,5 +145,5 @@ TEST(Island, WithoutRoomForADiscIsNone) {
     EXPECT_NE(corner.method, Method::nose);
 }
 
-}  // namespace
+}  // namespace nose_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "streetgen/surface.hpp"
 
 namespace streetgen {
-namespace {
+namespace offset_strip_test {
 
 CurvedLine arc(const Point& start, const Point& middle, const Point& end) {
   return {{{start, middle, end}, true}};
@@ -64,5 +64,5 @@ TEST(OffsetStrip, IsValidOnRoughKerbs) {
   }
 }
 
-}  // namespace
+}  // namespace offset_strip_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace round_kink_test {
 
 double turn_at(const Point& before, const Point& at, const Point& after) {
   const Point in = at - before, out = after - at;
@@ -109,5 +109,5 @@ TEST(RoundKink, LeavesCornersWantedWithoutAnArc) {
                             [&](const Point& p) { return distance(p, corner) < 1e-9; }));
 }
 
-}  // namespace
+}  // namespace round_kink_test
 }  // namespace streetgen

@@ -11,7 +11,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace section_taper_test {
 
 StreetAxis axis(std::int64_t id, Line line, double width, double speed) {
   StreetAxis made{id, std::move(line), 0, width, width, 4, 3};
@@ -107,5 +107,5 @@ TEST(SectionTaper, HasNoPartInAFixedLength) {
     EXPECT_TRUE(roadway.profile.empty());
 }
 
-}  // namespace
+}  // namespace section_taper_test
 }  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace smooth_edges_test {
 
 StreetSettings smooth() {
   StreetSettings settings;
@@ -119,5 +119,5 @@ TEST(SmoothEdges, TakeTurnsBackAndLoops) {
   EXPECT_TRUE(same(town.network.edges[2].line.front(), town.network.edges[2].line.back()));
 }
 
-}  // namespace
+}  // namespace smooth_edges_test
 }  // namespace streetgen

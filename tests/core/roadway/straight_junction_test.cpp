@@ -7,7 +7,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace straight_junction_test {
 
 // Two streets 7 m wide; the second one turns by so many thousandths of a radian.
 Streets turned(double thousandths, const StreetOverrides& overrides = {}) {
@@ -60,5 +60,5 @@ TEST(StraightJunction, IsPartedByALimitByHand) {
   EXPECT_NEAR(area(town.intersections[0].surface), 7 * 10, 0.01);
 }
 
-}  // namespace
+}  // namespace straight_junction_test
 }  // namespace streetgen

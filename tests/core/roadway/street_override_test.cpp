@@ -14,7 +14,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace street_override_test {
 
 constexpr unsigned junctions = 60;
 
@@ -389,5 +389,5 @@ TEST(ByHand, OfALaneTheLaterHoldsInWhatItSays) {
     }
 }
 
-}  // namespace
+}  // namespace street_override_test
 }  // namespace streetgen

@@ -11,7 +11,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace surface_test {
 
 Line ray(double angle, double size) {
   return {{0, 0, 0}, {size * std::cos(angle), size * std::sin(angle), 0}};
@@ -227,5 +227,5 @@ TEST(VariableBuffer, RoundEndsAddTwoHalfDiscs) {
   EXPECT_NEAR(area(surface), 20 * 6 + M_PI * 9, 0.3);
 }
 
-}  // namespace
+}  // namespace surface_test
 }  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace taper_test {
 
 // A street goes on east from 6 m to 10 m wide, where a side street leaves north.
 Streets widening(const StreetSettings& settings) {
@@ -97,5 +97,5 @@ TEST(Taper, IsNoneOfAStreetDrawnAgainWithinAWiderOne) {
   }
 }
 
-}  // namespace
+}  // namespace taper_test
 }  // namespace streetgen

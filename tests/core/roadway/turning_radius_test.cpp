@@ -5,11 +5,10 @@
 #include "streetgen/corner.hpp"
 #include "streetgen/error.hpp"
 
-using streetgen::turning_radius;
+namespace streetgen {
 
-namespace {
+namespace turning_radius_test {
 constexpr const char* modes[] = {"paper", "setra"};
-}
 
 TEST(TurningRadius, PaperIsEquationOne) {
   // The limit speed is 10 w + 65 with w the half width: 100 km/h for a street of 7 m.
@@ -50,6 +49,7 @@ TEST(TurningRadius, GrowsWithSpeedAndShrinksWithWidth) {
   }
 }
 
-TEST(TurningRadius, RefusesAnUnknownMode) {
-  EXPECT_THROW(turning_radius(30, 7, "guess"), streetgen::Error);
-}
+TEST(TurningRadius, RefusesAnUnknownMode) { EXPECT_THROW(turning_radius(30, 7, "guess"), Error); }
+
+}  // namespace turning_radius_test
+}  // namespace streetgen

@@ -9,7 +9,7 @@
 #include "streetgen/roundabout.hpp"
 
 namespace streetgen {
-namespace {
+namespace network_rings_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -262,5 +262,5 @@ TEST(FitCircle, FindsTheCircleOfItsPoints) {
   EXPECT_FALSE(fit_circle(points.data(), 2));
 }
 
-}  // namespace
+}  // namespace network_rings_test
 }  // namespace streetgen

@@ -14,7 +14,7 @@
 #include "sidewalk/strip.hpp"
 
 namespace streetgen {
-namespace {
+namespace sidewalk_test {
 
 SidewalkKerb kerb(const Line& line, std::optional<double> width) {
   SidewalkKerb made;
@@ -441,5 +441,5 @@ TEST(Sidewalk, IsTheSameWhicheverKerbsAreGivenFartherOff) {
   }
 }
 
-}  // namespace
+}  // namespace sidewalk_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace progress_test {
 
 struct Told {
   std::string step;
@@ -62,5 +62,5 @@ TEST(Progress, IsToldToNobodyWhereNobodyListens) {
   EXPECT_TRUE(heard.empty());
 }
 
-}  // namespace
+}  // namespace progress_test
 }  // namespace streetgen

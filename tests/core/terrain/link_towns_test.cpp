@@ -13,7 +13,7 @@
 #include "support/disjoint_sets.hpp"
 
 namespace streetgen {
-namespace {
+namespace link_towns_test {
 
 // The district capitals of mainland Portugal: longitude, latitude, thousands of people.
 constexpr double capitals[18][3] = {
@@ -252,5 +252,5 @@ TEST(RankSizeTowns, TheyKeepOffWaterAndSteepGround) {
   }
 }
 
-}  // namespace
+}  // namespace link_towns_test
 }  // namespace streetgen

@@ -11,7 +11,7 @@
 #include "terrain/section_cost.hpp"
 
 namespace streetgen {
-namespace {
+namespace road_path_test {
 
 Line line_of(const RoadPath& path) {
   Line line;
@@ -261,5 +261,5 @@ TEST(RoadEstimate, ARidgeIsCutBelowBreakEvenAndTunnelledAboveIt) {
   EXPECT_EQ(section.kind(-even - 0.01, 0, nullptr), SectionKind::tunnel);
 }
 
-}  // namespace
+}  // namespace road_path_test
 }  // namespace streetgen

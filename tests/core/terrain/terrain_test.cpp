@@ -10,7 +10,7 @@
 #include "streetgen/error.hpp"
 
 namespace streetgen {
-namespace {
+namespace terrain_test {
 
 template <class Number>
 void put(std::string& bytes, Number number) {
@@ -80,5 +80,5 @@ TEST(ZoneGrid, TheStricterZoneWins) {
   EXPECT_EQ(ZoneGrid().at(0, 0), nullptr);
 }
 
-}  // namespace
+}  // namespace terrain_test
 }  // namespace streetgen

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace end_control_test {
 
 using Direction = ControlPoint::Direction;
 
@@ -116,5 +116,5 @@ TEST(EndControl, OneOnAnAxisThatIsNotThereChangesNothing) {
   EXPECT_EQ(own_controls(controlled({1, 900, ControlKind::stop, Direction::both})), 0);
 }
 
-}  // namespace
+}  // namespace end_control_test
 }  // namespace streetgen

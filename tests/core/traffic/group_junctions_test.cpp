@@ -6,7 +6,7 @@
 #include "streetgen/junction.hpp"
 
 namespace streetgen {
-namespace {
+namespace group_junctions_test {
 
 JunctionEdge edge_of(const JunctionNetwork& network, int from, int to, bool along = true,
                      bool against = true, std::int64_t name = 0) {
@@ -192,5 +192,5 @@ TEST(GroupJunctions, OrderDecidesNothing) {
   }
 }
 
-}  // namespace
+}  // namespace group_junctions_test
 }  // namespace streetgen

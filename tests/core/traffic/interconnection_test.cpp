@@ -12,7 +12,7 @@
 #include "traffic/joined_town.hpp"
 
 namespace streetgen {
-namespace {
+namespace interconnection_test {
 
 TEST(Interconnection, PairsEveryLaneInWithEveryLaneOutOfAnotherEdge) {
   EXPECT_EQ(crossing(1).join().size(), 12u);
@@ -173,5 +173,5 @@ TEST(Interconnection, APathThatTrafficTakesHasNoCorner) {
   EXPECT_LT(kept + out, taken / 100);
 }
 
-}  // namespace
+}  // namespace interconnection_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "traffic/guided_path.hpp"
 
 namespace streetgen {
-namespace {
+namespace junction_movement_test {
 
 // A street along x of two carriageways, 20 m apart, that a two-way street crosses: the lower one
 // runs to the right, the upper one to the left.  Legs: lower in, lower out, upper in, upper out,
@@ -209,5 +209,5 @@ TEST(Rounded, GivesCornersOfAPieceOneRadius) {
   EXPECT_NEAR(tangent, 10 / (1 + std::tan(5 * M_PI / 180)), 1e-9);
 }
 
-}  // namespace
+}  // namespace junction_movement_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace kerb_clear_path_test {
 
 // Streets of 7 m from the node (0, 0) to limits 40 m south and 40 m east of it; the kerb between
 // them is a sharp corner at (3.5, -3.5).
@@ -139,5 +139,5 @@ TEST_P(Turn, IsNoneWhereTheLanesEndAtTheNode) {
 INSTANTIATE_TEST_SUITE_P(EitherRule, Turn,
                          testing::Values(TrajectoryRule::bezier, TrajectoryRule::arcs));
 
-}  // namespace
+}  // namespace kerb_clear_path_test
 }  // namespace streetgen

@@ -6,7 +6,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace lane_change_test {
 
 // A street of 100 m along x with so many lanes against and along it, from left to right 1, 2, …
 Lanes on_street(const AxisLanes& wanted, const PaintRules& paint) {
@@ -104,5 +104,5 @@ TEST(LaneChange, AMixedLineIsTwoStripesAsFarApartAsTheyAreWide) {
   EXPECT_NEAR(solid, 0.1, 1e-9) << "on the side of those who may not leave";
 }
 
-}  // namespace
+}  // namespace lane_change_test
 }  // namespace streetgen

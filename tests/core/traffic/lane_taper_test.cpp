@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace lane_taper_test {
 
 using Indices = std::vector<int>;
 
@@ -118,5 +118,5 @@ TEST(LaneTaper, LeavesTheMiddleLaneToNoSide) {
   }
 }
 
-}  // namespace
+}  // namespace lane_taper_test
 }  // namespace streetgen

@@ -14,7 +14,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace lane_test {
 
 AxisLanes general(int forward, int backward) {
   return {std::vector<LaneWish>(forward), std::vector<LaneWish>(backward)};
@@ -480,5 +480,5 @@ TEST(Lanes, AreOpenedToBothDirectionsAndClosedByHand) {
   EXPECT_TRUE(made.lanes[3].both_ways);
 }
 
-}  // namespace
+}  // namespace lane_test
 }  // namespace streetgen

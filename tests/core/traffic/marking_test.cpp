@@ -7,7 +7,7 @@
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
-namespace {
+namespace marking_test {
 
 // West, east and south of the origin.
 Streets tee(int importance_of_south) {
@@ -75,5 +75,5 @@ TEST(Marking, OfAnotherKindByHandFollowsClassesAndPoints) {
   EXPECT_EQ(lines(4, JunctionKind::roundabout, {signals}), (Lines{3, 0}));
 }
 
-}  // namespace
+}  // namespace marking_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "traffic/joined_town.hpp"
 
 namespace streetgen {
-namespace {
+namespace plausible_test {
 
 TEST(Plausible, ALoneLaneTakesEveryWay) {
   const JoinedTown town = crossing(1);
@@ -320,5 +320,5 @@ TEST(Plausible, DoesNotDependOnTheOrderOfTheAxes) {
   }
 }
 
-}  // namespace
+}  // namespace plausible_test
 }  // namespace streetgen

@@ -10,7 +10,7 @@
 #include "streetgen/signal.hpp"
 
 namespace streetgen {
-namespace {
+namespace signal_phases_test {
 
 using Turn = SignalRequest::Turn;
 
@@ -171,5 +171,5 @@ TEST(SignalPhases, RefuseWhatIsNoNumber) {
   EXPECT_THROW(signal_phases({m}), Error);
 }
 
-}  // namespace
+}  // namespace signal_phases_test
 }  // namespace streetgen

@@ -8,7 +8,7 @@
 #include "traffic/path_choice.hpp"
 
 namespace streetgen {
-namespace {
+namespace taut_path_test {
 
 Ring box(double west, double south, double east, double north) {
   return {{west, south}, {east, south}, {east, north}, {west, north}, {west, south}};
@@ -93,5 +93,5 @@ TEST(KerbBulges, StandOffCornersThatKerbsTurnToTheGround) {
   }
 }
 
-}  // namespace
+}  // namespace taut_path_test
 }  // namespace streetgen

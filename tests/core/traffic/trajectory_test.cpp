@@ -8,7 +8,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace trajectory_test {
 
 constexpr double tolerance = 0.01;
 const Point centre{0, 0, 0};
@@ -242,5 +242,5 @@ TEST(QuarterRadius, OfAStraightOrEmptyPathIsInfinite) {
   EXPECT_TRUE(std::isinf(quarter_radius({{1, 1, 0}, {1, 1, 0}})));
 }
 
-}  // namespace
+}  // namespace trajectory_test
 }  // namespace streetgen

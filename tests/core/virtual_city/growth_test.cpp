@@ -12,7 +12,7 @@
 #include "geometry/polyline.hpp"
 
 namespace streetgen {
-namespace {
+namespace growth_test {
 
 double longest(const CityExtent& extent, const CityOptions& options, int level) {
   return std::max(extent.width, extent.height) * std::pow(options.length_ratio, level);
@@ -223,5 +223,5 @@ TEST(CityGrowth, FewRoadsLeaveTheCity) {
     }
 }
 
-}  // namespace
+}  // namespace growth_test
 }  // namespace streetgen

@@ -17,7 +17,7 @@
 #include "virtual_city/random.hpp"
 
 namespace streetgen {
-namespace {
+namespace virtual_city_test {
 
 Network network_of(const std::vector<CityAxis>& axes) {
   std::vector<NetworkAxis> given;
@@ -329,5 +329,5 @@ TEST(VirtualCity, IsCancelled) {
   set_cancel_check(nullptr);
 }
 
-}  // namespace
+}  // namespace virtual_city_test
 }  // namespace streetgen
