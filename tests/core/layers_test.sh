@@ -32,6 +32,11 @@ upward_includes() {
 }
 
 rule 'folders of the core include the floors below them alone' '! upward_includes | grep . >&2'
+# circles: units (a header with its source file) that include each other, directly or by others.
+circles() {
+  grep -rE '^#include "' "$root/src/core" | sed "s:^$root/src/core/::; s/\.[ch]pp:#include \"/ /; s/\.hpp\"//" | awk '$1 != $2' | tsort 2>&1 >/dev/null
+}
+rule 'no units of the core include each other in a circle' '! circles | grep . >&2'
 rule 'the core names no database' '! grep -rnE "postgres\.h|fmgr\.h|ereport|palloc|SPI_|libpq" "$root/include" "$root/src/core" >&2'
 rule 'the border names no geometry library and no SPI' '! grep -rnE "geos_c\.h|<CGAL/|<Eigen/|<boost/|SPI_" "$root/src/pg" >&2'
 rule 'public headers use std alone' '! grep -rnE "#include [<\"](geos|CGAL|Eigen|boost|postgres)" "$root/include" >&2'

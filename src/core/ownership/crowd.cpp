@@ -8,7 +8,6 @@
 #include "geometry/arrangement.hpp"
 #include "geometry/border_stretches.hpp"
 #include "geometry/crumb.hpp"
-#include "ownership/dispute.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 

@@ -6,8 +6,9 @@
 #include <map>
 #include <vector>
 
+#include "geometry/geos.hpp"
 #include "geometry/prepared_surface.hpp"
-#include "ownership/ownership.hpp"
+#include "ownership/claim.hpp"
 
 namespace streetgen {
 

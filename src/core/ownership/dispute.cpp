@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "geometry/box_hierarchy.hpp"
 #include "geometry/polyline.hpp"
@@ -186,11 +185,6 @@ void append_shared(const PreparedSurface& a, const PreparedSurface& b, const Poi
 }
 
 }  // namespace
-
-bool before(const Claim& a, const Claim& b) {
-  return std::tie(a.importance, b.width, b.axis_lengths, a.axis_id, a.order_key) <
-         std::tie(b.importance, a.width, a.axis_lengths, b.axis_id, b.order_key);
-}
 
 Dispute::Dispute(const Disputant& a, const Disputant& b) {
   Box within = a.ground->box().shared_with(b.ground->box());

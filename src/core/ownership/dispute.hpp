@@ -6,7 +6,7 @@
 
 #include "geometry/prepared_surface.hpp"
 #include "geometry/voronoi_border.hpp"
-#include "ownership/ownership.hpp"
+#include "ownership/claim.hpp"
 
 namespace streetgen {
 
@@ -33,10 +33,5 @@ class Dispute {
   std::optional<VoronoiBorder> nearest_;
   std::vector<Line> border_;
 };
-
-// Rank where nothing nearer decides: the more important, the wider, that of the longer axes, the
-// longest first.  No edit of another axis changes these.  Claims equal in all are told by axis_id
-// and order_key.
-bool before(const Claim& a, const Claim& b);
 
 }  // namespace streetgen

@@ -18,7 +18,6 @@
 #include "geometry/prepared_surface.hpp"
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
-#include "ownership/dispute.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/disjoint_sets.hpp"
 

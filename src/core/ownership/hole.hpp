@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/geos.hpp"
-#include "ownership/ownership.hpp"
+#include "ownership/claim.hpp"
 #include "streetgen/geometry.hpp"
 
 namespace streetgen {

@@ -316,11 +316,6 @@ class Settlement {
 
 }  // namespace
 
-bool tile(const Claim& a, const Claim& b) {
-  return a.level == b.level || std::find_first_of(a.edges.begin(), a.edges.end(), b.edges.begin(),
-                                                  b.edges.end()) != a.edges.end();
-}
-
 std::vector<std::pair<int, int>> disputes(const std::vector<Claim>& claims) {
   std::vector<PreparedSurface> grounds;
   for (const Claim& claim : claims) grounds.emplace_back(*claim.surface);

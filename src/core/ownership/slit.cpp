@@ -11,7 +11,6 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
-#include "ownership/dispute.hpp"
 #include "ownership/notch.hpp"
 #include "streetgen/cancel.hpp"
 

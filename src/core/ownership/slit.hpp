@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "ownership/claim.hpp"
 #include "ownership/hole.hpp"
-#include "ownership/ownership.hpp"
 
 namespace streetgen {
 

@@ -3,7 +3,7 @@
 
 #include "streetgen/junction_movement.hpp"
 #include "traffic/junction_route.hpp"
-#include "traffic/plausibility.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
 

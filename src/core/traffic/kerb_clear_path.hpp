@@ -6,7 +6,7 @@
 #include "streetgen/street.hpp"
 #include "streetgen/trajectory.hpp"
 #include "traffic/kerb_obstacle.hpp"
-#include "traffic/plausibility.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
 

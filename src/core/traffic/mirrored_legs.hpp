@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "traffic/plausibility.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
 

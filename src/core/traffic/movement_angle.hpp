@@ -1,7 +1,7 @@
 // The angle of a movement, from its leftmost lanes.
 #pragma once
 
-#include "traffic/plausibility.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
 

@@ -1,52 +1,11 @@
 // The lanes that each lane goes on to at one node.  docs/concepts/geometry.md, Plausible.
 #pragma once
 
-#include <bitset>
 #include <vector>
 
-#include "streetgen/geometry.hpp"
-#include "streetgen/interconnection.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
-
-// The place where a lane touches the intersection, and its driving direction there.
-struct LaneEnd {
-  LaneKind kind = LaneKind::general;
-  unsigned turns = 0;
-  Point place;
-  Point direction;
-};
-
-// An end of an edge at the node; lanes from left to right in their driving direction.
-struct Leg {
-  std::vector<LaneEnd> in, out;
-  int importance = 99;
-  bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
-};
-
-using LaneKinds = std::bitset<5>;
-constexpr std::size_t index_of(LaneKind kind) { return static_cast<std::size_t>(kind); }
-
-struct Verdict {
-  bool plausible = false;
-  Reason reason = Reason::lane_order;
-};
-
-// From a leg to another (or back): a verdict for each pair, lanes in by lanes out.
-struct Movement {
-  int from = 0;  // index of the leg
-  int to = 0;
-  LaneKinds restricted;     // forbidden to lanes in of these kinds, unless to a lane out of another
-  double least_radius = 0;  // metres, what the speed needs
-  std::vector<double> radius;  // of the trajectory of each pair
-  std::vector<bool> drivable;  // by pair: the trajectory has no corner
-  std::vector<Verdict> verdicts;
-  // Known of a ramp: it lies left (+1) or right (-1) of the highway with its traffic.
-  int side = 0;
-
-  bool forbidden(LaneKind in) const { return restricted[index_of(in)]; }
-  bool forbidden(LaneKind in, LaneKind out) const { return forbidden(in) && forbidden(out); }
-};
 
 // Fills the verdicts.  At most one movement from a leg to a leg.  Where one drives on the left, all
 // is as in the mirror on the right.

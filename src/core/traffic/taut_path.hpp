@@ -5,7 +5,7 @@
 
 #include "streetgen/junction_movement.hpp"
 #include "traffic/kerb_obstacle.hpp"
-#include "traffic/plausibility.hpp"
+#include "traffic/movement.hpp"
 
 namespace streetgen {
 

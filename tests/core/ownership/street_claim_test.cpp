@@ -1,14 +1,12 @@
-#include "ownership/claim.hpp"
+#include "ownership/street_claim.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "ownership/dispute.hpp"
-
 namespace streetgen {
-namespace claim_test {
+namespace street_claim_test {
 
 // Whether the node at the first place comes before the one at the second.
 bool comes_before(const std::vector<StreetAxis>& axes, const Point& first, const Point& second) {
@@ -39,5 +37,5 @@ TEST(Claim, OfNeighboursOnOneLongAxisGoByTheirOtherAxesUnderAnyNumbers) {
   } while (std::next_permutation(numbers.begin(), numbers.end()));
 }
 
-}  // namespace claim_test
+}  // namespace street_claim_test
 }  // namespace streetgen

@@ -1,0 +1,13 @@
+// What the surface of each edge and node claims its ground with.
+#pragma once
+
+#include "ownership/claim.hpp"
+#include "roadway/layout.hpp"
+
+namespace streetgen {
+
+// Without a surface yet, wanted where their edge or node is affected.
+Claim claim_of_section(const Layout& layout, int edge);
+Claim claim_of_intersection(const Layout& layout, int node);
+
+}  // namespace streetgen
