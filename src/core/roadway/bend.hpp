@@ -14,4 +14,9 @@ inline bool is_outer_bend(const Point& before, const Point& after) {
   return cross(before, after) < -straight_sine && dot(before, after) < chord_cosine;
 }
 
+// From an outer bend to the middle of what lies about it: a unit vector.
+inline Point middle_of_bend(const Point& before, const Point& after) {
+  return unit(before - after);
+}
+
 }  // namespace streetgen

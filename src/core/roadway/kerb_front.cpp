@@ -117,7 +117,11 @@ class Front {
     if (time < strip(side).reach) ground(side).whole = false;
   }
   bool goes_round(int side) const { return side >= 0 && sides_[side].goes_round; }
-  const Point& normal_before(int i) const { return sides_[(i + count() - 1) % count()].normal; }
+  // That the side goes round at its start.
+  Point middle_of_bend_at(int i) const {
+    const Point& before = sides_[(i + count() - 1) % count()].along;
+    return segments_[i].from + middle_of_bend(before, sides_[i].along) * beyond;
+  }
   bool of_one_kerb(int side, int other) const {
     return side >= 0 && other >= 0 && segments_[side].kerb == segments_[other].kerb;
   }
@@ -229,14 +233,16 @@ class Front {
     const bool leads_beyond = time >= strip(i).reach;
     strip(i).start_told = leads_beyond;
     ground(i).start.push_back(!leads_beyond   ? at
-                              : goes_round(i) ? segments_[i].from + normal_before(i) * beyond
+                              : goes_round(i) ? middle_of_bend_at(i)
                                               : sides_[i].start.place(beyond));
   }
   void tell_end(int i, const Point& at, double time) {
     if (strip(i).end_told) return;
-    // A kerb that goes round an outer bend has the ground behind the end of the kerb before.
-    strip(i).end_told = time >= strip(i).reach || goes_round(sides_[i].next);
-    ground(i).end.push_back(strip(i).end_told ? sides_[i].end.place(beyond) : at);
+    const int next = sides_[i].next;
+    strip(i).end_told = time >= strip(i).reach || goes_round(next);
+    ground(i).end.push_back(goes_round(next)     ? middle_of_bend_at(next)
+                            : strip(i).end_told ? sides_[i].end.place(beyond)
+                                                : at);
   }
   void leave_open(int i) {
     if (!of_one_kerb(sides_[i].previous, i)) tell_start(i, {}, beyond);

@@ -34,8 +34,9 @@ struct FrontPassed {
 };
 
 // Where the front turns by less than a chord of a round bend, or inwards, its sides part at the
-// bisector. About an outer bend it goes round, behind the later kerb. A side that shrinks to
-// nothing leaves its neighbours side by side. So each place belongs to the nearer of two kerbs.
+// bisector. About an outer bend it goes round, behind either kerb as far as the middle. A side that
+// shrinks to nothing leaves its neighbours side by side. So each place belongs to the nearer of two
+// kerbs, whichever way they are walked along.
 //
 // The segments follow each other, and on to the first one where the chain is closed. `before` and
 // `after` are the directions of kerbs without strips that an open chain follows and leads to;

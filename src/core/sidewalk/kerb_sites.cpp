@@ -1,5 +1,6 @@
 #include "sidewalk/kerb_sites.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,52 +12,62 @@ namespace streetgen {
 
 namespace {
 
-constexpr double spacing = 1;  // metres along kerbs
+constexpr double spacing = 1;  // metres along kerbs, at most
 
 struct Place {
   Point at;
   Point along;  // unit vector
 };
 
+// The same whichever way the kerb is walked along.
 std::vector<Place> places_on(const Line& line, const Box& within, double margin) {
   std::vector<Place> places;
   const auto add = [&](const Point& at, const Point& along) {
     if (within.holds(at, margin)) places.push_back({planar(at), along});
   };
-  double at = 0, walked = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double size = distance(line[i - 1], line[i]);
-    if (size == 0) continue;
-    const Point along = unit(line[i] - line[i - 1]);
-    add(line[i - 1], along);
-    for (; at < walked + size; at += spacing) add(line[i - 1] + along * (at - walked), along);
-    walked += size;
-    if (i + 1 == line.size()) add(line[i], along);
+    const Point& from = line[i - 1];
+    const Point size = line[i] - from;
+    if (norm(size) == 0) continue;
+    const int count = static_cast<int>(std::ceil(norm(size) / spacing - same_place));
+    const int parts = std::max(count, 1);
+    for (int k = 0; k <= parts; ++k) add(from + size * (static_cast<double>(k) / parts), unit(size));
   }
   return places;
 }
 
 // A circle that touches one kerb in the place may also touch the other kerb: there it is. Without
-// such a circle the nearest place of the other kerb comes out.
+// such a circle the nearest place of the other kerb comes out. Of two segments as near, at a vertex
+// between them, either may hold it.
 Point across(const Place& place, const Line& other) {
   Point nearest;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t segment = 1;
+  std::size_t segments[2]{};  // that are the nearest; 0: none
   for (std::size_t i = 1; i < other.size(); ++i) {
     const Point p = nearest_on_segment(place.at, other[i - 1], other[i]);
     const double away = distance(place.at, p);
-    if (away >= least || distance(other[i - 1], other[i]) == 0) continue;
-    least = away;
-    nearest = p;
-    segment = i;
+    if (away > least + same_place || distance(other[i - 1], other[i]) == 0) continue;
+    if (away < least - same_place)
+      least = away, nearest = p, segments[0] = i, segments[1] = 0;
+    else
+      segments[1] = i;
   }
-  const Point &from = other[segment - 1], &to = other[segment];
-  // The chord between the two places that a circle touches has one angle with both kerbs.
-  const Point chord = left_normal(place.along) - left_normal(unit(to - from));
-  const double sine = cross(chord, to - from);
-  if (std::abs(sine) <= straight_sine * distance(from, to)) return planar(nearest);
-  const double share = cross(place.at - from, chord) / -sine;
-  return planar(share > 0 && share < 1 ? from + (to - from) * share : nearest);
+  Point found = nearest;
+  double farthest = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : segments) {
+    if (i == 0) continue;
+    const Point &from = other[i - 1], &to = other[i];
+    // The chord between the two places that a circle touches has one angle with both kerbs.
+    const Point chord = left_normal(place.along) - left_normal(unit(to - from));
+    const double sine = cross(chord, to - from);
+    if (std::abs(sine) <= straight_sine * distance(from, to)) continue;
+    const double share = cross(place.at - from, chord) / -sine;
+    const Point touched = from + (to - from) * share;
+    if (share <= 0 || share >= 1 || distance(touched, nearest) >= farthest) continue;
+    found = touched;
+    farthest = distance(touched, nearest);
+  }
+  return planar(found);
 }
 
 }  // namespace

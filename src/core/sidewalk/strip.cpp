@@ -90,27 +90,43 @@ void append_piece(Ring ring, std::vector<MultiPolygon>& pieces) {
   if (!ring.empty() && signed_area(ring) > 0) pieces.push_back({{std::move(ring)}});
 }
 
-// For any line: a piece behind each segment, and one about each outer bend.
-MultiPolygon united_pieces(const WidthCourse& course, const Point& came) {
+// About an outer bend, between two directions from there.
+void append_fan(const Point& at, double width, const Point& later, const Point& earlier,
+                std::vector<MultiPolygon>& pieces) {
+  const Point first = at + earlier * width, last = at + later * width;
+  Ring fan{at, last};
+  append_arc(fan, at, last, first, true, bend_quarter);
+  fan.push_back(first);
+  append_piece(std::move(fan), pieces);
+}
+
+bool bends_outwards(const Point& before, const Point& after) {
+  return cross(before, after) < -straight_sine;
+}
+
+// For any line: a piece behind each segment, and one about each outer bend. Of the bends where a
+// strip lies before it and after it the half; their directions there, or zero.
+MultiPolygon united_pieces(const WidthCourse& course, const Point& came, const Point& goes) {
   const auto& [line, widths, alongs] = course;
   std::vector<MultiPolygon> pieces;
-  Point before = came;
+  Point before;
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (distance(line[i - 1], line[i]) == 0) continue;
     const Point& at = line[i - 1];
     const Point& along = alongs[i];
     const Point normal = left_normal(along);
     const double width = widths[i - 1];
-    if (cross(before, along) < -straight_sine) {
-      const Point first = at + left_normal(before) * width;
-      Ring fan{at, at + normal * width};
-      append_arc(fan, at, at + normal * width, first, true, bend_quarter);
-      fan.push_back(first);
-      append_piece(std::move(fan), pieces);
-    }
+    const bool is_first = norm(before) == 0;
+    if (is_first && bends_outwards(came, along))
+      append_fan(at, width, normal, middle_of_bend(came, along), pieces);
+    if (!is_first && bends_outwards(before, along))
+      append_fan(at, width, normal, left_normal(before), pieces);
     append_piece({at, line[i], line[i] + normal * widths[i], at + normal * width}, pieces);
     before = along;
   }
+  if (bends_outwards(before, goes))
+    append_fan(line.back(), widths.back(), middle_of_bend(before, goes), left_normal(before),
+               pieces);
   Geos geos;
   return united(geos, pieces);
 }
@@ -193,8 +209,8 @@ class Strips {
       }
     }
     strip.plain = false;
-    strip.surface =
-        united_pieces(course, follows(kerb) ? came(kerb) : direction_at(kerbs_[kerb].line, true));
+    strip.surface = united_pieces(course, follows(kerb) ? came(kerb) : Point{},
+                                  has_strip(chains_.next(kerb)) ? goes(kerb) : Point{});
   }
 
   const std::vector<SidewalkKerb>& kerbs_;

@@ -178,6 +178,45 @@ TEST(Sidewalk, GoesRoundAnOuterBendOnce) {
   EXPECT_NEAR(total(sidewalks), 2 * 20 * 2 + 8 * std::sin(M_PI / 16) * 4 / 2, 1e-9);
 }
 
+// Whichever way the kerbs are walked along, also where one goes to and fro and its strip is made of
+// pieces.
+TEST(Sidewalk, IsHalvedInTheMiddleOfAnOuterBend) {
+  const double half = 8 * std::sin(M_PI / 16) * 4 / 4;
+  const Line north{{0, 0, 0}, {20, 0, 0}}, east{{20, 0, 0}, {20, -20, 0}};
+  const Line jagged{{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {10.5, 1, 0}, {10.5, 0, 0}, {20, 0, 0}};
+  const auto plain = find_sidewalks({kerb(north, 2), kerb(east, 2)}, 5);
+  EXPECT_NEAR(area(of_kerb(plain, 0).surface), 20 * 2 + half, 1e-9);
+  EXPECT_NEAR(area(of_kerb(plain, 1).surface), 20 * 2 + half, 1e-9);
+  const auto mirrored = [](Line line) {
+    for (Point& p : line) p.x = -p.x;
+    return reversed(line);
+  };
+  for (const Line& first : {north, jagged}) {
+    const auto one = find_sidewalks({kerb(first, 2), kerb(east, 2)}, 5);
+    const auto other = find_sidewalks({kerb(mirrored(east), 2), kerb(mirrored(first), 2)}, 5);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(area(of_kerb(one, k).surface), area(of_kerb(other, 1 - k).surface), 1e-6);
+  }
+}
+
+// The border between two kerbs that bend goes by places on them, wherever their lines begin.
+TEST(Sidewalk, BetweenTwoRoundKerbsIsTheSameInTheMirror) {
+  const auto chords = [](const Line& line) {
+    return Line{line[0], line[17], line[29], line[47], line[64]};
+  };
+  const auto mirrored = [](Line line) {
+    for (Point& p : line) p.x = -p.x;
+    return reversed(line);
+  };
+  const Line inner = reversed(chords(quarter({0, 0, 0}, 20.3, 0))),
+             outer = chords(quarter({2, 1, 0}, 24.1, 0));
+  const auto one = find_sidewalks({kerb(inner, 4), kerb(outer, 4)}, 5);
+  const auto other = find_sidewalks({kerb(mirrored(inner), 4), kerb(mirrored(outer), 4)}, 5);
+  EXPECT_EQ(of_kerb(one, 0).method, Method::contested);
+  for (int k = 0; k < 2; ++k)
+    EXPECT_NEAR(area(of_kerb(one, k).surface), area(of_kerb(other, k).surface), 1e-6);
+}
+
 // Two kerbs at a right angle without an arc: each square metre of the corner goes to the nearer.
 TEST(Sidewalk, OfASharpInnerBendIsHalvedByTheBisector) {
   const auto sidewalks =
