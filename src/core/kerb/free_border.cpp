@@ -13,10 +13,6 @@ namespace streetgen {
 
 namespace {
 
-// Metres. A long crack between two surfaces that is narrower is no ground: each was computed in its
-// own way. So far beyond a border lies who is on its other side.
-constexpr double crack = 1e-5;
-
 // The part of a to b that c to d lies on, as shares of its length and as points.
 struct Common {
   double first, last;

@@ -11,6 +11,11 @@
 
 namespace streetgen {
 
+// Metres. A long crack between two surfaces that is narrower is no ground: each was computed in its
+// own way. So far beyond a border lies who is on its other side, and so near to where two surfaces
+// meet a kerb begins.
+constexpr double crack = 1e-5;
+
 struct BorderPiece {
   Point from, to;
   bool shared = false;

@@ -19,9 +19,10 @@ Arc curve_of(const Corner& corner, const Line& line) {
       distance(line.back(), arc.start) <= same_place)
     return curve;
   const Point& centre = *corner.centre;
-  curve.middle = line.size() > 2
-                     ? line[line.size() / 2]
-                     : centre + unit(line.front() + line.back() - centre * 2) * corner.radius;
+  const Point &before = line[(line.size() - 1) / 2], &after = line[line.size() / 2];
+  curve.middle = line.size() % 2 == 1
+                     ? before
+                     : centre + unit(before + after - centre * 2) * corner.radius;
   return curve;
 }
 

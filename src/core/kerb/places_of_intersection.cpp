@@ -63,15 +63,15 @@ class NodeCorners {
   // it.
   int gap_between(const Point& from, const Point& to) const {
     for (int a = 0; a < static_cast<int>(stubs_.size()); ++a)
-      if (distance(to, border(a).front()) <= same_place &&
-          distance(from, border(next(a)).back()) <= same_place)
+      if (distance(to, border(a).front()) <= crack && distance(from, border(next(a)).back()) <= crack)
         return a;
     return none;
   }
 
   const Line& border(int arm) const { return layout_.arm(junction_.ends[arm]).border; }
 
-  // The gap beside the nearest arm, on the side where the piece lies.
+  // The gap beside the nearest arm, on the side where the piece lies; where the node is as near,
+  // between the arms that it lies between.
   int gap_beside(const BorderPiece& piece) const {
     const Point middle = (piece.from + piece.to) * 0.5;
     int nearest = 0;
@@ -84,11 +84,26 @@ class NodeCorners {
       }
     }
     const Line& stub = stubs_[nearest];
+    if (distance(middle, stub.front()) <= least + same_place) return gap_about(middle);
     const LinePosition at = position_at(stub, nearest_abscissa(middle, stub));
     const bool left =
         cross(local_direction(stub, nearest_abscissa(middle, stub)), middle - at.point) > 0;
     const int arms = static_cast<int>(stubs_.size());
     return left ? nearest : (nearest + arms - 1) % arms;
+  }
+
+  // The gap counter-clockwise from the arm from which the place lies the least turn on.
+  int gap_about(const Point& place) const {
+    const auto turn_from = [&](const Line& stub) {
+      const Point along = local_direction(stub, 0), out = place - stub.front();
+      const double turn = std::atan2(cross(along, out), dot(along, out));
+      return turn < 0 ? turn + 2 * M_PI : turn;
+    };
+    const auto least =
+        std::min_element(stubs_.begin(), stubs_.end(), [&](const Line& a, const Line& b) {
+          return turn_from(a) < turn_from(b);
+        });
+    return static_cast<int>(least - stubs_.begin());
   }
 
   KerbPlace of_gap(int gap, const BorderPiece& piece, bool whole) const {

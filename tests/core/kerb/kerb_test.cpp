@@ -166,6 +166,39 @@ std::vector<StreetAxis> narrow_streets() {
           axis(5, {{30, -40}, {60, 50}}, 5, 4, 1)};
 }
 
+// Behind a node with streets on one side of it, where a street beside takes part of the ground.
+TEST(Kerb, BehindANodeBelongsToTheGapThere) {
+  const auto to = [](double degrees) {
+    return Point{60 * std::cos(degrees * M_PI / 180), 60 * std::sin(degrees * M_PI / 180), 0};
+  };
+  const std::vector<StreetAxis> axes{
+      axis(1, {{0, 0}, to(-40)}, 8, 0), axis(2, {{0, 0}, to(0)}, 8, 0),
+      axis(3, {{0, 0}, to(40)}, 8, 0), axis(4, {{-5, -40}, {-5, 40}}, 4, 0)};
+  const std::map<std::string, int> sides = sides_of(with_kerbs(axes));
+  for (int turn = 1; turn < 12; ++turn)
+    EXPECT_EQ(sides_of(with_kerbs(moved(axes, turn * M_PI / 6, false, {0, 0, 0}))), sides) << turn;
+}
+
+// Also where another street takes the end of an arc.
+TEST(Kerb, CurveIsTheSameInTheMirror) {
+  const auto axes = random_town(4, 30);
+  const Streets town = with_kerbs(axes), mirrored = with_kerbs(moved(axes, 0, true, {0, 0, 0}));
+  int curves = 0;
+  for (const Kerb& kerb : town.kerbs) {
+    if (!kerb.curve) continue;
+    ++curves;
+    const Arc& arc = *kerb.curve;
+    const Point start{arc.start.x, -arc.start.y, 0}, middle{arc.middle.x, -arc.middle.y, 0},
+        end{arc.end.x, -arc.end.y, 0};
+    for (const Kerb& other : mirrored.kerbs)
+      if (other.curve && distance(other.curve->end, start) < 1e-6 &&
+          distance(other.curve->start, end) < 1e-6) {
+        EXPECT_LT(distance(other.curve->middle, middle), 1e-6);
+      }
+  }
+  EXPECT_GT(curves, 4);
+}
+
 TEST(Kerb, OfContestedGroundIsWhatBordersTheRoadway) {
   const Streets town = with_kerbs(narrow_streets());
   expect_border(town, "narrow streets");
