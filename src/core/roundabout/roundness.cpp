@@ -21,8 +21,27 @@ constexpr double least_bend = 0.17;                      // sine of ten degrees
 constexpr double half_of_double = 0.9;                   // compactness
 constexpr double widest_of_halves = 2;                   // times the radius of the other one
 
+// From the vertex that is the farthest from its middle, so that its places are the same wherever it
+// is given from, and whichever way round.
+Ring from_farthest(const Ring& ring) {
+  Point middle;
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    middle = middle + (ring[i - 1] + ring[i] - ring[0] * 2) * distance(ring[i - 1], ring[i]);
+  middle = ring[0] + middle * (0.5 / length(ring));
+  Ring turned(ring.begin(), ring.end() - 1);
+  std::rotate(turned.begin(),
+              std::max_element(turned.begin(), turned.end(),
+                               [&](const Point& a, const Point& b) {
+                                 return distance(a, middle) < distance(b, middle);
+                               }),
+              turned.end());
+  turned.push_back(turned.front());
+  return turned;
+}
+
 // Places on a closed line, equally far apart.
-Line places_on(const Ring& ring, std::size_t count) {
+Line places_on(const Ring& given, std::size_t count) {
+  const Ring ring = from_farthest(given);
   const double size = length(ring);
   Line places;
   double done = 0;

@@ -219,6 +219,26 @@ TEST(NetworkRings, ThatCrossThemselvesAreNone) {
   EXPECT_EQ(network_rings({{1, circle({0, 0}, 20, 1000)}}, {}).size(), 1u);
 }
 
+// An egg whose line begins at one place or another, and is drawn one way or the other.
+TEST(NetworkRings, HaveOneCircleWhereverTheirLineBegins) {
+  Line egg = arc({0, 0}, 14.3, 80, 280, 11);
+  for (const Point& p : arc({4, 0.5}, 13.1, -77, 76, 7)) egg.push_back(p);
+  const auto ring_from = [&](std::size_t begin, bool backwards) {
+    Line line = egg;
+    std::rotate(line.begin(), line.begin() + begin, line.end());
+    line.push_back(line.front());
+    return network_rings({{1, backwards ? reversed(line) : line}}, {}).at(0);
+  };
+  const NetworkRing ring = ring_from(0, false);
+  for (std::size_t begin = 0; begin < egg.size(); ++begin)
+    for (const bool backwards : {false, true}) {
+      const NetworkRing other = ring_from(begin, backwards);
+      EXPECT_NEAR(other.radius, ring.radius, 1e-9);
+      EXPECT_LT(distance(other.centre, ring.centre), 1e-9);
+      EXPECT_EQ(other.on_circle, ring.on_circle);
+    }
+}
+
 TEST(NetworkRings, DoNotDependOnTheOrderOfAxes) {
   std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::along);
   const auto before = network_rings(axes, {});
