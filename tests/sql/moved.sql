@@ -61,3 +61,16 @@ CALL test.move('ties', 'ties_moved', mirrored => true, turn => 22);
 SELECT * FROM pg_temp.holds('and by no side');
 CALL test.move('ties', 'ties_moved', turn => 45, renumbered => true, reversed => true);
 SELECT * FROM pg_temp.holds('by nothing of these together');
+
+-- Signals where equal streets meet: who comes first has green first.
+SELECT streetgen.create_model('lights', 2154, subjects => '{signal}', driving_side => 'right') \g /dev/null
+INSERT INTO lights.axis (geom, width, importance)
+  SELECT ST_MakeLine(node, ST_Translate(node, 80 * cosd(degrees), 80 * sind(degrees))), 8, 4
+  FROM (VALUES (0), (71), (147), (218), (291)) d(degrees), ST_SetSRID(ST_MakePoint(650000, 6860000), 2154) node;
+INSERT INTO lights.control_point (geom, kind) VALUES ('SRID=2154;POINT(650000 6860000)', 'signals');
+SELECT count(*) FROM streetgen.generate('lights') \g /dev/null
+SELECT 'five equal streets meet at signals', count(DISTINCT ordinality) > 2 FROM lights.signal_movement;
+CALL test.move('lights', 'lights_moved', renumbered => true);
+SELECT * FROM pg_temp.holds('signals go by no number');
+CALL test.move('lights', 'lights_moved', mirrored => true, turn => 22);
+SELECT * FROM pg_temp.holds('nor by a side');

@@ -14,12 +14,18 @@ BEGIN
     RETURN QUERY
     WITH path AS MATERIALIZED (
         SELECT m.junction_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.geom,
-            -- By what outlives a run from scratch: keys do not.
-            row_number() OVER (PARTITION BY m.junction_id ORDER BY a.axis_id, a.start_abscissa, i.ordinality,
-                m.along_in, b.axis_id, b.start_abscissa, o.ordinality, m.along_out)::integer AS number
-        FROM %1$I.movement m JOIN %1$I.lane i ON i.lane_id = m.lane_in JOIN %1$I.edge a ON a.edge_id = i.edge_id
-            JOIN %1$I.lane o ON o.lane_id = m.lane_out JOIN %1$I.edge b ON b.edge_id = o.edge_id
-        WHERE m.connecting AND m.junction_id = ANY (junctions)),
+            -- By metres across the junction, of an approach and of a movement; then by what outlives a run from
+            -- scratch: keys do not.
+            row_number() OVER (PARTITION BY m.junction_id ORDER BY m.metres_of_approach DESC, a.axis_id,
+                a.start_abscissa, m.metres DESC, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality,
+                m.along_out)::integer AS number
+        FROM (SELECT m.*, l.edge_id AS approach, round(ST_Length(m.geom)::numeric, 3) AS metres,
+                    round(sum(ST_Length(m.geom)) OVER (PARTITION BY m.junction_id, l.edge_id)::numeric, 3)
+                        AS metres_of_approach
+                FROM %1$I.movement m JOIN %1$I.lane l ON l.lane_id = m.lane_in
+                WHERE m.connecting AND m.junction_id = ANY (junctions)) m
+            JOIN %1$I.lane i ON i.lane_id = m.lane_in JOIN %1$I.edge a ON a.edge_id = m.approach
+            JOIN %1$I.lane o ON o.lane_id = m.lane_out JOIN %1$I.edge b ON b.edge_id = o.edge_id),
     conflict AS MATERIALIZED (
         SELECT a.junction_id, a.number, array_agg(b.number ORDER BY b.number) AS others FROM path a JOIN path b
             ON b.junction_id = a.junction_id AND b.number <> a.number

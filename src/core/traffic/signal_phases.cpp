@@ -153,10 +153,11 @@ class Phases {
       order.insert(order.end(), approaches_.at(approach).begin(), approaches_.at(approach).end());
     const auto rank = [&](int i) {
       const SignalRequest& m = movements_[i];
+      // Longer by a millimetre, not by what rounding does to equal turns.
       return std::tuple(m.turn == SignalRequest::Turn::u_turn    ? 2
                         : m.turn == SignalRequest::Turn::through ? 0
                                                                  : 1,
-                        m.length, i);
+                        std::llround(m.length * 1000), i);
     };
     std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
     std::vector<SignalState::Green> greens;

@@ -82,6 +82,25 @@ TEST(SignalPhases, AreTwoAtACrossingOfTwoStreets) {
                 movements[green.movement].turn == Turn::left);
 }
 
+// Of two turns as long as each other, into one street, the one that comes first is protected.
+TEST(SignalPhases, GoByNoRounding) {
+  for (const double noise : {1e-9, 0.0, -1e-9}) {
+    std::vector<SignalRequest> movements(4);
+    for (int i = 0; i < 4; ++i) {
+      movements[i].approach = i % 2;
+      movements[i].exit = i < 2 ? 2 + i : 4;
+      movements[i].turn = i < 2 ? Turn::through : i == 2 ? Turn::left : Turn::right;
+      movements[i].length = 20 + (i == 2 ? noise : 0);
+    }
+    movements[2].conflicts = {3}, movements[3].conflicts = {2};
+    const auto states = signal_phases(movements);
+    ASSERT_EQ(states.size(), 3u);
+    ASSERT_EQ(states[0].greens.size(), 4u);
+    EXPECT_EQ(states[0].greens[2].right_of_way, RightOfWay::protect);
+    EXPECT_EQ(states[0].greens[3].right_of_way, RightOfWay::permit);
+  }
+}
+
 TEST(SignalPhases, ServeCrossingsOfManyArms) {
   for (int arms = 3; arms <= 20; ++arms) {
     const auto movements = crossing(arms);
