@@ -47,9 +47,9 @@ SELECT * FROM pg_temp.refused('a width of NaN', $q$UPDATE town.axis_editing SET 
 SELECT * FROM pg_temp.refused('a width out of range', $q$UPDATE town.axis_editing SET width = 201 WHERE axis_id = 1$q$, '23514');
 SELECT * FROM pg_temp.refused('no lanes', $q$UPDATE town.axis_editing SET lane_count = 0 WHERE axis_id = 1$q$, '23514');
 SELECT * FROM pg_temp.refused('an unknown direction', $q$UPDATE town.axis_editing SET direction = 'up' WHERE axis_id = 1$q$, '23514');
-SELECT * FROM pg_temp.refused('an axis of no length', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (9, pg_temp.line('LINESTRING(5 5, 5 5)'))$q$, '23514');
-SELECT * FROM pg_temp.refused('an axis without a line', $q$INSERT INTO town.axis_editing (axis_id, width) VALUES (9, 7)$q$, '23502');
-SELECT * FROM pg_temp.refused('a vertex of NaN', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (9, '01020000206A0800000200000000000000000000000000000000000000000000000000F87F000000000000F03F')$q$, '23514');
+SELECT * FROM pg_temp.refused('an axis of no length', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (-9, pg_temp.line('LINESTRING(5 5, 5 5)'))$q$, '23514');
+SELECT * FROM pg_temp.refused('an axis without a line', $q$INSERT INTO town.axis_editing (axis_id, width) VALUES (-9, 7)$q$, '23502');
+SELECT * FROM pg_temp.refused('a vertex of NaN', $q$INSERT INTO town.axis_editing (axis_id, geom) VALUES (-9, '01020000206A0800000200000000000000000000000000000000000000000000000000F87F000000000000F03F')$q$, '23514');
 SELECT * FROM pg_temp.refused('another SRID', $q$INSERT INTO town.axis_editing (geom) VALUES ('SRID=32631;LINESTRING(0 0,1 1)')$q$);
 
 -- node_editing

@@ -44,8 +44,12 @@ DECLARE
     keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
 BEGIN
     IF keys IS NOT NULL THEN
-        EXECUTE format('SELECT setval(%%1$L, ($1).%%2$I) FROM %%1$s WHERE ($1).%%2$I < $2 AND (($1).%%2$I > last_value '
-            'OR ($1).%%2$I = last_value AND NOT is_called)', keys, TG_ARGV[0]) USING NEW, streetgen._last_passed_key();
+        -- Others number rows meanwhile: nextval goes on from theirs, and none takes a thousand at once.
+        EXECUTE format('SELECT count(CASE WHEN ahead > 1000 THEN setval(%%1$L, key) ELSE nextval(%%1$L) END) FROM '
+            '(SELECT k AS key, k - last_value + (NOT is_called)::integer AS ahead '
+            'FROM %%1$s, greatest(($1).%%2$I, 0) k) s, '
+            'generate_series(1, CASE WHEN ahead > 1000 THEN 1 ELSE ahead END) WHERE key < $2', keys, TG_ARGV[0])
+            USING NEW, streetgen._last_passed_key();
     END IF;
     RETURN NEW;
 END $body$ $sql$, model);
