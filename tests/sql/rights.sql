@@ -140,8 +140,8 @@ SELECT 'also before he makes a model', test.state($$SELECT streetgen.create_mode
 SET ROLE rights_editor;
 SELECT 'so is an editor', pg_temp.refused();
 RESET ROLE;
-ALTER FUNCTION public.less(float8, integer) OWNER TO rights_owner;
-ALTER FUNCTION public.st_lineinterpolatepoint(geometry, numeric) OWNER TO rights_owner;
+SELECT test.as_administrator('ALTER FUNCTION public.less(float8, integer) OWNER TO rights_owner') \g /dev/null
+SELECT test.as_administrator('ALTER FUNCTION public.st_lineinterpolatepoint(geometry, numeric) OWNER TO rights_owner') \g /dev/null
 DROP OPERATOR public.< (float8, integer);
 DROP FUNCTION public.concat_ws(text, name);
 SET ROLE rights_editor;

@@ -119,8 +119,9 @@ BEGIN
             INTO NEW.street_object_id, NEW.geom, NEW.placement, NEW.side, NEW.axis_offset, NEW.orientation,
             NEW.orientation_kind, NEW.angle, NEW.method USING NEW.type, NEW.geom,
             -- Who tells a side means its border.
-            coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset,
-            coalesce(NEW.orientation, 0), coalesce(NEW.orientation_kind, 'axis');
+            coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id,
+            NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
+            coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
     EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '

@@ -123,8 +123,8 @@ BEGIN
         FROM ruled r, LATERAL (SELECT %1$I._arms_at(r.from_node) AS of_start, %1$I._arms_at(r.to_node) AS of_end) n,
             LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
                 -- Two crossings leave the length of one between them.
-                high - low > 2 * distance_from_limit + CASE WHEN r.type = ANY (crossings) AND least(of_start, of_end) > 2
-                    THEN 2 * (streetgen._usual_crossing()).width ELSE 0 END AS roomy) j,
+                high - low > 2 * distance_from_limit + CASE WHEN r.type = ANY (crossings)
+                    AND least(of_start, of_end) > 2 THEN 2 * (streetgen._usual_crossing()).width ELSE 0 END AS roomy) j,
             LATERAL (SELECT CASE WHEN j.roomy OR NOT (j.at_start AND j.at_end)
                 THEN least(distance_from_limit, CASE WHEN j.goes_on THEN high - low ELSE (high - low) / 2 END)
                 ELSE (high - low) / 2 END AS within) l,

@@ -140,7 +140,8 @@ BEGIN
     IF points IS NULL THEN
         SELECT string_agg(format('"%s"', left(c.relname, -7)), ', ' ORDER BY c.relname) INTO others FROM pg_class c
         WHERE c.relname LIKE '%\_object' AND pg_table_is_visible(c.oid)
-            AND 2 = (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid AND a.attname IN ('class', 'node_id'));
+            AND 2 = (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid
+                AND a.attname IN ('class', 'node_id'));
         RAISE EXCEPTION 'there is no table "%"', prefix || '_object' USING ERRCODE = '42P01',
             HINT = coalesce(format('Prefixes that have one: %s.', others),
                 'Load the file again with data/osm2pgsql_flex.lua of this build, which makes it.');
