@@ -180,7 +180,7 @@ SELECT 'a street without room for two crossings has one, and with room two', arr
   FROM (SELECT n, lag(n, 1, 1) OVER (ORDER BY axis_id) AS before FROM (SELECT axis_id, count(*) AS n FROM short_crossing GROUP BY axis_id) c) c;
 SELECT 'two crossings of a street leave the length of one between them', min(ST_Distance(a.surface, b.surface)) BETWEEN 3.99 AND 5
   FROM short_crossing a JOIN short_crossing b USING (axis_id) WHERE a.street_object_id < b.street_object_id;
--- Who tells a side means its border.
+-- A side without a placement means the border there.
 INSERT INTO short.street_object_editing (type, axis_id, abscissa, side, axis_offset) VALUES ('tree', 1, 10, 'left', 1)
   RETURNING 'an object with a side stands by its border', (placement, side, axis_offset) = ('border', 'left', 1) AND ST_DWithin(geom, pg_temp.line('POINT(10 4.5)'), 1e-6);
 SELECT 'and is refused by the axis', pg_temp.said($$INSERT INTO short.street_object (type, placement, axis_id, abscissa, side) VALUES ('tree', 'axis', 1, 10, 'left')$$) LIKE '22023 % stands on no side';

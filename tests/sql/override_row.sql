@@ -28,5 +28,5 @@ SELECT format('the table refuses of %s what is no number or place', relation), b
 SELECT format('a row that is put is refused as one that is changed: %s', relation), bool_and(put ->> 'state' = direct ->> 'state' AND (put ->> 'said' = direct ->> 'said' OR put ->> 'said' LIKE '% of the new %')) FROM public.tried WHERE direct ->> 'state' <> 'none' GROUP BY relation ORDER BY relation;
 SELECT format('and names row, value and way out: %s', relation), bool_and(direct ->> 'said' LIKE format('the %s of %s %% cannot be %%', attname, replace(split_part(relation, '.', 2), '_', ' ')) AND direct ->> 'detail' LIKE 'Expected %' AND direct ->> 'hint' <> '')
   FROM public.tried WHERE direct ->> 'state' = '23514' GROUP BY relation ORDER BY relation;
-SELECT format('a row of %s is deleted at its table as through its view', relation), test.state(format('DELETE FROM %s', relation)) = 'none' FROM (SELECT DISTINCT relation FROM public.decision) d ORDER BY relation;
+SELECT format('a row of %s is deleted at its table', relation), test.state(format('DELETE FROM %s', relation)) = 'none' FROM (SELECT DISTINCT relation FROM public.decision) d ORDER BY relation;
 SELECT 'then nothing is by hand', count(*) FILTER (WHERE method = 'by_hand') = 0 FROM quarter.section_limit;

@@ -118,7 +118,7 @@ BEGIN
             'method', TG_TABLE_SCHEMA)
             INTO NEW.street_object_id, NEW.geom, NEW.placement, NEW.side, NEW.axis_offset, NEW.orientation,
             NEW.orientation_kind, NEW.angle, NEW.method USING NEW.type, NEW.geom,
-            -- Who tells a side means its border.
+            -- A side without a placement means the border there.
             coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id,
             NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
             coalesce(NEW.orientation_kind, 'axis');

@@ -1,4 +1,4 @@
-// What the surface of each edge and node claims its ground with.
+// Claims of the surfaces of edges and nodes.
 #pragma once
 
 #include "ownership/claim.hpp"

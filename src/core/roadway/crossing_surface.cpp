@@ -52,7 +52,7 @@ Line followed(const Line& kerb, const Landing& from, const Landing& to) {
   return way;
 }
 
-struct FootCrossing {
+struct PedestrianCrossing {
   Point centre;
   Point across;  // unit, to the left
   double width;
@@ -80,7 +80,7 @@ std::optional<Polygon> crossing_surface(const Line& axis, const Line& left, cons
   const double at = std::clamp(abscissa, 0.0, length(line));
   const Point along = local_direction(line, at);
   const Point across = along * std::cos(angle) + left_normal(along) * std::sin(angle);
-  const FootCrossing crossing{position_at(line, at).point, across, width};
+  const PedestrianCrossing crossing{position_at(line, at).point, across, width};
   const Point step = along * (width / 2 / std::sin(angle));
   const Point before = crossing.centre - step, after = crossing.centre + step;
   const Point reach = across * (search_widths * width);

@@ -1,4 +1,4 @@
-// What tells a highway, at a node where a ramp meets it, that goes on past the node.
+// Measures of a highway that goes on past the node where a ramp meets it.
 #pragma once
 
 #include <cmath>

@@ -60,7 +60,7 @@ void Layout::add_arms(int e) {
 }
 
 void Layout::sort_ends() {
-  // Of ways alike in all that the order about a node looks at the first here goes first.
+  // The order about a node keeps this one between ways that are alike in all that it looks at.
   const auto first = [&](const EdgeEnd& a, const EdgeEnd& b) {
     const auto rank = [&](const EdgeEnd& end) {
       return std::pair(axis_of(end.edge).importance, -axis_lengths[end.edge]);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -31,7 +31,8 @@ std::vector<Place> places_on(const Line& line, const Box& within, double margin)
     if (norm(size) == 0) continue;
     const int count = static_cast<int>(std::ceil(norm(size) / spacing - same_place));
     const int parts = std::max(count, 1);
-    for (int k = 0; k <= parts; ++k) add(from + size * (static_cast<double>(k) / parts), unit(size));
+    for (int k = 0; k <= parts; ++k)
+      add(from + size * (static_cast<double>(k) / parts), unit(size));
   }
   return places;
 }
@@ -41,7 +42,7 @@ std::vector<Place> places_on(const Line& line, const Box& within, double margin)
 // between them, either may hold it.
 Point across(const Place& place, const Line& other) {
   Point nearest;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   std::size_t segments[2]{};  // that are the nearest; 0: none
   for (std::size_t i = 1; i < other.size(); ++i) {
     const Point p = nearest_on_segment(place.at, other[i - 1], other[i]);
@@ -53,7 +54,7 @@ Point across(const Place& place, const Line& other) {
       segments[1] = i;
   }
   Point found = nearest;
-  double farthest = std::numeric_limits<double>::infinity();
+  double farthest = infinite;
   for (const std::size_t i : segments) {
     if (i == 0) continue;
     const Point &from = other[i - 1], &to = other[i];

@@ -30,7 +30,7 @@ STREETGEN_FUNCTION(streetgen_not_held) {
   int count, missing = 0;
   deconstruct_array(given, INT4OID, 4, true, TYPALIGN_INT, &keys, nullptr, &count);
   for (int i = 0; i < count; ++i) {
-    // As pg_advisory_lock(integer, integer) names it.
+    // The lock is that of pg_advisory_xact_lock(integer, integer).
     LOCKTAG lock;
     SET_LOCKTAG_ADVISORY(lock, MyDatabaseId, static_cast<uint32>(model),
                          static_cast<uint32>(DatumGetInt32(keys[i])), 2);

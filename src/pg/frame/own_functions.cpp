@@ -21,9 +21,9 @@ namespace {
 
 // For whom it was proved last, and how often the catalogue has changed by then.
 Oid proved_owner = InvalidOid, proved_caller = InvalidOid;
-uint64 owner_changes = 0, proved_at = 0;
+uint64 catalogue_changes = 0, proved_at = 0;
 
-void note_change(Datum, int, uint32) { ++owner_changes; }
+void note_change(Datum, int, uint32) { ++catalogue_changes; }
 
 void watch_catalogue() {
   static bool watched = false;
@@ -51,9 +51,9 @@ STREETGEN_FUNCTION(streetgen_only_own_functions) {
   const Oid owner = owner_of(NameStr(*PG_GETARG_NAME(0)));
   // Who borrows the rights of the owner; whoever calls with his own borrows none.
   const Oid caller = GetUserId() == GetOuterUserId() ? owner : GetOuterUserId();
-  if (owner == proved_owner && caller == proved_caller && owner_changes == proved_at)
+  if (owner == proved_owner && caller == proved_caller && catalogue_changes == proved_at)
     PG_RETURN_BOOL(true);
-  const uint64 before = owner_changes;
+  const uint64 before = catalogue_changes;
   Oid types[] = {OIDOID, OIDOID};
   List* rule =
       list_make2(makeString(pstrdup("streetgen")), makeString(pstrdup("_check_functions_beside")));
