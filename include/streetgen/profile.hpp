@@ -53,6 +53,9 @@ struct Profile {
       line;  // the edge's, with the heights of the road, and further points where its grade changes
   ProfileMethod method = ProfileMethod::ground;
   double grade = 0;  // that it keeps
+  // Are the edges at from_node, and at to_node, solved together?  They are where one of them left
+  // the ground there in any step of solving, wherever it lies in the end.
+  bool tied_from = false, tied_to = false;
 };
 
 struct Profiles {
@@ -60,8 +63,10 @@ struct Profiles {
   std::vector<bool> unmet;     // one per lift: the road above lies lower than it should
 };
 
-// Each edge has the heights of those that it hangs together with alone: by crossings and by nodes
-// off the ground.  What else is solved in the same call says nothing of them.
+// Each edge has the heights of those that it hangs together with alone: by lifts and by tied nodes.
+// What else is solved in the same call says nothing of them.  So some edges alone have the heights
+// that they have among all, if no lift and no node that is tied, by any of the two, leads from them
+// to others.
 //
 // Independent of the order of edges, but for the choice among the lifts of a circle, which goes by
 // their order.  A vertical arc bends a change of grade: over a crossing the road is lifted by what

@@ -10,6 +10,16 @@ COMMENT ON COLUMN streetgen.profile_edge.line IS 'LINESTRING, EWKB: Z is the gro
 COMMENT ON COLUMN streetgen.profile_edge.grade IS 'greatest rise for each metre along the road';
 COMMENT ON COLUMN streetgen.profile_edge.speed IS 'km/h';
 
+CREATE TYPE streetgen.solved_profile AS (edge_id bigint, line bytea, grade_max float8, method text, tied_from boolean,
+    tied_to boolean);
+COMMENT ON TYPE streetgen.solved_profile IS 'The height of an edge, as a row of table profile.';
+COMMENT ON COLUMN streetgen.solved_profile.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.solved_profile.line IS 'LINESTRING Z, EWKB: its line with the heights of the road';
+COMMENT ON COLUMN streetgen.solved_profile.grade_max IS 'greatest rise for each metre along it';
+COMMENT ON COLUMN streetgen.solved_profile.method IS 'ground, lifted or sunk';
+COMMENT ON COLUMN streetgen.solved_profile.tied_from IS 'are the edges where it begins solved together?';
+COMMENT ON COLUMN streetgen.solved_profile.tied_to IS 'are the edges where it ends solved together?';
+
 CREATE TYPE streetgen.profile_lift AS (edge_above bigint, abscissa_above float8, edge_below bigint,
     abscissa_below float8, clearance float8, sinks boolean);
 COMMENT ON TYPE streetgen.profile_lift IS 'A crossing without a node, as heights see it.';

@@ -104,6 +104,7 @@ struct Written {
   std::string line;
   double grade;
   const char* method;
+  bool tied_from, tied_to;
 };
 
 }  // namespace
@@ -119,14 +120,16 @@ STREETGEN_FUNCTION(streetgen_profiles) {
     slot->value = new std::vector<Written>;
     for (const Profile& profile : profiles(edges_of(call), lifts_of(call), heights_of(call)).edges)
       slot->value->push_back({write_line(profile.line, {call.srid, true}), profile.grade,
-                              profile_method_name(profile.method)});
+                              profile_method_name(profile.method), profile.tied_from,
+                              profile.tied_to});
   }));
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
   int number = 0;
   for (const Written& written : *slot->value) {
-    Datum values[4] = {Int32GetDatum(++number), bytes_datum(written.line),
-                       Float8GetDatum(written.grade), CStringGetTextDatum(written.method)};
-    bool nulls[4] = {false, false, false, false};
+    Datum values[6] = {Int32GetDatum(++number),         bytes_datum(written.line),
+                       Float8GetDatum(written.grade),   CStringGetTextDatum(written.method),
+                       BoolGetDatum(written.tied_from), BoolGetDatum(written.tied_to)};
+    bool nulls[6] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
     pfree(DatumGetPointer(values[1]));
   }

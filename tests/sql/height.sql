@@ -120,6 +120,9 @@ SELECT 'an axis whose Z is 0 all along lies on the terrain, across a hole too', 
         FROM slope.profile JOIN slope.edge USING (edge_id), ST_DumpPoints(profile.geom) d WHERE axis_id = 1) v;
 SELECT 'one with heights keeps them', ST_ZMin(p.geom) = 7 AND ST_ZMax(p.geom) = 8 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 2;
 SELECT 'without terrain it is 0', ST_ZMin(p.geom) = 0 AND ST_ZMax(p.geom) = 0 FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id = 3;
+INSERT INTO slope.axis (axis_id, geom, width, speed) VALUES (4, 'SRID=2154;LINESTRING Z(650500 6860600 0, 650500 6860700 0)', 7, 50), (5, 'SRID=2154;LINESTRING Z(650500 6860700 0, 650600 6860700 213)', 7, 50);
+SELECT 'where it meets one with heights both lie on the terrain', count(*) = 0 AND (SELECT bool_and(abs(ST_ZMin(p.geom) - 210) < 1.2) FROM slope.profile p JOIN slope.edge USING (edge_id) WHERE axis_id IN (4, 5))
+    FROM streetgen.check_model('slope') WHERE rule = 'edges of one node at two heights, m';
 -- Holes of Z, as BD TOPO writes them.
 DO $$ BEGIN PERFORM streetgen.create_model('holes', 2154, 3, subjects => '{height}'); END $$;
 INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINESTRING Z(650000 6860000 100, 650100 6860000 -1000, 650200 6860000 104)', 7, 50),
@@ -127,6 +130,14 @@ INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (1, 'SRID=2154;LINES
 SELECT 'a hole of Z is filled between what is known, and at a node by what is near', array_agg(round(ST_Z(d.geom)::numeric, 6) ORDER BY axis_id, d.path) = '{100,102,104,104,104,104,104}'
     FROM holes.profile p JOIN holes.edge USING (edge_id), ST_DumpPoints(p.geom) d;
 SELECT 'roads meet at one height beside holes', count(*) = 0 FROM streetgen.check_model('holes') WHERE severity = 'error';
+-- The nearest vertex with a height may lie far beyond the reach.
+INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (4, 'SRID=2154;LINESTRING Z(650600 6860000 -1000, 650600 6860100 -1000)', 7, 50);
+INSERT INTO holes.axis (axis_id, geom, width, speed) VALUES (5, 'SRID=2154;LINESTRING Z(650500 6859700 120, 650600 6859700 120)', 7, 50);
+CREATE FUNCTION pg_temp.filled() RETURNS float8[] LANGUAGE sql AS $$ SELECT ARRAY[ST_ZMin(p.geom), ST_ZMax(p.geom)] FROM holes.profile p JOIN holes.edge USING (edge_id) WHERE axis_id = 4 $$;
+SELECT 'a node without a height follows an axis that is drawn nearer', pg_temp.filled() = '{120,120}', sum(updated) = 0 FROM streetgen.generate('holes') WHERE relation = 'profile';
+SELECT 'and who edits that waits for who edits there', streetgen._chain_key('profile', 0) = ANY (chains) FROM streetgen._reach_of('holes', '{5}');
+DELETE FROM holes.axis WHERE axis_id = 5;
+SELECT 'and the next one where it is gone', pg_temp.filled() = '{104,104}', sum(updated) = 0 FROM streetgen.generate('holes') WHERE relation = 'profile';
 SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),
@@ -141,7 +152,7 @@ SET streetgen.live = off;
 INSERT INTO copies.axis (geom, width, width_end, lane_count, importance, level, kind, direction, name) SELECT ST_Translate(geom, 600 * (i % 6), 600 * (i / 6)), width, width_end, lane_count, importance, level, kind, direction, name FROM quarter.axis, generate_series(0, 8) i ORDER BY i, axis_id;
 SELECT FROM streetgen.generate('copies') \g /dev/null
 CREATE FUNCTION pg_temp.heights(turned bigint) RETURNS TABLE (edge_id bigint, geom geometry) LANGUAGE sql AS $$
-  SELECT turned * p.edge_id, p.geom FROM streetgen._solved_profile(
+  SELECT turned * p.edge_id, p.line::geometry FROM streetgen._solved_profile(
     (SELECT array_agg(ROW (turned * e.edge_id, e.from_node, e.to_node, streetgen._ground_of('copies', e.geom, f.geom, t.geom)::bytea, 0.06, e.speed)::streetgen.profile_edge)
       FROM copies.edge e JOIN copies.node f ON f.node_id = e.from_node JOIN copies.node t ON t.node_id = e.to_node),
     (SELECT array_agg(ROW (turned * edge_above, abscissa_above, turned * edge_below, abscissa_below, clearance, false)::streetgen.profile_lift) FROM copies.overpass), '{}', 2154) p $$;

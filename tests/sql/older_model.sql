@@ -1,9 +1,9 @@
 \set ECHO none
 \ir shared/truths.sql
 \ir shared/content.sql
--- A model made before lanes for both directions, sidewalks, merging lanes, double roundabouts and free places, and what it gets.  (name, holds)
+-- A model made before lanes for both directions, sidewalks, merging lanes, double roundabouts, free places and ties of heights, and what it gets.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('older', 2154, subjects => '{interconnection,roundabout,object}', driving_side => 'right');
+  PERFORM streetgen.create_model('older', 2154, subjects => '{interconnection,roundabout,object,height}', driving_side => 'right');
   INSERT INTO older.axis (axis_id, geom, width, lane_count, importance) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2, id FROM (VALUES
     (1, 'LINESTRING(-80 0,0 0,80 0)'), (2, 'LINESTRING(0 -80,0 0)')) v(id, line);
   -- A roundabout of four arms, and a lamp.
@@ -31,6 +31,7 @@ ALTER TABLE older.interconnection DROP along_in CASCADE, DROP along_out CASCADE,
 ALTER TABLE older.lane DROP start_abscissa CASCADE, DROP end_abscissa CASCADE, DROP CONSTRAINT lane_kind_check, ADD CHECK (kind IN ('general', 'bus', 'cycle', 'parking'));
 ALTER TABLE older.lane_separator DROP leftwards CASCADE, DROP rightwards CASCADE;
 ALTER TABLE older.roundabout_edge DROP face CASCADE;
+ALTER TABLE older.profile DROP tied_from CASCADE, DROP tied_to CASCADE;
 ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE, DROP to_geom CASCADE;
 ALTER TABLE older.street_object DROP control_point_id CASCADE;
 ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;

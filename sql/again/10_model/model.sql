@@ -150,7 +150,7 @@ BEGIN
         streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
         streetgen._add_roadway_offset(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model),
         streetgen._add_roundabout_faces(model), streetgen._add_section_borders(model),
-        streetgen._add_class_meanings(model),
+        streetgen._add_class_meanings(model), streetgen._add_ties(model),
         streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
         streetgen._make_delivered_tables(model),
             streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);

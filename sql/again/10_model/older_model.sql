@@ -172,6 +172,29 @@ COMMENT ON FUNCTION streetgen._add_section_borders(name) IS
     'Adds the column that says where the borders of the roadway run, where a model was made before it; the next run '
     'fills it.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_ties(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    -- What is filled in is not changed by hand.
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF NOT streetgen._lacks_column(model, 'profile', 'tied_from') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.profile ADD tied_from boolean NOT NULL DEFAULT false,
+        ADD tied_to boolean NOT NULL DEFAULT false', model);
+    -- As far as heights in the end tell; the next run knows more.
+    EXECUTE format('UPDATE %I.profile SET tied_from = true, tied_to = true WHERE method <> ''ground''', model);
+    EXECUTE format('ALTER TABLE %I.profile ALTER tied_from DROP DEFAULT, ALTER tied_to DROP DEFAULT', model);
+    EXECUTE format('DROP INDEX IF EXISTS %I.profile_off_ground', model);
+    EXECUTE format('CREATE INDEX profile_off_ground ON %I.profile (edge_id)
+        WHERE method <> ''ground'' OR tied_from OR tied_to', model);
+    EXECUTE format('CREATE INDEX IF NOT EXISTS node_without_height ON %I.node USING gist (geom)
+        WHERE ST_Z(geom) NOT BETWEEN -500 AND 10000', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_ties(name) IS
+    'Adds the columns that say at which nodes heights are found together, where a model was made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._keep_functions_for_owner(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

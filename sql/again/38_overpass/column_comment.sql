@@ -29,5 +29,8 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_column()
     ('profile', 'grade_max', 'greatest rise for each metre along it: setting grade_maximal, more where its ground is '
         'steeper'),
     ('profile', 'method', 'how it came about: ground (as the ground), lifted (somewhere above it) or sunk (somewhere '
-        'below it)') $$;
+        'below it)'),
+    ('profile', 'tied_from', 'are the heights of all edges at the node where it begins found together? They are where '
+        'one of them left the ground there in any step, wherever it lies in the end'),
+    ('profile', 'tied_to', 'the same at the node where it ends') $$;
 COMMENT ON FUNCTION streetgen._overpass_column() IS 'The columns of overpasses and heights, and what each is.';

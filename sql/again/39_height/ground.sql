@@ -29,13 +29,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._terrain_heights(name, geometry, geometry[]) IS
     'The heights (m) of places in an area by the tiles of a model; NaN where there are none.';
 
-CREATE OR REPLACE FUNCTION streetgen._node_height(model name, place geometry) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._node_ground(model name, place geometry) RETURNS float8
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    z float8 := nullif((streetgen._terrain_heights(model, place, ARRAY[place]))[1], 'NaN');
+    z float8 := streetgen._known_height(ST_Z(place));
 BEGIN
+    IF z <> 0 THEN
+        RETURN z;
+    END IF;
+    z := coalesce(nullif((streetgen._terrain_heights(model, place, ARRAY[place]))[1], 'NaN'), z);
     IF z IS NULL THEN
+        -- A change of an axis asks for the nodes without a height as far away (streetgen._renewed_profile).
         EXECUTE format('SELECT streetgen._known_height(ST_Z(d.geom)) FROM (SELECT geom FROM %I.axis
                 WHERE ST_DWithin(geom, $1, 500) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 20) a,
                 ST_DumpPoints(a.geom) d
@@ -44,9 +49,9 @@ BEGIN
     END IF;
     RETURN coalesce(z, 0);
 END $$;
-COMMENT ON FUNCTION streetgen._node_height(name, geometry) IS
-    'The height (m) of a node that has none: of the terrain, else of the nearest vertex of an axis that has one, '
-    'within 500 m, else 0.';
+COMMENT ON FUNCTION streetgen._node_ground(name, geometry) IS
+    'The ground (m) at the place of a node: its Z; where that is 0 or unknown, the terrain; else the nearest vertex of '
+    'an axis that has a height, within 500 m, else 0.';
 
 CREATE OR REPLACE FUNCTION streetgen._filled_ground(model name, line geometry, from_place geometry,
     to_place geometry, bare boolean) RETURNS geometry
@@ -59,10 +64,10 @@ CREATE OR REPLACE FUNCTION streetgen._filled_ground(model name, line geometry, f
         FROM point),
     known AS MATERIALIZED (SELECT n, geom, CASE WHEN n IN (1, points) THEN e.z
             ELSE coalesce(own, nullif(heights[n], 'NaN')) END AS z
-        FROM point, terrain, LATERAL (SELECT CASE n WHEN 1 THEN from_place ELSE to_place END AS place) p,
+        FROM point, terrain,
             -- Asked of an end alone.
-            LATERAL (SELECT CASE WHEN n IN (1, points) THEN coalesce(CASE WHEN NOT bare OR ST_Z(place) <> 0
-                THEN streetgen._known_height(ST_Z(place)) END, streetgen._node_height(model, place)) END AS z) e)
+            LATERAL (SELECT CASE n WHEN 1 THEN streetgen._node_ground(model, from_place)
+                WHEN points THEN streetgen._node_ground(model, to_place) END AS z) e)
     SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(ST_X(k.geom), ST_Y(k.geom), coalesce(k.z, b.z + (a.z - b.z)
             * ((k.n - b.n)::float8 / (a.n - b.n)))) ORDER BY k.n), ST_SRID(line))
     FROM known k
@@ -80,19 +85,22 @@ CREATE OR REPLACE FUNCTION streetgen._ground_of(model name, line geometry, from_
     AS $$
 DECLARE
     bare boolean;
+    has_terrain boolean;
 BEGIN
     IF ST_NDims(line) = 3 THEN
-        bare := ST_ZMin(line) = 0 AND ST_ZMax(line) = 0 AND to_regclass(format('%I.terrain_tile', model)) IS NOT NULL;
-        IF bare OR streetgen._known_height(least(ST_ZMin(line), ST_Z(from_place), ST_Z(to_place))) IS NULL
+        bare := ST_ZMin(line) = 0 AND ST_ZMax(line) = 0;
+        has_terrain := (bare OR 0 IN (ST_Z(from_place), ST_Z(to_place)))
+            AND to_regclass(format('%I.terrain_tile', model)) IS NOT NULL;
+        IF has_terrain OR streetgen._known_height(least(ST_ZMin(line), ST_Z(from_place), ST_Z(to_place))) IS NULL
             OR streetgen._known_height(greatest(ST_ZMax(line), ST_Z(from_place), ST_Z(to_place))) IS NULL THEN
-            RETURN streetgen._filled_ground(model, line, from_place, to_place, bare);
+            RETURN streetgen._filled_ground(model, line, from_place, to_place, bare AND has_terrain);
         END IF;
     END IF;
     RETURN streetgen._ground_line(line, from_place, to_place);
 END $$;
 COMMENT ON FUNCTION streetgen._ground_of(name, geometry, geometry, geometry) IS
-    'The ground along an edge between the places of its nodes: the Z of its line; where that is 0 all along, the '
-    'terrain of the model, if it has one. Holes of Z are filled.';
+    'The ground along an edge between the places of its nodes, at which all edges have one height: the Z of its line; '
+    'where that is 0 all along, or at a node, the terrain of the model, if it has one. Holes of Z are filled.';
 
 CREATE OR REPLACE FUNCTION streetgen._heights_by_hand(model name, edge bigint, axis bigint, low float8, high float8,
     length float8) RETURNS SETOF streetgen.profile_height

@@ -16,18 +16,19 @@ COMMENT ON FUNCTION streetgen._height_along(geometry, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._profiles(lines bytea[], from_nodes bigint[], to_nodes bigint[], grades float8[],
     radii float8[], above integer[], at_above float8[], below integer[], at_below float8[], clearances float8[],
     sinks boolean[], by_hand integer[], at_hand float8[], heights float8[], srid integer)
-    RETURNS TABLE(number integer, line bytea, grade_max float8, method text)
+    RETURNS TABLE(number integer, line bytea, grade_max float8, method text, tied_from boolean, tied_to boolean)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_profiles';
 COMMENT ON FUNCTION streetgen._profiles(bytea[], bigint[], bigint[], float8[], float8[], integer[], float8[],
     integer[], float8[], float8[], boolean[], integer[], float8[], float8[], integer) IS
-    'The height (LINESTRING Z, EWKB) of each line, its greatest grade and how it came about: ground, lifted or sunk. '
+    'The height (LINESTRING Z, EWKB) of each line, its greatest grade, how it came about (ground, lifted or sunk), and '
+    'at which of its nodes all lines are solved together. '
     'radii: of vertical arcs, m. above and below: numbers, from 1, of the lines that cross there, with metres along '
     'them. by_hand: numbers of lines that lie at least so high there. Arrays of one thing have one length (2202E); a '
     'NULL in one: 22004; a number of no line: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._solved_profile(edges streetgen.profile_edge[], lifts streetgen.profile_lift[],
     heights streetgen.profile_height[], srid integer)
-    RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
+    RETURNS SETOF streetgen.solved_profile
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 -- Where not all clearances can be kept the order tells which ones are: by lines, since keys tell who came first.
@@ -38,7 +39,7 @@ lift AS MATERIALIZED (
         row_number() OVER (ORDER BY a.number, l.abscissa_above, b.number) AS turn
     FROM unnest(lifts) l JOIN edge a ON a.edge_id = l.edge_above JOIN edge b ON b.edge_id = l.edge_below),
 by_hand AS MATERIALIZED (SELECT e.number, h.abscissa, h.height FROM unnest(heights) h JOIN edge e USING (edge_id))
-SELECT e.edge_id, p.line::geometry, p.grade_max, p.method
+SELECT e.edge_id, p.line, p.grade_max, p.method, p.tied_from, p.tied_to
 FROM (SELECT array_agg(line ORDER BY number) AS lines, array_agg(from_node ORDER BY number) AS from_nodes,
         array_agg(to_node ORDER BY number) AS to_nodes, array_agg(grade ORDER BY number) AS grades,
         -- A car rises and sinks at no more than half a metre a second squared.
@@ -59,44 +60,36 @@ COMMENT ON FUNCTION streetgen._solved_profile(streetgen.profile_edge[], streetge
 
 CREATE OR REPLACE FUNCTION streetgen._renewed_profile(model name, edges streetgen.profile_edge[],
     lifts streetgen.profile_lift[], heights streetgen.profile_height[], gone bigint[])
-    RETURNS TABLE(edge_id bigint, geom geometry, grade_max float8, method text)
+    RETURNS SETOF streetgen.solved_profile
     -- STABLE: it sees the model before the statement that calls it.
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
-#variable_conflict use_column
 DECLARE
     place record;
     region streetgen.profile_edge[] := edges;
     crossings streetgen.profile_lift[] := lifts;
     by_hand streetgen.profile_height[] := heights;
     known bigint[] := ARRAY(SELECT e.edge_id FROM unnest(edges) e) || gone;
-    more bigint[];
+    solved streetgen.solved_profile[];
+    tied bigint[] := '{}';
+    more bigint[] := '{}';
 BEGIN
-    SELECT srid, dimension INTO place FROM streetgen.model m WHERE m.name = model;
-    -- Beyond the region no edge is joined to one of it by a crossing, or by a node off the ground, before or after.
+    SELECT m.srid, m.dimension INTO place FROM streetgen.model m WHERE m.name = model;
+    -- Nodes without a height have that of an axis near, before or after (streetgen._node_ground).
+    IF place.dimension = 3 THEN
+        EXECUTE format($sql$
+SELECT ARRAY(SELECT e.edge_id FROM (SELECT line::geometry AS geom FROM unnest($1)
+        UNION ALL SELECT geom FROM %1$I.edge WHERE edge_id = ANY ($2)) l
+    JOIN %1$I.node n ON ST_DWithin(n.geom, l.geom, 500) JOIN %1$I.edge e ON e.from_node = n.node_id
+        OR e.to_node = n.node_id
+    WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000
+    EXCEPT SELECT unnest($2)) $sql$, model) INTO more USING region, known;
+    END IF;
+    -- The region is closed: no crossing and no tied node, before or after, leads from it to others. Then its edges
+    -- have the heights that they have among all, and the others keep theirs (include/streetgen/profile.hpp).
     LOOP
-        EXECUTE format($sql$
-WITH crossed AS (
-    SELECT unnest(ARRAY[edge_above, edge_below]) AS edge_id FROM unnest($2) l
-    UNION SELECT o.edge_above FROM %1$I.overpass o WHERE o.edge_below = ANY ($3)
-    UNION SELECT o.edge_below FROM %1$I.overpass o WHERE o.edge_above = ANY ($3)),
-solved AS MATERIALIZED (SELECT * FROM streetgen._solved_profile($1, $2, $5, $4)),
--- Places of nodes, before and after, where a road is off the ground.
-off_ground AS (
-    SELECT node_id FROM solved s JOIN unnest($1) e USING (edge_id), LATERAL (VALUES
-        (e.from_node, ST_Z(ST_StartPoint(s.geom)), ST_Z(ST_StartPoint(e.line::geometry))),
-        (e.to_node, ST_Z(ST_EndPoint(s.geom)), ST_Z(ST_EndPoint(e.line::geometry)))) v(node_id, z, ground)
-    WHERE abs(z - coalesce(ground, 0)) > 1e-6
-    UNION SELECT v.node_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id),
-        LATERAL (VALUES (e.from_node, ST_Z(ST_StartPoint(p.geom))), (e.to_node, ST_Z(ST_EndPoint(p.geom))))
-            v(node_id, z) JOIN %1$I.node n USING (node_id)
-    WHERE e.edge_id = ANY ($3) AND p.method <> 'ground' AND abs(v.z - coalesce(ST_Z(n.geom), 0)) > 1e-6)
-SELECT ARRAY(SELECT edge_id FROM crossed
-    UNION SELECT e.edge_id FROM %1$I.edge e WHERE e.from_node IN (SELECT node_id FROM off_ground)
-    UNION SELECT e.edge_id FROM %1$I.edge e WHERE e.to_node IN (SELECT node_id FROM off_ground)
-    EXCEPT SELECT unnest($3)) $sql$, model) INTO more USING region, crossings, known, place.srid, by_hand;
-        EXIT WHEN more = '{}';
-        EXECUTE format($sql$
+        IF more <> '{}' THEN
+            EXECUTE format($sql$
 SELECT $1 || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
         streetgen._ground_of(%2$L, e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) / 100,
         e.speed)::streetgen.profile_edge
@@ -110,13 +103,33 @@ SELECT $1 || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
     $5 || ARRAY(SELECT h FROM %1$I.edge e, LATERAL streetgen._heights_by_hand(%2$L, e.edge_id, e.axis_id,
         e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY ($3))
 $sql$, model, model) INTO region, crossings, by_hand USING region, crossings, more, known, by_hand;
-        known := known || more;
+            known := known || more;
+            solved := NULL;
+        END IF;
+        EXECUTE format($sql$
+WITH near AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS nodes FROM (
+    SELECT from_node, to_node FROM unnest($1)
+    UNION ALL SELECT from_node, to_node FROM %1$I.edge WHERE edge_id = ANY ($3)) e)
+SELECT ARRAY(
+    SELECT unnest(ARRAY[edge_above, edge_below]) FROM unnest($2)
+    UNION SELECT edge_above FROM %1$I.overpass WHERE edge_below = ANY ($3)
+    UNION SELECT edge_below FROM %1$I.overpass WHERE edge_above = ANY ($3)
+    UNION SELECT edge_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id)
+        WHERE from_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_from OR from_node = ANY ($4))
+    UNION SELECT edge_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id)
+        WHERE to_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_to OR to_node = ANY ($4))
+    EXCEPT SELECT unnest($3)) $sql$, model) INTO more USING region, crossings, known, tied;
+        IF more = '{}' THEN
+            EXIT WHEN solved IS NOT NULL;
+            solved := ARRAY(SELECT s FROM streetgen._solved_profile(region, crossings, by_hand, place.srid) s);
+            tied := ARRAY(SELECT v.node FROM unnest(solved) s JOIN unnest(region) e USING (edge_id),
+                LATERAL (VALUES (e.from_node, s.tied_from), (e.to_node, s.tied_to)) v(node, is_tied) WHERE v.is_tied);
+            EXIT WHEN tied = '{}';
+        END IF;
     END LOOP;
-    RETURN QUERY SELECT s.edge_id, s.geom, s.grade_max, s.method
-        FROM streetgen._solved_profile(region, crossings, by_hand, place.srid) s;
+    RETURN QUERY SELECT * FROM unnest(solved);
 END $$;
 COMMENT ON FUNCTION streetgen._renewed_profile(name, streetgen.profile_edge[], streetgen.profile_lift[],
     streetgen.profile_height[], bigint[]) IS
     'The heights along all edges that a change can move: edges, lifts and heights by hand as they are written, gone '
-    'the edges that go; '
-    'the others, and their crossings, as the model has them.';
+    'the edges that go; the others, and their crossings, as the model has them.';

@@ -8,8 +8,12 @@ BEGIN
     FOREACH statement IN ARRAY ARRAY[
         $t$CREATE TABLE %1$I.profile (
             edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE,
-            geom geometry(LineStringZ, %2$s) NOT NULL, grade_max float8 NOT NULL, method text NOT NULL)$t$,
-        $t$CREATE INDEX profile_off_ground ON %1$I.profile (edge_id) WHERE method <> 'ground'$t$,
+            geom geometry(LineStringZ, %2$s) NOT NULL, grade_max float8 NOT NULL, method text NOT NULL,
+            tied_from boolean NOT NULL, tied_to boolean NOT NULL)$t$,
+        $t$CREATE INDEX profile_off_ground ON %1$I.profile (edge_id)
+            WHERE method <> 'ground' OR tied_from OR tied_to$t$,
+        $t$CREATE INDEX IF NOT EXISTS node_without_height ON %1$I.node USING gist (geom)
+            WHERE ST_Z(geom) NOT BETWEEN -500 AND 10000$t$,
         $t$CREATE INDEX profile_geom ON %1$I.profile USING gist (geom)$t$,
         $t$COMMENT ON TABLE %1$I.profile
             IS 'Heights along edges: those of the ground, or the least ones that keep clearances and grades where '

@@ -20,15 +20,15 @@ profile_heights AS MATERIALIZED (
 profile_gone AS MATERIALIZED (
     SELECT ARRAY(SELECT edge_id FROM old_edge WHERE written EXCEPT SELECT edge_id FROM new_edge) AS list)$part$,
         places),
-    streetgen._upsert_rows(places, 'profile', columns => 'geom, grade_max, method', rows => CASE
-        WHEN places ->> 'run' IN ('whole', 'empty') THEN $part$
-        SELECT row_number() OVER (ORDER BY p.edge_id)::integer AS number, p.*
-        FROM streetgen._solved_profile((SELECT list FROM profile_edges), (SELECT list FROM profile_lifts),
-            (SELECT list FROM profile_heights), {srid}) p$part$
+    streetgen._upsert_rows(places, 'profile', columns => 'geom, grade_max, method, tied_from, tied_to', rows => $part$
+        SELECT row_number() OVER (ORDER BY edge_id)::integer AS number, edge_id, line::geometry AS geom, grade_max,
+            method, tied_from, tied_to
+        FROM $part$ || CASE WHEN places ->> 'run' IN ('whole', 'empty') THEN $part$
+            streetgen._solved_profile((SELECT list FROM profile_edges), (SELECT list FROM profile_lifts),
+                (SELECT list FROM profile_heights), {srid})$part$
         ELSE $part$
-        SELECT row_number() OVER (ORDER BY p.edge_id)::integer AS number, p.*
-        FROM streetgen._renewed_profile('{model_name}', (SELECT list FROM profile_edges),
-            (SELECT list FROM profile_lifts), (SELECT list FROM profile_heights),
-            (SELECT list FROM profile_gone)) p$part$ END)) $$;
+            streetgen._renewed_profile('{model_name}', (SELECT list FROM profile_edges),
+                (SELECT list FROM profile_lifts), (SELECT list FROM profile_heights),
+                (SELECT list FROM profile_gone))$part$ END)) $$;
 COMMENT ON FUNCTION streetgen._upsert_height(jsonb) IS
     'Part of the one statement: the heights along new_edge, and along all edges that these lift or no longer lift.';

@@ -16,7 +16,7 @@ namespace streetgen {
 
 namespace {
 
-// Crossings join edges to clusters, and nodes off the ground join clusters, until the ground lies
+// Crossings join edges to clusters, and nodes off the ground tie clusters, until the ground lies
 // between them: then what one holds moves no other one, whatever else is solved in the same call.
 class Clusters {
  public:
@@ -40,6 +40,10 @@ class Clusters {
         solve(cluster);
       }
     } while (join_off_ground());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      out_.edges[e].tied_from = nodes_.at(edges_[e].from_node).tied;
+      out_.edges[e].tied_to = nodes_.at(edges_[e].to_node).tied;
+    }
     return std::move(out_);
   }
 
@@ -47,6 +51,7 @@ class Clusters {
   struct Node {
     double ground;  // the greatest of its edges
     std::vector<int> edges;
+    bool tied = false;
   };
 
   // Numbers of edges, lifts and heights by hand, each in the order of all.
@@ -55,7 +60,7 @@ class Clusters {
   };
 
   void meet(std::int64_t node, double ground, int edge) {
-    Node& met = nodes_.try_emplace(node, Node{ground, {}}).first->second;
+    Node& met = nodes_.try_emplace(node, Node{ground, {}, false}).first->second;
     met.ground = std::max(met.ground, ground);
     met.edges.push_back(edge);
   }
@@ -103,8 +108,8 @@ class Clusters {
     std::vector<int> joined;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const Line& road = out_.edges[e].line;
-      join_at(nodes_.at(edges_[e].from_node), road.front().z, &joined);
-      join_at(nodes_.at(edges_[e].to_node), road.back().z, &joined);
+      join_at(&nodes_.at(edges_[e].from_node), road.front().z, &joined);
+      join_at(&nodes_.at(edges_[e].to_node), road.back().z, &joined);
     }
     std::vector<bool> has_grown(edges_.size());
     for (const int e : joined) has_grown[groups_.of(e)] = true;
@@ -113,11 +118,12 @@ class Clusters {
     return !joined.empty();
   }
 
-  void join_at(const Node& node, double height, std::vector<int>* joined) {
-    if (std::abs(height - node.ground) <= same_place) return;
-    for (const int e : node.edges)
-      if (groups_.of(e) != groups_.of(node.edges.front())) {
-        groups_.join(e, node.edges.front());
+  void join_at(Node* node, double height, std::vector<int>* joined) {
+    if (node->tied || std::abs(height - node->ground) <= same_place) return;
+    node->tied = true;
+    for (const int e : node->edges)
+      if (groups_.of(e) != groups_.of(node->edges.front())) {
+        groups_.join(e, node->edges.front());
         joined->push_back(e);
       }
   }

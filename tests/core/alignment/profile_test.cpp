@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 #include "alignment/height_line.hpp"
 #include "alignment/least_height.hpp"
@@ -114,11 +116,16 @@ struct Net {
   std::vector<ProfileLift> lifts;
 };
 
-Net random_net(std::mt19937_64* random, bool sinks) {
+struct NetSize {
+  int nodes, edges, lifts;
+  unsigned shortest, range;  // metres
+};
+
+Net random_net(std::mt19937_64* random, bool sinks, NetSize size = {8, 10, 4, 10, 300}) {
   Net net;
-  const int nodes = 8, count = 10;
+  const int nodes = size.nodes, count = size.edges;
   for (int e = 0; e < count; ++e) {
-    const double length = 10 + static_cast<double>((*random)() % 300);
+    const double length = size.shortest + static_cast<double>((*random)() % size.range);
     const int from = static_cast<int>((*random)() % nodes),
               to = static_cast<int>((*random)() % nodes);
     net.edges.push_back(edge(from, to, {{0, 0}, {length, 0}}, 400));
@@ -126,7 +133,7 @@ Net random_net(std::mt19937_64* random, bool sinks) {
   const auto place = [&](int e) {
     return net.edges[e].line.back().x * static_cast<double>((*random)() % 100) / 100;
   };
-  for (int l = 0; l < 4; ++l) {
+  for (int l = 0; l < size.lifts; ++l) {
     const int above = static_cast<int>((*random)() % count), below = (above + 1 + l % 2) % count;
     const double at_above = place(above), at_below = place(below);
     net.lifts.push_back(
@@ -168,6 +175,94 @@ TEST(Profile, IsThatOfEachNetAlone) {
     }
   }
   EXPECT_GT(unmet, 100);
+}
+
+bool is_same(const Profile& a, const Profile& b) {
+  return a.tied_from == b.tied_from && a.tied_to == b.tied_to &&
+         std::equal(a.line.begin(), a.line.end(), b.line.begin(), b.line.end(),
+                    [](const Point& p, const Point& q) { return p.x == q.x && p.z == q.z; });
+}
+
+// Some edges of a net, with the lifts among them; `place` is where each edge went.
+Net part_of(const Net& net, const std::vector<bool>& chosen, std::vector<int>* place) {
+  Net part;
+  place->assign(net.edges.size(), -1);
+  for (std::size_t e = 0; e < net.edges.size(); ++e)
+    if (chosen[e]) {
+      (*place)[e] = static_cast<int>(part.edges.size());
+      part.edges.push_back(net.edges[e]);
+    }
+  for (ProfileLift lift : net.lifts) {
+    lift.above = (*place)[lift.above], lift.below = (*place)[lift.below];
+    if (lift.above >= 0 && lift.below >= 0) part.lifts.push_back(lift);
+  }
+  return part;
+}
+
+// An edge of a net is drawn anew, with other lifts: then what no lift and no tied node joins to it,
+// before or after, stays as it was, and the others are as they are among all.
+TEST(Profile, IsThatOfTheEdgesThatLiftsAndTiesJoin) {
+  std::mt19937_64 random(43);
+  const NetSize size{14, 16, 5, 30, 150};
+  int unmet = 0, kept = 0, hidden = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const Net before = random_net(&random, true, size), other = random_net(&random, true, size);
+    const int edges = static_cast<int>(before.edges.size());
+    const int changed = static_cast<int>(random() % static_cast<std::size_t>(edges));
+    Net after{before.edges, {}};
+    after.edges[changed] = other.edges[changed];
+    const auto touches = [&](const ProfileLift& l) {
+      return l.above == changed || l.below == changed;
+    };
+    for (const ProfileLift& lift : before.lifts)
+      if (!touches(lift)) after.lifts.push_back(lift);
+    for (const ProfileLift& lift : other.lifts)
+      if (touches(lift)) after.lifts.push_back(lift);
+    const Profiles were = profiles(before.edges, before.lifts, {}),
+                   all = profiles(after.edges, after.lifts, {});
+    unmet += static_cast<int>(std::count(all.unmet.begin(), all.unmet.end(), true));
+
+    std::vector<bool> region(edges);
+    region[changed] = true;
+    std::vector<int> place;
+    Profiles some;
+    for (bool grew = true; grew;) {
+      const Net part = part_of(after, region, &place);
+      some = profiles(part.edges, part.lifts, {});
+      std::set<std::int64_t> near, tied;
+      for (int e = 0; e < edges; ++e)
+        if (region[e]) {
+          for (const Net* net : {&before, &std::as_const(after)})
+            near.insert({net->edges[e].from_node, net->edges[e].to_node});
+          const Profile& now = some.edges[place[e]];
+          if (now.tied_from) tied.insert(after.edges[e].from_node);
+          if (now.tied_to) tied.insert(after.edges[e].to_node);
+        }
+      std::vector<bool> grown = region;
+      for (const Net* net : {&before, &std::as_const(after)})
+        for (const ProfileLift& lift : net->lifts)
+          if (region[lift.above] || region[lift.below])
+            grown[lift.above] = grown[lift.below] = true;
+      for (int e = 0; e < edges; ++e) {
+        const ProfileEdge& edge = after.edges[e];
+        if (tied.count(edge.from_node) + tied.count(edge.to_node) > 0 ||
+            (were.edges[e].tied_from && near.count(before.edges[e].from_node) > 0) ||
+            (were.edges[e].tied_to && near.count(before.edges[e].to_node) > 0))
+          grown[e] = true;
+      }
+      grew = grown != region;
+      region = grown;
+    }
+    for (int e = 0; e < edges; ++e) {
+      ASSERT_TRUE(is_same(all.edges[e], region[e] ? some.edges[place[e]] : were.edges[e]))
+          << "round " << round << " edge " << e;
+      kept += region[e] ? 0 : 1;
+      hidden += all.edges[e].tied_to && all.edges[e].line.back().z == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(unmet, 100);
+  EXPECT_GT(kept, 1000);
+  EXPECT_GT(hidden, 10) << "nodes that are tied, and on the ground in the end";
 }
 
 // Heights of random nets against a plain iteration over all constraints.
