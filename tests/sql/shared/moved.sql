@@ -292,32 +292,48 @@ DECLARE
   scalars name[];
   numbers name[];
   geometries name[];
-  key text;
+  key_columns text;
   said text;
   part text;
   order_by text;
   geometry_of text;
-  c record;
+  place_of text;
 BEGIN
   FOR relation IN SELECT t.relation FROM streetgen._computed_table() t WHERE to_regclass(format('%I.%I', m.model, t.relation)) IS NOT NULL AND t.relation <> 'object_edge' AND t.relation = coalesce(only_relation, t.relation) ORDER BY t.place LOOP
     SELECT array_agg(col), array_agg(col) FILTER (WHERE type NOT LIKE 'geometry%' AND type <> 'double precision' AND NOT test.left_out(relation, col)),
         array_agg(col) FILTER (WHERE type = 'double precision' AND NOT test.left_out(relation, col)), array_agg(col) FILTER (WHERE type LIKE 'geometry%')
       INTO all_cols, scalars, numbers, geometries FROM test.columns(m.model, relation);
-    key := (SELECT string_agg(CASE WHEN k = 'on_edge' THEN 'CASE WHEN node_id IS NULL THEN edge_id END' ELSE k END, ', ') FROM unnest(test.moved_key(relation)) k);
+    key_columns := (SELECT string_agg(CASE WHEN k = 'on_edge' THEN 'CASE WHEN node_id IS NULL THEN edge_id END' ELSE k END, ', ') FROM unnest(test.moved_key(relation)) k);
     -- A row of an edge and one of a node may have one number.
     said := (SELECT string_agg(format('coalesce((%s)::text, ''-'')', CASE WHEN k = 'on_edge' THEN 'CASE WHEN node_id IS NULL THEN edge_id END' ELSE k END), ', ') FROM unnest(test.moved_key(relation)) k);
     geometry_of := (SELECT g FROM unnest(geometries) g ORDER BY g <> 'geom' LIMIT 1);
-    -- Rows of one key in their order across the paper.
-    order_by := CASE WHEN geometry_of IS NOT NULL THEN format('0.8 * ST_X(ST_Centroid(%1$I)) + 0.6 * ST_Y(ST_Centroid(%1$I))', geometry_of) WHEN 'start_abscissa' = ANY (all_cols) THEN 'start_abscissa' ELSE '1' END;
-    EXECUTE 'DROP TABLE IF EXISTS pg_temp.here, pg_temp.there';
-    EXECUTE format('CREATE TEMP TABLE here AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (SELECT %s FROM %I.%I t) t', said, key, order_by,
-      (SELECT string_agg(format('%s AS %I', test.plain_column(relation, col), col), ', ') FROM unnest(all_cols) col), m.model, relation);
-    EXECUTE format('CREATE TEMP TABLE there AS SELECT *, concat_ws('' '', %s, row_number() OVER (PARTITION BY %s ORDER BY %s)) AS key FROM (%s) t', said, key, order_by, test.moved_rows(m.moved, relation, true));
+    place_of := CASE WHEN geometry_of IS NOT NULL THEN format('ST_Centroid(%I)', geometry_of) ELSE 'NULL::geometry' END;
+    order_by := CASE WHEN geometry_of IS NOT NULL THEN format('0.8 * ST_X(%1$s) + 0.6 * ST_Y(%1$s)', place_of) WHEN 'start_abscissa' = ANY (all_cols) THEN 'start_abscissa' ELSE '1' END;
+    EXECUTE 'DROP TABLE IF EXISTS pg_temp.here, pg_temp.there, pg_temp.met';
+    EXECUTE format('CREATE TEMP TABLE here AS SELECT *, concat_ws('' '', %s) AS key, row_number() OVER (PARTITION BY %s ORDER BY %s) AS ordinal, count(*) OVER (PARTITION BY %2$s) AS of_key, %4$s AS place
+        FROM (SELECT %5$s FROM %6$I.%7$I t) t', said, key_columns, order_by, place_of, (SELECT string_agg(format('%s AS %I', test.plain_column(relation, col), col), ', ') FROM unnest(all_cols) col), m.model, relation);
+    EXECUTE format('CREATE TEMP TABLE there AS SELECT *, concat_ws('' '', %s) AS key, row_number() OVER (PARTITION BY %s ORDER BY %s) AS ordinal, count(*) OVER (PARTITION BY %2$s) AS of_key, %4$s AS place
+        FROM (%5$s) t', said, key_columns, order_by, place_of, test.moved_rows(m.moved, relation, true));
+    CREATE TEMP TABLE met AS SELECT key, a.ordinal AS ordinal_a, b.ordinal AS ordinal_b FROM here a JOIN there b USING (key) WHERE a.of_key = 1 AND b.of_key = 1;
+    IF geometry_of IS NOT NULL THEN
+      CREATE INDEX ON here USING gist (place);
+      CREATE INDEX ON there USING gist (place);
+      -- Two of one key that are each other's nearest.
+      INSERT INTO met SELECT a.key, a.ordinal, b.ordinal FROM here a
+        CROSS JOIN LATERAL (SELECT * FROM there b WHERE b.key = a.key ORDER BY b.place <-> a.place, b.ordinal LIMIT 1) b
+        CROSS JOIN LATERAL (SELECT * FROM here c WHERE c.key = b.key ORDER BY c.place <-> b.place, c.ordinal LIMIT 1) c
+        WHERE (a.of_key > 1 OR b.of_key > 1) AND a.ordinal = c.ordinal;
+    END IF;
+    -- The rest in their order across the paper.
+    INSERT INTO met SELECT key, a.ordinal, b.ordinal
+      FROM (SELECT *, row_number() OVER (PARTITION BY key ORDER BY ordinal) AS n FROM here a WHERE NOT EXISTS (SELECT FROM met WHERE met.key = a.key AND ordinal_a = a.ordinal)) a
+      JOIN (SELECT *, row_number() OVER (PARTITION BY key ORDER BY ordinal) AS n FROM there b WHERE NOT EXISTS (SELECT FROM met WHERE met.key = b.key AND ordinal_b = b.ordinal)) b USING (key, n);
     -- Angles of a circle are the same a whole turn on.
     part := (SELECT coalesce(string_agg(format('CASE WHEN ' || CASE n WHEN 'angle' THEN 'abs(a.%1$I - b.%1$I - 360 * round(((a.%1$I - b.%1$I) / 360)::numeric))' ELSE 'abs(a.%1$I - b.%1$I)' END || ' > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN 'angle' THEN 'degrees(1e-6)' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
       || (SELECT coalesce(string_agg(format(', CASE WHEN a.%1$I IS DISTINCT FROM b.%1$I THEN %1$L END', n), ''), '') FROM unnest(scalars) n);
-    EXECUTE format($q$WITH met AS MATERIALIZED (SELECT a.key AS a_key, b.key AS b_key, concat_ws(' ', %s%s) AS cols, greatest(0%s) AS apart, %s AS area, %s AS place
-        FROM here a FULL JOIN there b USING (key)), told AS (SELECT *, a_key IS NULL OR b_key IS NULL AS is_alone FROM met)
+    EXECUTE format($q$WITH both_sides AS MATERIALIZED (SELECT a.key AS a_key, b.key AS b_key, concat_ws(' ', %s%s) AS cols, greatest(0%s) AS apart, %s AS area, %s AS place
+        FROM (here a LEFT JOIN met ON met.key = a.key AND ordinal_a = a.ordinal) FULL JOIN there b ON b.key = met.key AND b.ordinal = ordinal_b),
+        told AS (SELECT *, a_key IS NULL OR b_key IS NULL AS is_alone FROM both_sides)
       SELECT (SELECT count(*) FROM here), (SELECT count(*) FROM there), count(*) FILTER (WHERE is_alone), count(*) FILTER (WHERE NOT is_alone AND (cols <> '' OR apart > 1e-6)),
         max(apart) FILTER (WHERE NOT is_alone), sum(area) FILTER (WHERE NOT is_alone), (array_agg(ST_AsText(ST_Centroid(place), 1) ORDER BY is_alone DESC, apart DESC, area DESC) FILTER (WHERE is_alone OR cols <> '' OR apart > 1e-6))[1],
         (SELECT string_agg(w || ' ' || n, ' ' ORDER BY n DESC) FROM (SELECT w, count(*) AS n FROM told t2, string_to_table(t2.cols, ' ') w WHERE NOT t2.is_alone AND w <> '' GROUP BY w) w)
