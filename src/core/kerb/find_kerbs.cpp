@@ -224,10 +224,14 @@ class RoadwayBorder {
     share(i, border);
     KerbRows rows(layout_, i < edges_ ? i : -1, i < edges_ ? -1 : i - edges_, level_of(i),
                   streets_.kerbs);
-    for (const BorderLoop& loop : border.loops())
-      rows.append(loop, i < edges_
-                            ? places_of_section(layout_, i, loop)
-                            : places_of_intersection(layout_, i - edges_, corner_from_, loop));
+    for (const BorderLoop& loop : border.loops()) {
+      if (i < edges_) {
+        rows.append(loop, places_of_section(layout_, i, loop));
+        continue;
+      }
+      const BorderLoop cut = cut_at_dead_ends(layout_, i - edges_, loop);
+      rows.append(cut, places_of_intersection(layout_, i - edges_, corner_from_, cut));
+    }
   }
 
   Layout& layout_;

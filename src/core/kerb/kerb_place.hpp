@@ -21,6 +21,10 @@ inline bool operator==(const KerbPlace& a, const KerbPlace& b) {
 // One for each piece; those of shared pieces mean nothing.
 std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const BorderLoop& loop);
 
+// The border of an intersection that goes round the dead end of an edge, cut there in the axis: one
+// half belongs to either corner beside the edge.
+BorderLoop cut_at_dead_ends(const Layout& layout, int node, const BorderLoop& loop);
+
 // corner_from[slot(end)]: the corner counter-clockwise from there; -1: none.
 std::vector<KerbPlace> places_of_intersection(const Layout& layout, int node,
                                               const std::vector<int>& corner_from,

@@ -63,7 +63,8 @@ class NodeCorners {
   // it.
   int gap_between(const Point& from, const Point& to) const {
     for (int a = 0; a < static_cast<int>(stubs_.size()); ++a)
-      if (distance(to, border(a).front()) <= crack && distance(from, border(next(a)).back()) <= crack)
+      if (distance(to, border(a).front()) <= crack &&
+          distance(from, border(next(a)).back()) <= crack)
         return a;
     return none;
   }
@@ -100,9 +101,8 @@ class NodeCorners {
       return turn < 0 ? turn + 2 * M_PI : turn;
     };
     const auto least =
-        std::min_element(stubs_.begin(), stubs_.end(), [&](const Line& a, const Line& b) {
-          return turn_from(a) < turn_from(b);
-        });
+        std::min_element(stubs_.begin(), stubs_.end(),
+                         [&](const Line& a, const Line& b) { return turn_from(a) < turn_from(b); });
     return static_cast<int>(least - stubs_.begin());
   }
 
@@ -138,6 +138,24 @@ class NodeCorners {
 };
 
 }  // namespace
+
+BorderLoop cut_at_dead_ends(const Layout& layout, int node, const BorderLoop& loop) {
+  BorderLoop cut;
+  for (BorderPiece piece : loop) {
+    for (const EdgeEnd& end : layout.junctions[node].ends) {
+      const Point& tip = layout.arm(end).line.back();
+      const Point at = nearest_on_segment(tip, piece.from, piece.to);
+      if (piece.shared || distance(at, tip) > same_place ||
+          distance(at, piece.from) <= same_place || distance(at, piece.to) <= same_place)
+        continue;
+      BorderPiece first = piece;
+      first.to = piece.from = at;
+      cut.push_back(first);
+    }
+    cut.push_back(piece);
+  }
+  return cut;
+}
 
 std::vector<KerbPlace> places_of_intersection(const Layout& layout, int node,
                                               const std::vector<int>& corner_from,

@@ -179,6 +179,24 @@ TEST(Kerb, BehindANodeBelongsToTheGapThere) {
     EXPECT_EQ(sides_of(with_kerbs(moved(axes, turn * M_PI / 6, false, {0, 0, 0}))), sides) << turn;
 }
 
+// The intersection goes round a dead end that is too short for a section.
+TEST(Kerb, AboutADeadEndIsCutInTheAxis) {
+  const std::vector<StreetAxis> axes{axis(1, {{-60, 0}, {0, 0}}, 8, 5),
+                                     axis(2, {{0, 0}, {60, 0}}, 8, 5),
+                                     axis(3, {{0, 0}, {2, 7}}, 6, 5)};
+  for (int turn = 0; turn < 24; ++turn) {
+    const auto placed = moved(axes, turn * M_PI / 12, turn % 2 == 1, {0, 0, 0});
+    const Point tip = placed[2].line.back();
+    int from_there = 0, to_there = 0;
+    for (const Kerb& kerb : with_kerbs(placed).kerbs) {
+      from_there += distance(kerb.line.front(), tip) < 1e-6;
+      to_there += distance(kerb.line.back(), tip) < 1e-6;
+    }
+    EXPECT_EQ(from_there, 1) << turn;
+    EXPECT_EQ(to_there, 1) << turn;
+  }
+}
+
 // Also where another street takes the end of an arc.
 TEST(Kerb, CurveIsTheSameInTheMirror) {
   const auto axes = random_town(4, 30);
