@@ -134,12 +134,12 @@ class Front {
 
   void join(int before, int after, const Point& at, double time) {
     Side &a = sides_[before], &b = sides_[after];
-    if (is_outer_bend(a.along, b.along)) {
+    const bool bends = is_outer_bend(a.along, b.along);
+    b.goes_round = bends && time == 0;
+    if (bends) {
       a.end = {at, a.normal, time};
       b.start = {at, b.normal, time};
-      if (time == 0)
-        b.goes_round = true;
-      else  // What lies between them has been passed before.
+      if (time > 0)  // What lies between them has been passed before.
         for (const int each : {before, after}) cannot_tell(each, time);
     } else {
       a.end = b.start = {at, bisecting_speed(a.normal, b.normal), time};
@@ -192,6 +192,7 @@ class Front {
       sides_[l].end = {at, go_on(side.end.speed, l, time), time};
     } else if (r >= 0) {
       sides_[r].previous = -1;
+      sides_[r].goes_round = false;
       sides_[r].start = {at, go_on(side.start.speed, r, time), time};
     }
     if (l >= 0) expect(l);
@@ -230,17 +231,16 @@ class Front {
   // The ways that bound the ground of a kerb lead to where the front meets, or beyond its strip.
   void tell_start(int i, const Point& at, double time) {
     if (strip(i).start_told) return;
-    const bool leads_beyond = time >= strip(i).reach;
-    strip(i).start_told = leads_beyond;
-    ground(i).start.push_back(!leads_beyond   ? at
-                              : goes_round(i) ? middle_of_bend_at(i)
-                                              : sides_[i].start.place(beyond));
+    strip(i).start_told = time >= strip(i).reach || goes_round(i);
+    ground(i).start.push_back(goes_round(i)         ? middle_of_bend_at(i)
+                              : strip(i).start_told ? sides_[i].start.place(beyond)
+                                                    : at);
   }
   void tell_end(int i, const Point& at, double time) {
     if (strip(i).end_told) return;
     const int next = sides_[i].next;
     strip(i).end_told = time >= strip(i).reach || goes_round(next);
-    ground(i).end.push_back(goes_round(next)     ? middle_of_bend_at(next)
+    ground(i).end.push_back(goes_round(next)    ? middle_of_bend_at(next)
                             : strip(i).end_told ? sides_[i].end.place(beyond)
                                                 : at);
   }

@@ -19,11 +19,15 @@ struct Place {
   Point along;  // unit vector
 };
 
-// The same whichever way the kerb is walked along.
-std::vector<Place> places_on(const Line& line, const Box& within, double margin) {
+// That come so near to the other kerb; the same whichever way a kerb is walked along, and however
+// the paper lies.
+std::vector<Place> places_on(const Line& line, const Line& other, double reach) {
   std::vector<Place> places;
+  Box near;
+  for (const Point& at : other) near.add(at);
   const auto add = [&](const Point& at, const Point& along) {
-    if (within.holds(at, margin)) places.push_back({planar(at), along});
+    if (near.holds(at, reach) && comes_within(at, other, reach))
+      places.push_back({planar(at), along});
   };
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point& from = line[i - 1];
@@ -37,9 +41,10 @@ std::vector<Place> places_on(const Line& line, const Box& within, double margin)
   return places;
 }
 
-// A circle that touches one kerb in the place may also touch the other kerb: there it is. Without
-// such a circle the nearest place of the other kerb comes out. Of two segments as near, at a vertex
-// between them, either may hold it.
+// A circle that touches one kerb in the place may also touch the other kerb: there it is. Where the
+// other kerb goes straight on, it is as far beyond the place where they meet. Otherwise the nearest
+// place of the other kerb comes out. Of two segments as near, at a vertex between them, either may
+// hold it.
 Point across(const Place& place, const Line& other) {
   Point nearest;
   double least = infinite;
@@ -58,11 +63,18 @@ Point across(const Place& place, const Line& other) {
   for (const std::size_t i : segments) {
     if (i == 0) continue;
     const Point &from = other[i - 1], &to = other[i];
+    const double size = distance(from, to);
+    const Point along = unit(to - from);
     // The chord between the two places that a circle touches has one angle with both kerbs.
-    const Point chord = left_normal(place.along) - left_normal(unit(to - from));
-    const double sine = cross(chord, to - from);
-    if (std::abs(sine) <= straight_sine * distance(from, to)) continue;
-    const double share = cross(place.at - from, chord) / -sine;
+    const Point chord = left_normal(place.along) - left_normal(along);
+    const double sine = cross(chord, along);
+    double share;
+    if (std::abs(sine) > straight_sine)
+      share = cross(place.at - from, chord) / (-sine * size);
+    else if (std::abs(cross(place.at - from, along)) <= same_site)
+      share = dot(nearest * 2 - place.at - from, along) / size;
+    else
+      continue;
     const Point touched = from + (to - from) * share;
     if (share <= 0 || share >= 1 || distance(touched, nearest) >= farthest) continue;
     found = touched;
@@ -73,17 +85,19 @@ Point across(const Place& place, const Line& other) {
 
 }  // namespace
 
-std::vector<Site> kerb_sites(const Line& first, const Line& second, const Box& within,
-                             double margin) {
+std::vector<Site> kerb_sites(const Line& first, const Line& second, double reach) {
   std::vector<Site> sites;
-  // A row of sites along one kerb, and one along the other.
+  // A row of sites along one kerb, and one along the other. A place of both kerbs is none of
+  // either.
   const auto add = [&](const Line& line, const Line& other, bool is_first) {
-    const std::vector<Place> places = places_on(line, within, margin);
-    for (const Place& place : places) sites.push_back({place.at, is_first});
-    for (const Place& place : places) {
+    std::vector<Site> row;
+    for (const Place& place : places_on(line, other, reach)) {
       poll_cancel();
-      sites.push_back({across(place, other), !is_first});
+      if (!comes_within(place.at, other, same_site)) sites.push_back({place.at, is_first});
+      const Point beside = across(place, other);
+      if (!comes_within(beside, line, same_site)) row.push_back({beside, !is_first});
     }
+    sites.insert(sites.end(), row.begin(), row.end());
   };
   add(first, second, true);
   add(second, first, false);

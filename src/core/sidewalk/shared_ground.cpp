@@ -16,7 +16,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double around = 1;  // metres beyond strips, from where the border between two may come
+constexpr double around = 1;  // metres beyond both strips: as far apart as sites are
 
 // The same order whatever kerbs are given beside the two.
 bool before(const Point* a, const Point* b) {
@@ -96,8 +96,8 @@ const VoronoiBorder& SharedGround::border_between(int kerb, int other) {
   const auto known = borders_.find({kerb, other});
   if (known != borders_.end()) return known->second;
   const Box shared = grounds_[kerb].box().shared_with(grounds_[other].box());
-  const double margin = std::max(strips_[kerb].widest, strips_[other].widest) + around;
-  std::vector<Site> sites = kerb_sites(kerbs_[kerb].line, kerbs_[other].line, shared, margin);
+  const double reach = strips_[kerb].reach + strips_[other].reach + around;
+  std::vector<Site> sites = kerb_sites(kerbs_[kerb].line, kerbs_[other].line, reach);
   if (sites.empty()) sites.push_back({kerbs_[kerb].line[0], true});
   return borders_.emplace(std::pair(kerb, other), VoronoiBorder(sites, shared)).first->second;
 }

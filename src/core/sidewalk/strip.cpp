@@ -101,7 +101,7 @@ void append_fan(const Point& at, double width, const Point& later, const Point& 
 }
 
 bool bends_outwards(const Point& before, const Point& after) {
-  return cross(before, after) < -straight_sine;
+  return cross(before, after) < -same_angle;
 }
 
 // For any line: a piece behind each segment, and one about each outer bend. Of the bends where a
@@ -198,11 +198,11 @@ class Strips {
                   const BackLine& back, int first, int last) {
     Strip& strip = strips_[kerb];
     strip.widest = widest(kerb);
+    strip.reach = spread * widest_beside(kerb);
     strip.narrow = ground.narrow;
     if (ground.whole) {
       const Ring ring = ring_behind(course.line, ground, back, first, last);
-      if (!ring.empty() && signed_area(ring) > 0 &&
-          stays_near(ring, course.line, spread * widest_beside(kerb)) &&
+      if (!ring.empty() && signed_area(ring) > 0 && stays_near(ring, course.line, strip.reach) &&
           simple({{ring}}).value_or(false)) {
         strip.surface = {{ring}};
         return;

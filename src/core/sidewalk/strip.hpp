@@ -10,6 +10,7 @@ namespace streetgen {
 struct Strip {
   MultiPolygon surface;  // empty where the kerb has no sidewalk
   double widest = 0;     // metres
+  double reach = 0;      // metres: no part of it is farther from its kerb
   bool plain = true;     // one ring along the kerb, which it cannot cross
   bool narrow = false;   // another kerb of its chain, across, has part of what it wants
 };

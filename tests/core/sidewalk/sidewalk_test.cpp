@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
@@ -215,6 +216,41 @@ TEST(Sidewalk, BetweenTwoRoundKerbsIsTheSameInTheMirror) {
   EXPECT_EQ(of_kerb(one, 0).method, Method::contested);
   for (int k = 0; k < 2; ++k)
     EXPECT_NEAR(area(of_kerb(one, k).surface), area(of_kerb(other, k).surface), 1e-6);
+}
+
+Line moved(Line line, double turn, bool mirrored) {
+  for (Point& p : line) {
+    const double x = (mirrored ? -1 : 1) * (p.x - 6.5e5), y = p.y - 6.86e6;
+    p = {6.5e5 + std::cos(turn) * x - std::sin(turn) * y,
+         6.86e6 + std::sin(turn) * x + std::cos(turn) * y, 0};
+  }
+  return mirrored ? reversed(line) : line;
+}
+
+// The areas do not change with the paper, whichever way one walks about the block.
+void expect_same_when_moved(const std::vector<SidewalkKerb>& kerbs, const std::string& which) {
+  const auto sidewalks = find_sidewalks(kerbs, 5);
+  for (int k = 1; k < 8; ++k) {
+    std::vector<SidewalkKerb> placed = kerbs;
+    for (SidewalkKerb& kerb : placed) kerb.line = moved(kerb.line, k * 0.79, k % 2 == 1);
+    const auto others = find_sidewalks(placed, 5);
+    for (int i = 0; i < static_cast<int>(kerbs.size()); ++i)
+      EXPECT_NEAR(area(of_kerb(sidewalks, i).surface), area(of_kerb(others, i).surface), 2e-5)
+          << which << " kerb " << i << " moved " << k;
+  }
+}
+
+Line placed(Line line) {
+  for (Point& p : line) p = p + Point{6.5e5, 6.86e6, 0};
+  return line;
+}
+
+// The kerb goes about a needle of ground and on round a bend.
+TEST(Sidewalk, PassesANeedleAlikeInTheMirror) {
+  const Line before = placed({{-20, 0, 0}, {0, 0, 0}, {0.09, -0.02, 0}});
+  const Line back = placed({{0.09, -0.02, 0}, {0, 0.018, 0}});
+  const Line after = placed({{0, 0.018, 0}, {0.3, -0.09, 0}, {0.4, 0.4, 0}, {1.2, 2.4, 0}});
+  expect_same_when_moved({kerb(before, 2), kerb(back, 2), kerb(after, 2)}, "needle");
 }
 
 // Two kerbs at a right angle without an arc: each square metre of the corner goes to the nearer.
