@@ -1,7 +1,7 @@
 -- Random networks in storeys, which tests/battery/heights runs: after each edit a run over the whole model changes no overpass and no height.
 CREATE SCHEMA heights;
 
--- Of a network: does it lie on hills, in storeys of roads that sink, or above each other in turn; are there holes in what is known of its ground?
+-- A network lies in a model, flat or on hills. Do roads sink in it, too, and are there holes in what is known of its ground?
 CREATE TYPE heights.network AS (model text, sinks boolean, holes boolean);
 
 SELECT streetgen.create_model('flat', 2154, subjects => '{height}'), streetgen.create_model('hilly', 2154, 3, subjects => '{height}'),
@@ -14,7 +14,7 @@ CREATE FUNCTION heights.between(low float8, high float8) RETURNS float8 LANGUAGE
 
 CREATE FUNCTION heights.one_of(VARIADIC words text[]) RETURNS text LANGUAGE sql VOLATILE RETURN words[1 + floor(random() * cardinality(words))::integer];
 
--- A place where roads end, or one of its own.
+-- A place where roads end.
 CREATE FUNCTION heights.place(near geometry DEFAULT NULL) RETURNS geometry LANGUAGE sql VOLATILE
   RETURN (SELECT geom FROM heights.place WHERE near IS NULL OR ST_Distance(geom, near) BETWEEN 30 AND 200 ORDER BY random() LIMIT 1);
 
@@ -65,7 +65,7 @@ BEGIN
   END CASE;
 END $$;
 
--- What a whole run over a model changes in a table, as rows; the model is as after the run then.
+-- The rows that a whole run over a model changes, NULL where there are none; the model is as after the run then.
 CREATE FUNCTION heights.changed_by_run(model text) RETURNS text LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   changed text;
@@ -80,7 +80,7 @@ BEGIN
 END $$;
 
 CREATE TABLE heights.failure (seed integer, number integer, network text, statement text, what text);
--- What came about: nothing says anything of a network that has no such thing.
+-- The states that were tried, and how much was lifted, sunk and not kept in them.
 CREATE TABLE heights.tried (edits integer, lifted integer, sunk integer, unkept integer);
 
 -- The network of a seed, and so many edits of it.

@@ -97,6 +97,14 @@ DO $$ BEGIN PERFORM streetgen.create_model('spiral', 2154, subjects => '{height}
 INSERT INTO spiral.axis (axis_id, geom, width, level, speed) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 7, 0, 50), (2, 'SRID=2154;LINESTRING(650030 6859990, 650030 6860010, 650050 6860010, 650050 6859990)', 7, 0, 50);
 INSERT INTO spiral.overpass_override (geom, axis_above, axis_below) VALUES ('SRID=2154;POINT(650030 6860000)', 1, 2), ('SRID=2154;POINT(650050 6860000)', 2, 1);
 SELECT 'a clearance that cannot be kept is an error of check_model, and heights are finite', count(*) >= 1 AND (SELECT bool_and(ST_ZMax(geom) < 100) FROM spiral.profile) FROM streetgen.check_model('spiral') WHERE (severity, rule) = ('error', 'clearance not kept, m');
+-- Streets of one level cross without a node, too, and one of them is lifted.
+SELECT streetgen.create_model('level', 2154, subjects => '{height}') \g /dev/null
+INSERT INTO level.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000, 650200 6860000)', 7);
+SET streetgen.live = off;
+INSERT INTO level.axis (axis_id, geom, width) VALUES (2, 'SRID=2154;LINESTRING(650050 6859900, 650050 6860100)', 7), (3, 'SRID=2154;LINESTRING(650100 6859900, 650100 6860000, 650100 6860100)', 7);
+SELECT 'who draws axis ' || a || ' waits for others where roads are off the ground, or not', waits = EXISTS (SELECT FROM level._chain_keys(ARRAY[a], ARRAY[a], '{}', '{}') WHERE key = streetgen._chain_key('profile', 0))
+    FROM (VALUES (2::bigint, true), (3, false)) v(a, waits);
+SET streetgen.live = on;
 SELECT 'a mesh lies as high as the profile', abs(max(ST_ZMax(m.geom)) - (SELECT max(ST_ZMax(geom)) FROM town.profile)) < 0.06 FROM streetgen.road_mesh('town') m;
 
 -- Ground with heights.

@@ -29,6 +29,19 @@ END $$;
 COMMENT ON FUNCTION streetgen._terrain_heights(name, geometry, geometry[]) IS
     'The heights (m) of places in an area by the tiles of a model; NaN where there are none.';
 
+CREATE OR REPLACE FUNCTION streetgen._nearest_height(model name, place geometry, OUT z float8, OUT distance float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('SELECT ST_Z(d.geom), ST_Distance(d.geom, $1) FROM (SELECT geom FROM %I.axis
+            WHERE ST_DWithin(geom, $1, 500) ORDER BY geom <-> $1, axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
+        WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY 2, 1 LIMIT 1', model)
+        INTO z, distance USING place;
+END $$;
+COMMENT ON FUNCTION streetgen._nearest_height(name, geometry) IS
+    'The height (m) of the nearest vertex of an axis that has one, and how far it is (m); NULL where none is within '
+    '500 m.';
+
 CREATE OR REPLACE FUNCTION streetgen._node_ground(model name, place geometry) RETURNS float8
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -39,15 +52,7 @@ BEGIN
         RETURN z;
     END IF;
     z := coalesce(nullif((streetgen._terrain_heights(model, place, ARRAY[place]))[1], 'NaN'), z);
-    IF z IS NULL THEN
-        -- A change of an axis asks for the nodes without a height as far away (streetgen._renewed_profile).
-        EXECUTE format('SELECT streetgen._known_height(ST_Z(d.geom)) FROM (SELECT geom FROM %I.axis
-                WHERE ST_DWithin(geom, $1, 500) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 20) a,
-                ST_DumpPoints(a.geom) d
-            WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY ST_Distance(d.geom, $1), 1 LIMIT 1',
-            model) INTO z USING place;
-    END IF;
-    RETURN coalesce(z, 0);
+    RETURN coalesce(z, (streetgen._nearest_height(model, place)).z, 0);
 END $$;
 COMMENT ON FUNCTION streetgen._node_ground(name, geometry) IS
     'The ground (m) at the place of a node: its Z; where that is 0 or unknown, the terrain; else the nearest vertex of '

@@ -59,7 +59,7 @@ COMMENT ON FUNCTION streetgen._solved_profile(streetgen.profile_edge[], streetge
     streetgen.profile_height[], integer) IS 'The heights along edges, with all that lifts and sinks them.';
 
 CREATE OR REPLACE FUNCTION streetgen._renewed_profile(model name, edges streetgen.profile_edge[],
-    lifts streetgen.profile_lift[], heights streetgen.profile_height[], gone bigint[])
+    lifts streetgen.profile_lift[], heights streetgen.profile_height[], gone bigint[], axes bigint[])
     RETURNS SETOF streetgen.solved_profile
     -- STABLE: it sees the model before the statement that calls it.
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
@@ -75,15 +75,20 @@ DECLARE
     more bigint[] := '{}';
 BEGIN
     SELECT m.srid, m.dimension INTO place FROM streetgen.model m WHERE m.name = model;
-    -- Nodes without a height have that of an axis near, before or after (streetgen._node_ground).
+    -- A node without a height has the nearest one, before and after: no axis that lies farther off changes it. An edge
+    -- lies no farther from its axis than the reach.
     IF place.dimension = 3 THEN
         EXECUTE format($sql$
-SELECT ARRAY(SELECT e.edge_id FROM (SELECT line::geometry AS geom FROM unnest($1)
-        UNION ALL SELECT geom FROM %1$I.edge WHERE edge_id = ANY ($2)) l
-    JOIN %1$I.node n ON ST_DWithin(n.geom, l.geom, 500) JOIN %1$I.edge e ON e.from_node = n.node_id
-        OR e.to_node = n.node_id
-    WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000
-    EXCEPT SELECT unnest($2)) $sql$, model) INTO more USING region, known;
+WITH line AS MATERIALIZED (SELECT geom FROM (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
+        UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) l
+    WHERE streetgen._known_height(ST_ZMin(geom)) IS NOT NULL OR streetgen._known_height(ST_ZMax(geom)) IS NOT NULL),
+hole AS MATERIALIZED (SELECT n.node_id, n.geom, r.reach, min(ST_Distance(n.geom, l.geom)) AS apart
+    FROM (SELECT value::float8 AS reach FROM %1$I.setting WHERE name = 'reach') r CROSS JOIN line l
+        JOIN %1$I.node n ON ST_DWithin(n.geom, l.geom, 500 + reach)
+    WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000 GROUP BY n.node_id, r.reach)
+SELECT ARRAY(SELECT e.edge_id FROM hole h, streetgen._nearest_height(%2$L, h.geom) v, %1$I.edge e
+    WHERE apart <= coalesce(v.distance, 500) + reach AND (e.from_node = h.node_id OR e.to_node = h.node_id)
+    EXCEPT SELECT unnest($2)) $sql$, model, model) INTO more USING axes, known;
     END IF;
     -- The region is closed: no crossing and no tied node, before or after, leads from it to others. Then its edges
     -- have the heights that they have among all, and the others keep theirs (include/streetgen/profile.hpp).
@@ -130,6 +135,6 @@ SELECT ARRAY(
     RETURN QUERY SELECT * FROM unnest(solved);
 END $$;
 COMMENT ON FUNCTION streetgen._renewed_profile(name, streetgen.profile_edge[], streetgen.profile_lift[],
-    streetgen.profile_height[], bigint[]) IS
+    streetgen.profile_height[], bigint[], bigint[]) IS
     'The heights along all edges that a change can move: edges, lifts and heights by hand as they are written, gone '
-    'the edges that go; the others, and their crossings, as the model has them.';
+    'the edges that go, axes those whose rows are written; the others, and their crossings, as the model has them.';

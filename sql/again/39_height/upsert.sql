@@ -29,6 +29,6 @@ profile_gone AS MATERIALIZED (
         ELSE $part$
             streetgen._renewed_profile('{model_name}', (SELECT list FROM profile_edges),
                 (SELECT list FROM profile_lifts), (SELECT list FROM profile_heights),
-                (SELECT list FROM profile_gone))$part$ END)) $$;
+                (SELECT list FROM profile_gone), ARRAY(SELECT axis_id FROM written_axis))$part$ END)) $$;
 COMMENT ON FUNCTION streetgen._upsert_height(jsonb) IS
     'Part of the one statement: the heights along new_edge, and along all edges that these lift or no longer lift.';

@@ -20,7 +20,11 @@ CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touch
             WHERE a.axis_id = ANY (axes) AND ST_Z(n.geom) NOT BETWEEN -500 AND 10000
         UNION SELECT axis_id, 0 FROM {model}.height_override WHERE axis_id = ANY (axes)
         UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.axis b ON ST_Crosses(a.geom, b.geom)
-            WHERE a.axis_id = ANY (axes) AND a.level <> b.level$q$, true),
+            WHERE a.axis_id = ANY (axes) AND (a.level <> b.level
+                -- Axes of one level cross where they do not both have a vertex, which would be a node.
+                OR EXISTS (SELECT FROM {model}.setting s, ST_Dump(ST_Intersection(a.geom, b.geom)) p
+                    WHERE s.name = 'tolerance' AND NOT (ST_DWithin(p.geom, ST_Points(a.geom), s.value::float8)
+                        AND ST_DWithin(p.geom, ST_Points(b.geom), s.value::float8))))$q$, true),
     -- A run that changes a road of one edge, or a junction of one node, holds an axis there.
     ('road'::name, $q$
         SELECT t.axis_id, r.road_id AS chain FROM touched t, LATERAL (
