@@ -58,7 +58,7 @@ CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text, known t
         UNION SELECT k.kerb_id, k.leads FROM reached n, LATERAL (
             SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
             SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
-            WHERE k.geom && ST_Expand(p.geom, 1e-6) AND ST_DWithin(k.geom, p.geom, 1e-6) OFFSET 0) k
+            WHERE k.geom && ST_Expand(p.geom, 2e-6) AND ST_DWithin(k.geom, p.geom, 2e-6) OFFSET 0) k
         WHERE n.leads AND k.kerb_id NOT IN (SELECT unnest(kerbs) FROM known))
     SELECT r.kerbs, known.kerbs || r.kerbs AS known
     FROM known, (SELECT ARRAY(SELECT kerb_id FROM reached) AS kerbs) r),

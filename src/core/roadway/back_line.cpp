@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "geometry/closed_ring.hpp"
@@ -60,7 +61,7 @@ class Corners {
     }
     for (int i = 1; i < count(); ++i) join(i - 1, i);
     if (is_closed && count() > 1) join(count() - 1, 0);
-    for (int i = 0; i < count(); ++i) leave_out(i);
+    leave_out();
   }
 
   void append_to(Line& line, std::vector<int>& segment_of,
@@ -93,18 +94,31 @@ class Corners {
     sides_[b].previous = a;
   }
 
-  void leave_out(int i) {
-    while (i >= 0) {
-      const BackSide& side = sides_[i];
-      const int before = side.previous, after = side.next;
-      if (!side.there || before < 0 || after < 0 || before == after) return;
-      const bool in_bend = side.start.size() > 1 || sides_[after].start.size() > 1;
-      const Point size = sides_[after].start.front() - side.start.back();
-      if (in_bend || dot(size, side.along) > -same_place) return;
+  // Metres that the line goes backwards along a side; a side about a bend stays.
+  double backwards(int i) const {
+    const BackSide& side = sides_[i];
+    const int before = side.previous, after = side.next;
+    if (!side.there || before < 0 || after < 0 || before == after) return 0;
+    if (side.start.size() > 1 || sides_[after].start.size() > 1) return 0;
+    return -dot(sides_[after].start.front() - side.start.back(), side.along);
+  }
+
+  // The one first that lies the farthest backwards, whichever way the kerbs are walked along.
+  void leave_out() {
+    std::set<std::pair<double, int>> ahead;
+    std::vector<double> known(sides_.size());
+    const auto look_at = [&](int i) {
+      ahead.erase({known[i], i});
+      known[i] = backwards(i);
+      if (known[i] > same_place) ahead.insert({known[i], i});
+    };
+    for (int i = 0; i < count(); ++i) look_at(i);
+    while (!ahead.empty()) {
+      const int i = ahead.rbegin()->second;
+      const int before = sides_[i].previous, after = sides_[i].next;
       sides_[i].there = false;
       join(before, after);
-      leave_out(after);
-      i = before;
+      for (const int each : {before, i, after}) look_at(each);
     }
   }
 

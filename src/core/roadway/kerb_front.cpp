@@ -94,6 +94,11 @@ class Front {
     int sides = 0;  // that the front does not lose within it
     bool start_told = false, end_told = false;
   };
+  // A side with its neighbours before it met others.
+  struct Met {
+    int side, previous, next;
+    bool goes_round;
+  };
   using Meeting = std::tuple<double, int, int>;  // time, side, its version
 
   static bool ends_aslant(const Point& before, const Point& after) {
@@ -199,24 +204,38 @@ class Front {
     if (r >= 0) expect(r);
   }
 
-  // What it means for strips that are so wide.
+  // What it means for strips that are so wide. Sides that shrink to one place at one time meet
+  // there together, in whatever order they are looked at.
   void note_meeting(int l, int i, int r, const Point& at, double time) {
+    if (time - met_time_ > same_place || distance(at, met_at_) > same_place) {
+      met_.clear();
+      met_at_ = at;
+      met_time_ = time;
+    }
+    for (const int each : {l, i, r})
+      if (each >= 0 &&
+          std::none_of(met_.begin(), met_.end(), [&](const Met& met) { return met.side == each; }))
+        met_.push_back({each, sides_[each].previous, sides_[each].next, goes_round(each)});
+    const bool is_last = l >= 0 && r >= 0 && sides_[r].next == l;
     double least = width_at(i, at), most = least;
-    for (const int other : {l, r}) {
-      if (other < 0) continue;
-      least = std::min(least, width_at(other, at));
-      most = std::max(most, width_at(other, at));
+    bool is_narrow = false, is_round = false;
+    for (const Met& met : met_) {
+      least = std::min(least, width_at(met.side, at));
+      most = std::max(most, width_at(met.side, at));
+      for (const Met& other : met_) {
+        const bool follows = met.next == other.side || met.previous == other.side;
+        is_round = is_round || (met.next == other.side && other.goes_round);
+        is_narrow =
+            is_narrow || ((is_last || !follows) &&
+                          dot(sides_[met.side].normal, sides_[other.side].normal) < facing_cosine);
+      }
     }
     if (time >= most) return;
-    const bool is_narrow =
-        l >= 0 && r >= 0 && dot(sides_[l].normal, sides_[r].normal) < facing_cosine;
     // Ground that the kerb across does not want goes to this one.
-    const bool is_whole =
-        !goes_round(i) && !goes_round(r) && (!is_narrow || most - least <= uneven);
-    for (const int each : {l, i, r}) {
-      if (each < 0) continue;
-      ground(each).whole = ground(each).whole && is_whole;
-      ground(each).narrow = ground(each).narrow || is_narrow;
+    const bool is_whole = !is_round && (!is_narrow || most - least <= uneven);
+    for (const Met& met : met_) {
+      ground(met.side).whole = ground(met.side).whole && is_whole;
+      ground(met.side).narrow = ground(met.side).narrow || is_narrow;
     }
   }
 
@@ -255,6 +274,9 @@ class Front {
   FrontPassed passed_;
   double widest_ = 0;
   bool met_all_ = false;  // nothing is left before a closed front
+  std::vector<Met> met_;  // the last ones, in one place at one time
+  Point met_at_;
+  double met_time_ = -1;
   std::priority_queue<Meeting, std::vector<Meeting>, std::greater<Meeting>> meetings_;
 };
 

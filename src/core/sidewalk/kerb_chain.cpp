@@ -12,6 +12,10 @@ namespace streetgen {
 
 namespace {
 
+// Metres between the end of a kerb and the start of the next one, of which each may lie a place
+// off.
+constexpr double meeting = 2 * same_place;
+
 // The turn of the way from a to b and on to c: positive to the left.
 double turn(const Point& a, const Point& b, const Point& c) {
   return std::atan2(cross(b - a, c - b), dot(b - a, c - b));
@@ -52,8 +56,9 @@ void KerbChains::link() {
     const Line& line = kerbs_[i].line;
     if (kerbs_[i].ends) continue;
     double sharpest = 0;
-    for (const int j : index.near(box_of(line.back(), line.back()), same_place)) {
+    for (const int j : index.near(box_of(line.back(), line.back()), meeting)) {
       if (kerbs_[j].level != kerbs_[i].level || kerbs_[j].ends || previous_[j] >= 0) continue;
+      if (distance(kerbs_[j].line[0], line.back()) > meeting) continue;
       const double angle = turn(line[line.size() - 2], line.back(), kerbs_[j].line[1]);
       if (next_[i] >= 0 && angle <= sharpest) continue;
       next_[i] = j;

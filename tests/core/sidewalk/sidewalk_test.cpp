@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <string>
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
@@ -227,17 +226,19 @@ Line moved(Line line, double turn, bool mirrored) {
   return mirrored ? reversed(line) : line;
 }
 
-// The areas do not change with the paper, whichever way one walks about the block.
-void expect_same_when_moved(const std::vector<SidewalkKerb>& kerbs, const std::string& which) {
+// The greatest change of an area in square metres, on moved paper and walked about the other way.
+double most_changed_when_moved(const std::vector<SidewalkKerb>& kerbs) {
   const auto sidewalks = find_sidewalks(kerbs, 5);
+  double most = 0;
   for (int k = 1; k < 8; ++k) {
     std::vector<SidewalkKerb> placed = kerbs;
     for (SidewalkKerb& kerb : placed) kerb.line = moved(kerb.line, k * 0.79, k % 2 == 1);
     const auto others = find_sidewalks(placed, 5);
     for (int i = 0; i < static_cast<int>(kerbs.size()); ++i)
-      EXPECT_NEAR(area(of_kerb(sidewalks, i).surface), area(of_kerb(others, i).surface), 2e-5)
-          << which << " kerb " << i << " moved " << k;
+      most = std::max(
+          most, std::abs(area(of_kerb(sidewalks, i).surface) - area(of_kerb(others, i).surface)));
   }
+  return most;
 }
 
 Line placed(Line line) {
@@ -245,12 +246,41 @@ Line placed(Line line) {
   return line;
 }
 
+// Random narrow blocks, whose kerbs follow each other straight on and at corners. In one of twenty
+// the fronts meet in a place where rounding tells which parts of which.
+TEST(Sidewalk, OfANarrowBlockIsTheSameHoweverThePaperLies) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  int changed = 0;
+  for (int round = 0; round < rounds(60); ++round) {
+    const int corners = 3 + static_cast<int>(share(random) * 5);
+    Line block;
+    for (int i = 0; i < corners; ++i) {
+      const double t = 2 * M_PI * (i + 0.6 * share(random)) / corners, r = 10 + 20 * share(random);
+      block.push_back({r * std::cos(t), 0.3 * r * std::sin(t), 0});
+    }
+    block.push_back(block.front());
+    std::vector<SidewalkKerb> kerbs;
+    for (int i = 0; i < corners; ++i) {
+      const Point from = block[i], to = block[i + 1];
+      const Point between = from + (to - from) * (0.1 + 0.8 * share(random));
+      const double width = 1 + 4 * share(random);
+      kerbs.push_back(kerb(placed({from, between}), width));
+      kerbs.push_back(kerb(placed({between, to}), width));
+    }
+    const double most = most_changed_when_moved(kerbs);
+    EXPECT_LT(most, 0.02) << round;
+    changed += most > 1e-6;
+  }
+  EXPECT_LE(changed, rounds(60) / 20);
+}
+
 // The kerb goes about a needle of ground and on round a bend.
 TEST(Sidewalk, PassesANeedleAlikeInTheMirror) {
   const Line before = placed({{-20, 0, 0}, {0, 0, 0}, {0.09, -0.02, 0}});
   const Line back = placed({{0.09, -0.02, 0}, {0, 0.018, 0}});
   const Line after = placed({{0, 0.018, 0}, {0.3, -0.09, 0}, {0.4, 0.4, 0}, {1.2, 2.4, 0}});
-  expect_same_when_moved({kerb(before, 2), kerb(back, 2), kerb(after, 2)}, "needle");
+  EXPECT_LT(most_changed_when_moved({kerb(before, 2), kerb(back, 2), kerb(after, 2)}), 1e-6);
 }
 
 // Two kerbs at a right angle without an arc: each square metre of the corner goes to the nearer.
