@@ -30,6 +30,14 @@ INSERT INTO town.street_object (street_object_id, type, geom) VALUES (1, 'tree',
 INSERT INTO town.street_object (type, geom) VALUES ('tree', ST_SetSRID(ST_MakePoint(650060, 6860300), 2154));
 SELECT 'objects', array_agg(street_object_id ORDER BY ST_X(geom)) = '{1,2}' FROM town.street_object;
 
+-- An import counts no keys but those of the rows that it brings: it would set back what others count meanwhile.
+CREATE TABLE test.line_of_source AS SELECT i AS id, test.line(i) AS geom FROM generate_series(17, 18) i;
+SELECT FROM streetgen.import_axes('town', 'test.line_of_source', '{"source_ref": "id"}') \g /dev/null
+SELECT 'axes of an import go on too', array_agg(axis_id ORDER BY axis_id) = '{107,108}' FROM town.axis WHERE source_ref IS NOT NULL;
+CREATE TABLE test.count AS SELECT last_value, log_cnt, is_called FROM town.axis_axis_id_seq;
+SELECT FROM streetgen.import_axes('town', 'test.line_of_source', '{"source_ref": "id"}') \g /dev/null
+SELECT 'an import of known rows leaves the count alone', (SELECT (last_value, log_cnt, is_called) FROM test.count) = (SELECT (last_value, log_cnt, is_called) FROM town.axis_axis_id_seq);
+
 -- An editor may write keys of his own, and not the sequence.
 CREATE ROLE own_key_editor ROLE CURRENT_USER;
 SELECT streetgen.grant('town', 'own_key_editor', 'editor') \g /dev/null

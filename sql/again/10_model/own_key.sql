@@ -8,15 +8,26 @@ CREATE OR REPLACE FUNCTION streetgen._generated_key(model name, relation name) R
 COMMENT ON FUNCTION streetgen._generated_key(name, name) IS
     'The column of a table of a model that is numbered where a row leaves it out; NULL for none.';
 
+CREATE OR REPLACE FUNCTION streetgen._passing_key(keys text, key text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    -- Others number rows meanwhile: nextval goes on from theirs, and none takes a thousand at once.
+    RETURN format('SELECT count(CASE WHEN ahead > 1000 THEN setval(%1$L, key) ELSE nextval(%1$L) END) FROM '
+        '(SELECT k AS key, k - last_value + (NOT is_called)::integer AS ahead FROM %1$s, greatest(%2$s, 0) k) s, '
+        'generate_series(1, CASE WHEN ahead > 1000 THEN 1 ELSE ahead END) WHERE key < $2', keys, key);
+COMMENT ON FUNCTION streetgen._passing_key(text, text) IS
+    'The statement by which generated keys go on after a key: the sequence, the key as SQL. $2 is _last_passed_key().';
+
 CREATE OR REPLACE FUNCTION streetgen._pass_taken_keys(model name, relation name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     key constant name := streetgen._generated_key(model, relation);
-    keys constant text := pg_get_serial_sequence(format('%I.%I', model, relation), key);
+    last constant bigint := streetgen._last_passed_key();
+    taken bigint;
 BEGIN
-    EXECUTE format('SELECT setval(%1$L, taken) FROM (SELECT max(%2$I) AS taken FROM %3$I.%4$I WHERE %2$I < $1) m, %1$s
-        WHERE taken >= last_value', keys, key, model, relation) USING streetgen._last_passed_key();
+    EXECUTE format('SELECT max(%1$I) FROM %2$I.%3$I WHERE %1$I < $1', key, model, relation) INTO taken USING last;
+    EXECUTE streetgen._passing_key(pg_get_serial_sequence(format('%I.%I', model, relation), key), '$1')
+        USING taken, last;
 END $$;
 COMMENT ON FUNCTION streetgen._pass_taken_keys(name, name) IS
     'Lets new rows of a table of a model be numbered after all that are there: keys that were written while the '
@@ -44,11 +55,7 @@ DECLARE
     keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
 BEGIN
     IF keys IS NOT NULL THEN
-        -- Others number rows meanwhile: nextval goes on from theirs, and none takes a thousand at once.
-        EXECUTE format('SELECT count(CASE WHEN ahead > 1000 THEN setval(%%1$L, key) ELSE nextval(%%1$L) END) FROM '
-            '(SELECT k AS key, k - last_value + (NOT is_called)::integer AS ahead '
-            'FROM %%1$s, greatest(($1).%%2$I, 0) k) s, '
-            'generate_series(1, CASE WHEN ahead > 1000 THEN 1 ELSE ahead END) WHERE key < $2', keys, TG_ARGV[0])
+        EXECUTE streetgen._passing_key(keys, format('($1).%%I', TG_ARGV[0]))
             USING NEW, streetgen._last_passed_key();
     END IF;
     RETURN NEW;

@@ -157,7 +157,6 @@ DECLARE
     columns constant text := (SELECT string_agg(name, ', ') FROM streetgen._axis_input());
     number bigint;
 BEGIN
-    PERFORM streetgen._pass_taken_keys(model, 'axis');
     PERFORM streetgen._drop_unchanged(model, 'axis', source), streetgen._bring_back(model, 'axis', source),
         streetgen._forget_gone(model, 'axis', source);
     IF clean THEN

@@ -38,7 +38,6 @@ BEGIN
     IF relation = 'street_object' THEN
         PERFORM streetgen._adopt_objects(model, source);
     END IF;
-    PERFORM streetgen._pass_taken_keys(model, relation);
     PERFORM streetgen._adopt_rows(model, relation, source), streetgen._drop_vanished(model, relation, source),
         streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
