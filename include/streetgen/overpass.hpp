@@ -2,9 +2,9 @@
 //
 // Every crossing counts once, also one at a vertex.  One within the tolerance of a node that both
 // edges share is that node, and edges that run along each other do not cross.  Who is above, in
-// this order: what a user decides, the higher level, the more important axis, the greater axis_id,
-// the later edge of one axis.  So the relation has no cycle but by hand, and two edges alone
-// decide.
+// this order: what a user decides, the higher level, the more important axis, the longer axis (by
+// the millimetre), the greater axis_id; of one axis what is nearer to its middle, then the later.
+// So the relation has no cycle but by hand, and two edges and the lengths of their axes decide.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ enum class OverpassMethod {
   by_hand,     // decided by a user
   level,       // the levels of the axes differ
   importance,  // of one level: the more important axis is above
-  order,       // of one level and importance: the greater axis_id is above
+  order,       // of one level and importance: the longer axis is above
 };
 
 // By hand: axis_above passes over axis_below at the crossing nearest to `place`, within 20 m,
@@ -42,9 +42,11 @@ struct Overpass {
   OverpassMethod method = OverpassMethod::level;
 };
 
-// Sorted by (edge_above, abscissa_above, edge_below).  `importances`: one per edge, 1 is the
-// highest.  tolerance (of the network) and clearance in metres, not negative.
+// Sorted by (edge_above, abscissa_above, edge_below).  One per edge: `importances`, 1 is the
+// highest, and `axis_lengths`, metres of the input axis.  tolerance (of the network) and clearance
+// in metres, not negative.
 std::vector<Overpass> overpasses(const Network& network, const std::vector<int>& importances,
+                                 const std::vector<double>& axis_lengths,
                                  const std::vector<OverpassOverride>& by_hand, double tolerance,
                                  double clearance);
 

@@ -19,7 +19,7 @@ INSERT INTO over.axis (axis_id, geom, width, level, importance) VALUES
 CREATE VIEW who AS SELECT a.axis_id AS above, b.axis_id AS below, o.* FROM over.overpass o
     JOIN over.edge a ON a.edge_id = o.edge_above JOIN over.edge b ON b.edge_id = o.edge_below;
 SELECT 'every crossing without a node is an overpass, one at a vertex once', array_agg((above, below, method)::text ORDER BY ST_X(geom))
-    = '{"(2,1,level)","(1,3,level)","(4,1,importance)","(5,1,order)"}' FROM who;
+    = '{"(2,1,level)","(1,3,level)","(4,1,importance)","(1,5,order)"}' FROM who;
 SELECT 'it lies where the edges cross', bool_and(ST_Distance(o.geom, e.geom) < 1e-6 AND abs(ST_Length(e.geom) * ST_LineLocatePoint(e.geom, o.geom) - at) < 1e-6)
     FROM over.overpass o, LATERAL (VALUES (edge_above, abscissa_above), (edge_below, abscissa_below)) v(edge_id, at) JOIN over.edge e USING (edge_id);
 SELECT 'the clearance is that of the setting', bool_and(clearance = 6) FROM over.overpass;

@@ -17,7 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_column()
     ('overpass', 'geom', 'the crossing'),
     ('overpass', 'clearance', 'wanted from roadway to roadway, metres'),
     ('overpass', 'method', 'how it is known who is above: by_hand, level (the levels differ), importance (of one '
-        'level, the more important axis is above) or order (of one level and importance, the greater axis_id is)'),
+        'level, the more important axis is above) or order (of one level and importance, the longer axis is, '
+        'else the greater axis_id, and of one axis what is nearer to its middle)'),
     ('height_override', 'height_override_id', 'key'),
     ('height_override', 'axis_id', 'the axis'),
     ('height_override', 'abscissa', 'the place, metres along the axis'),

@@ -105,18 +105,39 @@ Overpass ordered(const Meeting& meeting, bool a_above, OverpassMethod method, do
   return {meeting.b, meeting.a, meeting.at_b, meeting.at_a, meeting.point, clearance, method};
 }
 
+std::int64_t whole_millimetres(double metres) { return std::llround(metres * 1000); }
+
+// Who is above of one level and importance: the longer axis; of one axis the edge nearer to its
+// middle, and of one edge the place nearer to its own. An order of all edges, so that no circle
+// of overpasses comes of it, and it goes by no direction.
+bool above_by_order(const Meeting& meeting, const Network& network,
+                    const std::vector<double>& axis_lengths) {
+  const Edge &a = network.edges[meeting.a], &b = network.edges[meeting.b];
+  const std::int64_t of_a = whole_millimetres(axis_lengths[meeting.a]);
+  const std::int64_t of_b = whole_millimetres(axis_lengths[meeting.b]);
+  if (of_a != of_b) return of_a > of_b;
+  if (a.axis_id != b.axis_id) return a.axis_id > b.axis_id;
+  double off_a = std::abs(a.start_abscissa + a.end_abscissa - axis_lengths[meeting.a]);
+  double off_b = std::abs(b.start_abscissa + b.end_abscissa - axis_lengths[meeting.b]);
+  if (meeting.a == meeting.b) {
+    off_a = std::abs(2 * meeting.at_a - length(a.line));
+    off_b = std::abs(2 * meeting.at_b - length(a.line));
+  }
+  if (whole_millimetres(off_a) != whole_millimetres(off_b)) return off_a < off_b;
+  return meeting.a == meeting.b && meeting.at_a > meeting.at_b;
+}
+
 Overpass by_rule(const Meeting& meeting, const Network& network,
-                 const std::vector<int>& importances, double clearance) {
+                 const std::vector<int>& importances, const std::vector<double>& axis_lengths,
+                 double clearance) {
   const Edge &a = network.edges[meeting.a], &b = network.edges[meeting.b];
   if (a.level != b.level)
     return ordered(meeting, a.level > b.level, OverpassMethod::level, clearance);
   if (importances[meeting.a] != importances[meeting.b])
     return ordered(meeting, importances[meeting.a] < importances[meeting.b],
                    OverpassMethod::importance, clearance);
-  // Edges are in the order of their axes; an edge that crosses itself is above where it comes
-  // later.
-  return ordered(meeting, meeting.a == meeting.b && meeting.at_a > meeting.at_b,
-                 OverpassMethod::order, clearance);
+  return ordered(meeting, above_by_order(meeting, network, axis_lengths), OverpassMethod::order,
+                 clearance);
 }
 
 // Of the crossings of the two axes the one nearest to the place, or -1.
@@ -160,11 +181,12 @@ void apply(const std::vector<OverpassOverride>& by_hand, const Network& network,
 }  // namespace
 
 std::vector<Overpass> overpasses(const Network& network, const std::vector<int>& importances,
+                                 const std::vector<double>& axis_lengths,
                                  const std::vector<OverpassOverride>& by_hand, double tolerance,
                                  double clearance) {
   std::vector<Overpass> found;
   for (const Meeting& meeting : Crossings(network, tolerance).distinct())
-    found.push_back(by_rule(meeting, network, importances, clearance));
+    found.push_back(by_rule(meeting, network, importances, axis_lengths, clearance));
   apply(by_hand, network, found);
   std::sort(found.begin(), found.end(), [](const Overpass& p, const Overpass& q) {
     return std::tie(p.edge_above, p.abscissa_above, p.edge_below, p.abscissa_below) <

@@ -1,5 +1,8 @@
 #include "streetgen/street_model.hpp"
 
+#include <unordered_map>
+
+#include "geometry/polyline.hpp"
 #include "pipeline/invariants.hpp"
 #include "streetgen/streets.hpp"
 #include "traffic/ramp_lanes.hpp"
@@ -11,7 +14,11 @@ namespace {
 std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInput& input) {
   std::vector<int> importances;
   for (const Roadway& roadway : streets.roadways) importances.push_back(roadway.importance);
-  return overpasses(streets.network, importances, input.overpass_overrides,
+  std::unordered_map<std::int64_t, double> lengths;
+  for (const StreetAxis& axis : input.axes) lengths[axis.axis_id] = length(axis.line);
+  std::vector<double> axis_lengths;
+  for (const Edge& edge : streets.network.edges) axis_lengths.push_back(lengths.at(edge.axis_id));
+  return overpasses(streets.network, importances, axis_lengths, input.overpass_overrides,
                     input.settings.tolerance, input.clearance);
 }
 

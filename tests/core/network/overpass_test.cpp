@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "geometry/polyline.hpp"
@@ -12,20 +13,24 @@ namespace overpass_test {
 struct Town {
   Network net;
   std::vector<int> importances;
+  std::vector<double> axis_lengths;
 };
 
 Town town(const std::vector<NetworkAxis>& axes, std::vector<int> importance_of_axis = {}) {
-  Town made{network(axes, 0.5, Crossing::over), {}};
-  for (const Edge& edge : made.net.edges)
+  Town made{network(axes, 0.5, Crossing::over), {}, {}};
+  for (const Edge& edge : made.net.edges) {
+    for (const NetworkAxis& axis : axes)
+      if (axis.axis_id == edge.axis_id) made.axis_lengths.push_back(length(axis.line));
     made.importances.push_back(
         importance_of_axis.empty()
             ? 4
             : importance_of_axis[static_cast<std::size_t>(edge.axis_id) - 1]);
+  }
   return made;
 }
 
 std::vector<Overpass> found(const Town& made, const std::vector<OverpassOverride>& by_hand = {}) {
-  return overpasses(made.net, made.importances, by_hand, 0.5, 6);
+  return overpasses(made.net, made.importances, made.axis_lengths, by_hand, 0.5, 6);
 }
 
 std::int64_t above(const Town& made, const Overpass& overpass) {
@@ -68,11 +73,38 @@ TEST(Overpass, IsNoneWhereEdgesMeetOrRunAlongEachOther) {
   EXPECT_TRUE(found(town({{1, west_east, 1}, {2, {{10, 0}, {90, 0}}, 0}})).empty());
 }
 
-TEST(Overpass, OfALoopIsAboveWhereItComesLater) {
-  const Town made = town({{1, {{0, 0}, {100, 0}, {100, 50}, {50, 50}, {50, -50}}}});
-  const std::vector<Overpass> all = found(made);
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_GT(all[0].abscissa_above, all[0].abscissa_below);
+TEST(Overpass, HasTheLongerOfEqualAxesAboveWhateverTheirNumbers) {
+  const Line longer{{0, 0}, {110, 0}};
+  EXPECT_EQ(above(town({{1, longer}, {2, south_north}}),
+                  found(town({{1, longer}, {2, south_north}})).at(0)),
+            1);
+  EXPECT_EQ(above(town({{2, longer}, {1, south_north}}),
+                  found(town({{2, longer}, {1, south_north}})).at(0)),
+            2);
+}
+
+TEST(Overpass, OfALoopIsAboveNearerToItsMiddleWhicheverWayItIsDrawn) {
+  Line line{{30, 0}, {100, 0}, {100, 50}, {50, 50}, {50, -50}};
+  const Overpass drawn = found(town({{1, line}})).at(0);
+  EXPECT_DOUBLE_EQ(drawn.abscissa_above, 220);
+  std::reverse(line.begin(), line.end());
+  EXPECT_DOUBLE_EQ(found(town({{1, line}})).at(0).abscissa_above, 50);
+  const Town even = town({{1, {{0, 0}, {100, 0}, {100, 50}, {50, 50}, {50, -50}}}});
+  EXPECT_GT(found(even).at(0).abscissa_above, found(even).at(0).abscissa_below)
+      << "the later place of a loop with equal ends";
+}
+
+// The same axis, cut in the middle of its loop by a street that meets it.
+TEST(Overpass, OfTwoEdgesOfOneAxisIsAboveNearerToItsMiddle) {
+  Line line{{30, 0}, {100, 0}, {100, 50}, {50, 50}, {50, -70}};
+  for (int way = 0; way < 2; ++way) {
+    const Town made = town({{1, line}, {2, {{100, 50}, {150, 90}}}});
+    const std::vector<Overpass> all = found(made);
+    ASSERT_EQ(all.size(), 1u);
+    const Edge& edge = made.net.edges[all[0].edge_above];
+    EXPECT_NEAR(edge.end_abscissa - edge.start_abscissa, 170, 1e-9);
+    std::reverse(line.begin(), line.end());
+  }
 }
 
 TEST(Overpass, IsTurnedRoundByHandWithItsClearance) {

@@ -328,8 +328,9 @@ BEGIN
     INSERT INTO met SELECT key, a.ordinal, b.ordinal
       FROM (SELECT *, row_number() OVER (PARTITION BY key ORDER BY ordinal) AS n FROM here a WHERE NOT EXISTS (SELECT FROM met WHERE met.key = a.key AND ordinal_a = a.ordinal)) a
       JOIN (SELECT *, row_number() OVER (PARTITION BY key ORDER BY ordinal) AS n FROM there b WHERE NOT EXISTS (SELECT FROM met WHERE met.key = b.key AND ordinal_b = b.ordinal)) b USING (key, n);
-    -- Angles of a circle are the same a whole turn on.
-    part := (SELECT coalesce(string_agg(format('CASE WHEN ' || CASE n WHEN 'angle' THEN 'abs(a.%1$I - b.%1$I - 360 * round(((a.%1$I - b.%1$I) / 360)::numeric))' ELSE 'abs(a.%1$I - b.%1$I)' END || ' > ' || CASE n WHEN 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN 'angle' THEN 'degrees(1e-6)' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
+    -- Angles of a circle are the same a whole turn on. A part of an edge's side ends at a whole millimetre from the start of the edge.
+    part := (SELECT coalesce(string_agg(format('CASE WHEN ' || CASE n WHEN 'angle' THEN 'abs(a.%1$I - b.%1$I - 360 * round(((a.%1$I - b.%1$I) / 360)::numeric))' ELSE 'abs(a.%1$I - b.%1$I)' END || ' > ' || CASE WHEN n = 'contested_area' THEN '1e-6 * greatest(1, ST_Perimeter(a.surface))' WHEN n = 'angle' THEN 'degrees(1e-6)'
+      WHEN m.reversed AND relation = 'block_edge' THEN '1.001e-3' ELSE '1e-6 + 1e-9 * abs(a.%1$I)' END || ' OR (a.%1$I IS NULL) <> (b.%1$I IS NULL) THEN %1$L END', n), ', '), 'NULL') FROM unnest(numbers) n)
       || (SELECT coalesce(string_agg(format(', CASE WHEN a.%1$I IS DISTINCT FROM b.%1$I THEN %1$L END', n), ''), '') FROM unnest(scalars) n);
     EXECUTE format($q$WITH both_sides AS MATERIALIZED (SELECT a.key AS a_key, b.key AS b_key, concat_ws(' ', %s%s) AS cols, greatest(0%s) AS apart, %s AS area, %s AS place
         FROM (here a LEFT JOIN met ON met.key = a.key AND ordinal_a = a.ordinal) FULL JOIN there b ON b.key = met.key AND b.ordinal = ordinal_b),
