@@ -46,7 +46,8 @@ DECLARE
       THEN regexp_replace(regexp_replace(regexp_replace(col, '^(start|end)_', '~\1_'), '~start_|~end_', CASE WHEN col LIKE 'start%' THEN 'end_' ELSE 'start_' END), '^(from|to)_',
         CASE WHEN col LIKE 'from%' THEN 'to_' ELSE 'from_' END)
     WHEN col ~ '^width(_end)?$|^source_width' AND 'width_end' = ANY (columns) THEN CASE WHEN col LIKE '%_end' THEN left(col, -4) ELSE col || '_end' END
-    WHEN col ~ '_(forward|backward)$' THEN test.exchanged(col, 'forward', 'backward') END;
+    WHEN col ~ '_(forward|backward)$' THEN test.exchanged(col, 'forward', 'backward')
+    WHEN col ~ '^tied_(from|to)$' THEN test.exchanged(col, 'from', 'to') END;
   backwards text;
   flipped text;
   plain text;
