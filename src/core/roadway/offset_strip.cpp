@@ -12,6 +12,18 @@ namespace streetgen {
 
 namespace {
 
+constexpr double least_piece = 1e-5;  // metres: pieces that are shorter have no direction but noise
+
+// Without shorter pieces, from the first place to the last.
+Line without_noise(const Line& line) {
+  Line out{line.front()};
+  for (const Point& place : line)
+    if (distance(place, out.back()) > least_piece) out.push_back(place);
+  if (out.size() > 1 && distance(out.back(), line.back()) <= least_piece) out.pop_back();
+  out.push_back(line.back());
+  return out;
+}
+
 std::vector<double> widths_along(const Line& kerb, double width_start, double width_end) {
   const double total = length(kerb);
   std::vector<double> widths;
@@ -40,7 +52,8 @@ Ring ring_of_strip(const Line& kerb, const std::vector<double>& widths) {
 }  // namespace
 
 MultiPolygon offset_strip(const Line& kerb, double width_start, double width_end) {
-  const Line line = distinct(planar(kerb));
+  const Line whole = distinct(planar(kerb));
+  const Line line = whole.size() > 2 ? without_noise(whole) : whole;
   if (line.size() < 2 || (width_start <= 0 && width_end <= 0)) return {};
   const std::vector<double> widths = widths_along(line, width_start, width_end);
   if (distance(line.front(), line.back()) > 0) {

@@ -64,5 +64,19 @@ TEST(OffsetStrip, IsValidOnRoughKerbs) {
   }
 }
 
+// A piece of a micrometre has no direction but the noise of its coordinates.
+TEST(OffsetStrip, TakesNoDirectionFromAPieceOfAMicrometre) {
+  const double plain = area(offset_strip(Line{{0, 0, 0}, {8, 3, 0}, {11, 3, 0}}, 0.3, 0.3));
+  for (int k = 0; k < 16; ++k) {
+    const double t = k * M_PI / 8;
+    const Point off{1e-6 * std::cos(t), 1e-6 * std::sin(t), 0};
+    const Line noisy{{0, 0, 0}, {8, 3, 0}, Point{8, 3, 0} + off, {11, 3, 0}};
+    EXPECT_NEAR(area(offset_strip(noisy, 0.3, 0.3)), plain, 4e-5) << k;
+    EXPECT_NEAR(area(offset_strip(Line{off, {0, 0, 0}, {8, 3, 0}, {11, 3, 0}}, 0.3, 0.3)), plain,
+                4e-5)
+        << k;
+  }
+}
+
 }  // namespace offset_strip_test
 }  // namespace streetgen
